@@ -1,0 +1,125 @@
+/* What the commands share: the option table, help, messages, input, output, exit. The only code that
+ * prints or exits. A command reads: options, read, check, compute, write.
+ *
+ * Every command has -h --help, -V --version, -v --verbose, -q --quiet, -o --output, -j --threads and
+ * --max-memory without naming them; -s --seed and --json where its program says so. One table per
+ * command feeds the parser, --help, the manual's check and the completions (--options-table prints it
+ * as TSV).
+ */
+#ifndef HATCH_CMD_H
+#define HATCH_CMD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdnoreturn.h>
+
+#include "base/arena.h"
+#include "base/bytes.h"
+#include "base/parallel.h"
+
+#define HATCH_VERSION "0.1.0"
+
+enum cmd_type {
+    CMD_FLAG,   /* bool: true when given */
+    CMD_INT,    /* int64_t */
+    CMD_REAL,   /* double; K, M and G suffixes are not taken */
+    CMD_SIZE,   /* uint64_t bytes: a whole number with an optional K, M or G (1024-based) */
+    CMD_TEXT,   /* const char * */
+    CMD_CHOICE, /* int: the index into choices */
+    CMD_PAIR    /* double[2]: "A:B" or "AxB" */
+};
+
+/* Terminated by an entry without a name. A value outside minimum .. maximum is refused, never
+ * clamped, and the ranges are written so that NaN fails. */
+struct cmd_option {
+    char letter;              /* 0: long form only */
+    const char *name;         /* without dashes */
+    enum cmd_type type;
+    double minimum, maximum;  /* INT, REAL, SIZE, PAIR */
+    const char *metavariable; /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
+    const char *help;         /* one line, with the default */
+    void *value;              /* holds the default on entry; see enum cmd_type */
+    const char *const *choices; /* CHOICE: NULL-terminated */
+    bool *given;              /* may be NULL: set when the option stood on the command line */
+};
+
+struct cmd_program {
+    const char *name;        /* "tamgen" */
+    const char *operands;    /* "[FILE]", "A B", "" */
+    const char *summary;     /* one line: what it does */
+    const char *const *examples; /* NULL-terminated shell lines, two or so */
+    const struct cmd_option *options;
+    int operands_min, operands_max; /* max -1: any number */
+    bool seeded;             /* takes -s --seed */
+    bool reports;            /* takes --json */
+    bool binary;             /* its output is binary: never written to a terminal */
+};
+
+/* What the common options said, and the operands. */
+struct cmd_args {
+    const char *output;      /* NULL or "-": standard output */
+    uint32_t threads;        /* 1 .. 256; default: the processors at hand */
+    uint64_t max_memory;     /* bytes, for each of keep and scratch together; default 4 GiB */
+    uint64_t seed;           /* default 1 */
+    bool json, verbose, quiet;
+    int operand_count;
+    char **operands;
+    struct hatch_arena keep, scratch; /* initialised with max_memory */
+    struct hatch_pool *pool; /* made on the first cmd_pool() */
+};
+
+/* Parses; prints help or version and exits 0, or two lines and exits 2. Installs the handlers that
+ * remove unfinished output on SIGINT, SIGTERM and SIGHUP. Call first. */
+void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
+
+/* The pool of args->threads threads. */
+struct hatch_pool *cmd_pool(struct cmd_args *args);
+
+/* Whole content of a file ("-" or NULL: standard input, which is never seeked), in args->keep. A
+ * directory, an unreadable or a missing file is HATCH_IO. Dies on failure. */
+struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
+
+/* The same, failing by status; for companions of a file (a glTF's .bin). */
+enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
+                               struct hatch_bytes *bytes, struct hatch_err *err) HATCH_MUST_USE;
+
+/* How messages name an input: "standard input" for "-" or NULL. */
+const char *cmd_input_name(const char *path);
+
+#define CMD_OUTPUTS_MAX 4096
+
+struct cmd_output;
+
+/* Opens an output before the work is done, so that a missing or read-only folder fails at once: a
+ * hidden file beside path, or the file itself where it is no regular file, or standard output. Refuses
+ * a terminal for binary data. Dies on failure. path: NULL or "-" is standard output. */
+struct cmd_output *cmd_open_output(const char *path, bool binary);
+
+/* Writes all of it, flushes, closes and checks each; a hidden file then takes its name. All outputs of
+ * a command are written after all are encoded. Dies on failure, and nothing is left. */
+void cmd_write(struct cmd_output *output, const void *data, size_t size);
+
+/* Ends the command: frees, checks that standard output took everything, returns status for main. */
+int cmd_end(struct cmd_args *args, enum hatch_status status);
+
+/* "tamgen: FILE: sentence" on standard error, and exit with err's status; unfinished outputs go. file
+ * may be NULL. */
+noreturn void cmd_die(const char *file, const struct hatch_err *err);
+
+/* Dies when status is not HATCH_OK: cmd_check(f(..., &err), path, &err). */
+void cmd_check(enum hatch_status status, const char *file, const struct hatch_err *err);
+
+/* Two lines on standard error, the sentence and "try --help"; exit 2. */
+noreturn void cmd_usage(const char *format, ...) HATCH_PRINTF(1, 2);
+
+/* "tamgen: FILE: warning: sentence", unless --quiet. */
+void cmd_warn(const char *file, const char *format, ...) HATCH_PRINTF(2, 3);
+
+/* "tamgen: sentence", only with --verbose. */
+void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);
+
+/* A progress line on standard error, only on a terminal and only after a second. share: 0 .. 1. */
+void cmd_progress(const char *what, double share);
+
+#endif

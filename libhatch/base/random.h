@@ -1,0 +1,32 @@
+/* Counter-based random numbers: a pure function of (seed, stream, index), so that the n-th number is
+ * the same on any thread, in any order. The mixing is SplitMix64's finaliser (Steele, Lea & Flood,
+ * "Fast splittable pseudorandom number generators", OOPSLA 2014), applied to each of the three. */
+#ifndef HATCH_BASE_RANDOM_H
+#define HATCH_BASE_RANDOM_H
+
+#include <stdint.h>
+
+static inline uint64_t hatch_random_mix(uint64_t x)
+{
+    x ^= x >> 30;
+    x *= 0xbf58476d1ce4e5b9u;
+    x ^= x >> 27;
+    x *= 0x94d049bb133111ebu;
+    return x ^ x >> 31;
+}
+
+/* 64 uniform bits. */
+static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t index)
+{
+    uint64_t key = hatch_random_mix(seed + 0x9e3779b97f4a7c15u);
+    key = hatch_random_mix(key ^ (stream + 0xd1b54a32d192ed03u));
+    return hatch_random_mix(key + (index + 1) * 0x9e3779b97f4a7c15u);
+}
+
+/* A uniform number in [0, 1), a multiple of 2^-24: exact in float. */
+static inline float hatch_random_unit(uint64_t seed, uint64_t stream, uint64_t index)
+{
+    return (float)(hatch_random_u64(seed, stream, index) >> 40) * 0x1p-24f;
+}
+
+#endif

@@ -1,0 +1,30 @@
+/* glTF 2.0: reading scenes (tinygltf behind our own checks), writing meshes as GLB. */
+#ifndef HATCH_IO_GLTF_H
+#define HATCH_IO_GLTF_H
+
+#include "base/bytes.h"
+#include "mesh/mesh.h"
+#include "mesh/scene.h"
+
+/* Reads a companion file of a glTF; uri is relative, decoded, checked not to leave the folder. */
+typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
+                                                struct hatch_arena *arena,
+                                                struct hatch_bytes *bytes, struct hatch_err *err);
+
+/* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
+ * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
+ * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
+ * per the specification's rule. Points and lines are skipped. HATCH_BAD_INPUT for what the format
+ * forbids and for a required extension that is not known, by name. */
+enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_scene *scene, struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err) HATCH_MUST_USE;
+
+/* Writes one mesh as GLB: no warning from the Khronos validator. Attributes by their names; indices as
+ * 16 or 32 bits as needed. comment: asset.extras.hatch (seed, options), may be NULL. */
+enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *name, const char *comment,
+                                  struct hatch_arena *scratch, struct hatch_buffer *file,
+                                  struct hatch_err *err) HATCH_MUST_USE;
+
+#endif

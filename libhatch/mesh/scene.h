@@ -1,0 +1,114 @@
+/* A scene: what a glTF file describes, as values. Meshes, a tree of nodes, materials, cameras,
+ * lights, animations, skins. Read by io/gltf.h, posed here. */
+#ifndef HATCH_MESH_SCENE_H
+#define HATCH_MESH_SCENE_H
+
+#include "mesh/mesh.h"
+
+#define HATCH_NONE UINT32_MAX /* an index that points to nothing */
+
+struct hatch_material {
+    float base_color[4];       /* linear, 0..1 */
+    uint32_t base_texture;     /* index into textures, or HATCH_NONE */
+    uint32_t base_texcoord;    /* 0 or 1 */
+    bool base_repeat;          /* the texture's wrap mode is repeat (else clamp) */
+    bool double_sided;
+    float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
+};
+
+/* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */
+struct hatch_texture {
+    const uint8_t *data;
+    size_t size;
+};
+
+struct hatch_scene_mesh {
+    struct hatch_mesh mesh; /* one glTF primitive */
+    uint32_t material;      /* or HATCH_NONE */
+    bool had_texcoords;     /* TEXCOORD_0 stood in the file */
+    bool had_normals;
+};
+
+struct hatch_node {
+    uint32_t parent;          /* or HATCH_NONE; always lower than the node's own index */
+    float translation[3], rotation[4] /* x y z w */, scale[3];
+    float matrix[16];         /* column-major; used when has_matrix */
+    bool has_matrix;
+    uint32_t first_mesh, mesh_count; /* range of scene.meshes */
+    uint32_t skin;            /* or HATCH_NONE */
+    uint32_t camera;          /* or HATCH_NONE */
+    uint32_t light;           /* or HATCH_NONE */
+};
+
+struct hatch_camera {
+    bool orthographic;
+    float yfov_rad;           /* perspective: 0 .. π */
+    float ymag;               /* orthographic: half the height */
+    float aspect;             /* width over height; 0: the picture's */
+    float znear, zfar;        /* zfar 0: infinite */
+};
+
+enum hatch_light_type { HATCH_LIGHT_DIRECTIONAL, HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT };
+
+struct hatch_light {
+    enum hatch_light_type type;
+    float color[3];           /* linear */
+    float intensity;          /* lux for directional, candela else */
+    float range;              /* 0: unlimited */
+    float inner_cone_rad, outer_cone_rad;
+};
+
+struct hatch_skin {
+    uint32_t joint_count;
+    uint32_t *joints;         /* node indices */
+    float *inverse_bind;      /* 16 floats each, column-major */
+};
+
+enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE };
+enum hatch_interpolation { HATCH_STEP, HATCH_LINEAR, HATCH_CUBIC };
+
+struct hatch_animation_channel {
+    uint32_t node;
+    enum hatch_channel_path path;
+    enum hatch_interpolation interpolation;
+    uint32_t key_count;
+    float *times_s;           /* rising */
+    float *values;            /* 3 or 4 floats a key; for CUBIC three such groups a key */
+};
+
+struct hatch_animation {
+    uint32_t channel_count;
+    struct hatch_animation_channel *channels;
+    float duration_s;
+};
+
+struct hatch_scene {
+    uint32_t mesh_count, node_count, material_count, texture_count;
+    uint32_t camera_count, light_count, skin_count, animation_count;
+    struct hatch_scene_mesh *meshes;
+    struct hatch_node *nodes;
+    struct hatch_material *materials;
+    struct hatch_texture *textures;
+    struct hatch_camera *cameras;
+    struct hatch_light *lights;
+    struct hatch_skin *skins;
+    struct hatch_animation *animations;
+};
+
+/* A scene of one node with one mesh, whose arrays stay the mesh's. */
+enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                      struct hatch_scene *scene, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* The world matrix of every node, column-major, 16 floats each, at time_s of the given animation
+ * (HATCH_NONE: the rest pose). Times beyond the animation's end are wrapped into it.
+ * world: 16 * node_count floats. */
+void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s,
+                      float *world);
+
+/* The skinning matrices of a node's skin (glTF 2.0 §3.7.3): joint world × inverse bind, to be applied
+ * instead of the node's own matrix. joints: 16 * joint_count floats. */
+void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world,
+                      float *joints);
+
+#endif

@@ -1,0 +1,43 @@
+/* Built-in shapes, with NORMAL, TANGENT and TEXCOORD_0 in their natural parametrization. */
+#ifndef HATCH_MESH_SHAPES_H
+#define HATCH_MESH_SHAPES_H
+
+#include "mesh/mesh.h"
+
+enum hatch_shape {
+    HATCH_SHAPE_TEAPOT,    /* Newell's 32 bicubic patches, each with its own u and v in 0..1 */
+    HATCH_SHAPE_SPHERE,    /* radius 1, u: longitude, v: latitude from the north pole */
+    HATCH_SHAPE_CYLINDER,  /* radius 1, height 2, open: u around, v from top to bottom */
+    HATCH_SHAPE_CONE,      /* radius 1, height 2, open */
+    HATCH_SHAPE_TORUS,     /* radii 1 and 0.4: u around the axis, v around the tube */
+    HATCH_SHAPE_PLANE,     /* 2 by 2 in x and y, facing +z */
+    HATCH_SHAPE_ELLIPSOID, /* semi-axes 1, 0.7, 0.5 along x, y, z */
+    HATCH_SHAPE_SADDLE,    /* z = (x² − y²)/2 over [-1,1]² */
+    HATCH_SHAPE_COUNT
+};
+
+struct hatch_shape_options {
+    uint32_t faces;   /* about how many, 2 .. 20,000,000; the result may differ by a grid's rounding */
+    float jitter;     /* 0 .. 1: share of half a grid step by which inner vertices move over the
+                         surface, and the diagonals are turned at random: an irregular triangulation */
+    float noise;      /* 0 .. 1: standard deviation of a displacement along the normal, as a share of
+                         the mean edge; normals stay those of the smooth surface */
+    uint64_t seed;
+};
+
+/* "teapot" and so on; NULL beyond the last. */
+const char *hatch_shape_name(enum hatch_shape shape);
+
+/* Makes the shape. Closed surfaces repeat the vertices of their seam, with the u of each side; poles
+ * are one vertex per triangle. */
+enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_shape_options *options,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
+
+/* The surface's unit normal and first principal direction (of largest |curvature|) at a vertex of a
+ * shape made without noise, and both curvatures; for tests and measurements. false where the
+ * direction is not defined (plane, sphere) or the shape has no closed form (teapot). */
+bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3],
+                           double direction[3], double curvature[2]);
+
+#endif

@@ -1,0 +1,22 @@
+/* Stroke scripts: strokes as text, TSV with a header line: x y length angle width tone r g b, and
+ * optionally id column level; fractions of the tile and radians; width as a fraction of the tile at
+ * its finest size. In drawing order. */
+#ifndef HATCH_STROKE_SCRIPT_H
+#define HATCH_STROKE_SCRIPT_H
+
+#include "base/bytes.h"
+#include "stroke/stroke.h"
+
+/* size_px: the finest size, which turns width_px into a fraction. comment: one line, or NULL. */
+enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_t count,
+                                     uint32_t size_px, const char *comment,
+                                     struct hatch_buffer *text, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Columns may come in any order; missing optional ones are 0. HATCH_BAD_INPUT with the row for a
+ * missing column, a field that is no number or not finite, or a value out of range. */
+enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
+                                     struct hatch_arena *arena, struct hatch_stroke_list *strokes,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
+#endif

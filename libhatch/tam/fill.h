@@ -1,0 +1,44 @@
+/* Filling a tonal art map with strokes (Praun et al. 2001, §4). */
+#ifndef HATCH_TAM_FILL_H
+#define HATCH_TAM_FILL_H
+
+#include "base/parallel.h"
+#include "stroke/stroke.h"
+#include "tam/style.h"
+#include "tam/tam.h"
+
+enum hatch_fill_method {
+    HATCH_FILL_FIELD,     /* candidates scored on one potential field, then refined: the default */
+    HATCH_FILL_EXHAUSTIVE /* the paper's loop: every candidate's footprint, every level, every pyramid */
+};
+
+struct hatch_fill_options {
+    uint32_t size_px;       /* HATCH_TAM_SIZE_MIN .. MAX */
+    uint32_t tones;         /* 1 .. HATCH_TAM_TONES_MAX */
+    uint32_t levels;        /* 1 .. ; size_px >> (levels - 1) at least 32 */
+    enum hatch_fill_method method;
+    uint64_t seed;
+    float growth;           /* 0 .. 1: share of the tone range over which a stroke grows to its full
+                               length and width (§8); 0: strokes appear whole */
+    bool ids;               /* add the channels id and t */
+};
+
+/* Called once per tone, lightest first, with the finished column; the images live until it returns. */
+typedef enum hatch_status (*hatch_tam_sink)(void *context, uint32_t tone,
+                                            const struct hatch_mipmap *column,
+                                            struct hatch_err *err);
+
+struct hatch_fill_report {
+    uint64_t candidates_scored;
+    double goodness_seconds; /* unused by output bytes */
+};
+
+/* Fills the map and hands each column to sink. Strokes go to list, in drawing order, where list is not
+ * NULL. The result does not depend on the number of threads. brush: the style's. */
+enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct hatch_brush *brush,
+                                 const struct hatch_fill_options *options, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
+                                 struct hatch_stroke_list *list, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+#endif

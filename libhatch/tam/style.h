@@ -1,0 +1,48 @@
+/* A drawing style: a small text file that a user copies and changes. One "key value ..." per line,
+ * '#' begins a comment. hatch-style(5) lists the keys; every key of this struct has one. */
+#ifndef HATCH_TAM_STYLE_H
+#define HATCH_TAM_STYLE_H
+
+#include <stdbool.h>
+
+#include "base/bytes.h"
+#include "stroke/brush.h"
+#include "tam/tam.h"
+
+#define HATCH_STYLE_DIRECTIONS_MAX 8u
+
+/* One direction of the cross-hatching schedule (§4): strokes of angle_rad are drawn in the columns
+ * whose target darkness lies in [from, to]. Several at once fill the gaps of each other. */
+struct hatch_style_direction {
+    float angle_rad;
+    float from, to; /* 0 .. 1 */
+};
+
+struct hatch_style {
+    char name[HATCH_NAME_MAX];
+    enum hatch_brush_kind brush;
+    char brush_file[256];      /* brush image: a path, relative to the style's file */
+    float width_px;            /* 0.5 .. 64, equal on every level */
+    float length_min, length_max; /* fractions of the tile, 0 .. 4; 0 0 makes dots */
+    float jitter_rad;          /* standard deviation of the orientation */
+    float ink;                 /* 0 .. 1: how dark one stroke is */
+    bool overlap_darkens;      /* crossing strokes multiply; else the darker one stands */
+    float tone_min, tone_max;  /* targets of the first and last column, 0 .. 1 */
+    float tone_gamma;          /* > 0: 1 is even steps */
+    uint32_t direction_count;
+    struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
+    uint32_t candidates_light, candidates_dark; /* 1000 falling to 100 (§4) */
+};
+
+/* The style "ink": what an empty file means. */
+void hatch_style_default(struct hatch_style *style);
+
+/* HATCH_BAD_INPUT with the line for an unknown key, a wrong number of values, or a value out of
+ * range. style holds the defaults on entry and is unchanged on failure. */
+enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* The target darkness of each column: tone_min .. tone_max in even steps of darkness^(1/gamma). */
+void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target);
+
+#endif

@@ -1,0 +1,50 @@
+/* Tonal art maps (Praun, Hoppe, Webb & Finkelstein, "Real-Time Hatching", SIGGRAPH 2001, §3): a grid
+ * of tones × mip levels whose strokes nest: every stroke of an image is also in all darker images of
+ * its size and in all finer images of its tone. */
+#ifndef HATCH_TAM_TAM_H
+#define HATCH_TAM_TAM_H
+
+#include <stdbool.h>
+
+#include "image/image.h"
+
+#define HATCH_TAM_TONES_MAX 256u
+#define HATCH_TAM_SIZE_MIN 64u
+#define HATCH_TAM_SIZE_MAX 4096u
+
+/* columns[tone], lightest first, each a full mip chain of size_px² images down to 1×1, level 0 the
+ * finest. The channel is Y, or R, G and B: reflectance, 1 = paper, 0 = ink; then id and t where the
+ * map holds them. */
+struct hatch_tam {
+    uint32_t size_px;
+    uint32_t tones;
+    uint32_t levels;        /* levels that hold strokes; coarser ones are box-filtered */
+    bool color;
+    bool ids;
+    float target[HATCH_TAM_TONES_MAX]; /* darkness that each column aims at, rising, 0 .. 1 */
+    struct hatch_mipmap *columns;
+};
+
+/* The attributes of the file format tam(5). */
+#define HATCH_TAM_ATTR_TONE "hatch:tone"
+#define HATCH_TAM_ATTR_LEVELS "hatch:levels"
+#define HATCH_TAM_ATTR_SEED "hatch:seed"
+
+/* Checks that the parts of a file are a tonal art map and takes them over (nothing is copied):
+ * names tone.000 upwards without gaps, equal square sizes, powers of two not required, full chains,
+ * rising targets, finite pixels. HATCH_BAD_INPUT names the part. */
+enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count,
+                                         struct hatch_tam *tam, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Fills part names and attributes of one column the way the format wants them. */
+void hatch_tam_label(uint32_t tone, float target, uint32_t levels, uint64_t seed,
+                     struct hatch_mipmap *column);
+
+/* The grid as one picture (the paper's Figure 2): tones from left to right, levels from coarse at the
+ * top to fine at the bottom; at most columns_max columns, evenly chosen, the last included. */
+enum hatch_status hatch_tam_contact_sheet(const struct hatch_tam *tam, uint32_t columns_max,
+                                          struct hatch_arena *arena, struct hatch_image *sheet,
+                                          struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
