@@ -1,87 +1,128 @@
-# make            everything into build/
-# make check      all tests         make bench chart   measurements and their charts
-# make demo       build/demo/teapot.png
-# make install    PREFIX, DESTDIR   make lint          structure, warnings, manuals
-CC ?= gcc
-CXX ?= g++
+# make              everything into build/       make demo         build/demo/teapot.png
+# make check        all tests                    make lint         structure, warnings, manuals
+# make bench chart  measurements, their charts   make install      PREFIX, DESTDIR
+# make dist         a reproducible source tar    make fuzz         fuzzers, with clang
+# SANITIZE=1 builds and tests under AddressSanitizer and UBSan, in build/sanitize.
+CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
+CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 PREFIX ?= /usr/local
-B := build
+VERSION := $(shell sed -n 's/^.define HATCH_VERSION "\(.*\)"/\1/p' cmd/cmd.h)
 
 WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla
 BASE := -D_POSIX_C_SOURCE=200809L -Ilibhatch -Icmd -ffp-contract=off -pthread -MMD -MP
+B := build
 ifdef SANITIZE
 B := build/sanitize
-BASE += -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -DHATCH_ARENA_SEPARATE
-LDFLAGS += -fsanitize=address,undefined
+SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+BASE += $(SANITIZERS) -DHATCH_ARENA_SEPARATE
 endif
-pkg = $(shell pkg-config $(1) $(2))
 
-# libhatch.a is C alone; each package has an archive of its own, and a command links only those that
-# its line names.
-CORE_SRC := $(wildcard libhatch/base/*.c libhatch/math/*.c libhatch/image/*.c libhatch/filter/*.c \
-            libhatch/mesh/*.c libhatch/stroke/*.c libhatch/tam/*.c libhatch/measure/*.c) \
-            $(wildcard libhatch/io/mesh_*.c libhatch/io/container*.c libhatch/io/glb_*.c)
-EXR_SRC  := $(wildcard libhatch/io/exr*.c)
-PNG_SRC  := $(wildcard libhatch/io/png*.c)
-FOREIGN_SRC := libhatch/io/foreign.c
-GLTF_SRC := $(wildcard libhatch/io/gltf*.cc libhatch/io/gltf*.c)
-CMD_SRC  := $(wildcard cmd/cmd*.c)
-RENDER_SRC := $(wildcard cmd/render-gl/*.c)
-
-EXR_LIBS := -lOpenEXRCore-3_1 -ldeflate
-PNG_LIBS := -lpng16
-GLTF_LIBS := -ltinygltf
-GL_LIBS := $(call pkg,--libs,epoxy egl glfw3)
-
-# command: archives and packages
+# command: the package archives and packages that it links
 LINK_meshgen   :=
 LINK_tamgen    := exr png foreign
-LINK_tampack   := exr png
-LINK_hatchstat := exr png foreign gltf
-LINK_render-gl := exr png foreign gltf
-COMMANDS := $(foreach c,meshgen tamgen tampack hatchstat render-gl,$(if $(wildcard cmd/$(c).c cmd/$(c)/main.c),$(c)))
+LINK_tampack   := exr png container
+LINK_hatchstat := exr png foreign gltf openmesh container
+LINK_render-gl := exr png foreign gltf gl
+libs_exr       := -lOpenEXRCore-3_1
+libs_png       := -lpng16
+libs_foreign   := -ldl
+libs_gltf      := -ltinygltf -lstdc++
+libs_openmesh  := -lOpenMeshCore -lstdc++
+libs_container := -lzstd
+libs_gl        := -lepoxy -lEGL -lglfw
 
+# A package's archive holds libhatch/*/PACKAGE*; all else of libhatch is C alone and one archive.
+PACKAGES := exr png foreign gltf openmesh container
+SRC := $(wildcard libhatch/*/*.c libhatch/*/*.cc)
+PLUGIN_SRC := $(wildcard libhatch/io/oiio_plugin.cc)
+src_of = $(foreach s,$(SRC),$(if $(filter $(1)%,$(notdir $(s))),$(s)))
+$(foreach p,$(PACKAGES),$(eval SRC_$(p) := $(call src_of,$(p))))
+SRC_core := $(filter-out $(PLUGIN_SRC) $(foreach p,$(PACKAGES),$(SRC_$(p))),$(SRC))
 obj = $(patsubst %,$(B)/obj/%.o,$(1))
-ar_exr := $(B)/lib/libhatch-exr.a
-ar_png := $(B)/lib/libhatch-png.a
-ar_foreign := $(B)/lib/libhatch-foreign.a
-ar_gltf := $(B)/lib/libhatch-gltf.a
-ar_core := $(B)/lib/libhatch.a
-ar_cmd := $(B)/lib/libcmd.a
-libs_exr := $(EXR_LIBS)
-libs_png := $(PNG_LIBS)
-libs_foreign := -ldl
-libs_gltf := $(GLTF_LIBS) -lstdc++
+archive = $(patsubst %,$(B)/lib/libhatch-%.a,$(1))
 
-all: $(COMMANDS:%=$(B)/bin/%) $(B)/lib/hatch-oiio.so
+# A command is cmd/NAME.c, or a folder cmd/NAME whose main.c holds main.
+FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
+COMMANDS := $(filter-out cmd cmd_%,$(patsubst cmd/%.c,%,$(wildcard cmd/*.c))) $(FOLDERS)
+SRC_cmd := $(wildcard cmd/cmd.c cmd/cmd_*.c)
+SHADERS := $(wildcard cmd/render-gl/shaders/*)
+$(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c))))
 
-$(ar_core): $(call obj,$(CORE_SRC))
-$(ar_exr): $(call obj,$(EXR_SRC))
-$(ar_png): $(call obj,$(PNG_SRC))
-$(ar_foreign): $(call obj,$(FOREIGN_SRC))
-$(ar_gltf): $(call obj,$(GLTF_SRC))
-$(ar_cmd): $(call obj,$(CMD_SRC))
-$(B)/lib/%.a:
-	@mkdir -p $(@D)
-	@rm -f $@
-	ar rcsD $@ $^
+BINARIES := $(COMMANDS:%=$(B)/bin/%)
+PLUGIN := $(if $(PLUGIN_SRC),$(B)/lib/hatch/hatch-oiio.so)
+SHARED := $(patsubst styles/%,$(B)/share/hatch/styles/%,$(wildcard styles/*.style)) \
+          $(patsubst cmd/render-gl/shaders/%,$(B)/share/hatch/shaders/%,$(SHADERS))
+all: $(BINARIES) $(PLUGIN) $(SHARED)
 
-$(B)/obj/%.c.o: %.c
+# Objects are made again when the flags change.
+FLAGS := $(CC) $(CXX) $(BASE) $(CFLAGS) $(CXXFLAGS) $(CPPFLAGS) $(LDFLAGS)
+ifneq ($(FLAGS),$(file <$(B)/flags))
+$(shell mkdir -p $(B))
+$(file >$(B)/flags,$(FLAGS))
+endif
+$(B)/obj/%.c.o: %.c $(B)/flags
 	@mkdir -p $(@D)
 	$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
-$(B)/obj/%.cc.o: %.cc
+$(B)/obj/%.cc.o: %.cc $(B)/flags
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 $(BASE) -Wall -Wextra -Wshadow $(CXXFLAGS) $(CPPFLAGS) -c -o $@ $<
-
-archives = $(foreach a,$(LINK_$(1)),$(ar_$(a)))
-.SECONDEXPANSION:
-$(filter-out %/render-gl,$(COMMANDS:%=$(B)/bin/%)): $(B)/bin/%: $(B)/obj/cmd/%.c.o $(ar_cmd) $$(call archives,$$*) $(ar_core)
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) -o $@ $^ $(foreach a,$(LINK_$*),$(libs_$(a))) -lm -pthread
-
+	$(CXX) -std=c++17 -fPIC $(BASE) -Wall -Wextra -Wshadow $(CXXFLAGS) $(CPPFLAGS) -c -o $@ $<
 -include $(shell find $(B)/obj -name '*.d' 2>/dev/null)
+
+define archive_rule
+$(call archive,$(1)): $(call obj,$(SRC_$(1))) $(2)
+	@mkdir -p $$(@D)
+	@rm -f $$@
+	$(AR) rcsD $$@ $$^
+endef
+$(foreach a,core cmd $(PACKAGES) $(filter-out render-gl,$(FOLDERS)),$(eval $(call archive_rule,$(a))))
+SHADER_OBJ := $(if $(SHADERS),$(B)/obj/gen/shader_files.o)
+$(eval $(call archive_rule,render-gl,$(SHADER_OBJ)))
+
+# cmd/render-gl/shader_files.h says what the generated table is.
+$(B)/gen/shader_files.c: $(SHADERS) cmd/render-gl/embed.sh
+	@mkdir -p $(@D)
+	sh cmd/render-gl/embed.sh $(SHADERS) >$@.part && mv $@.part $@
+$(B)/obj/gen/%.o: $(B)/gen/%.c
+	@mkdir -p $(@D)
+	$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
+
+LINK = $(CC) $(CFLAGS) $(SANITIZERS) $(LDFLAGS) -o $@
+define command_rule
+$(B)/bin/$(1): $(call obj,$(wildcard cmd/$(1).c cmd/$(1)/main.c)) \
+               $(call archive,$(filter $(1),$(FOLDERS)) cmd $(filter $(PACKAGES),$(LINK_$(1))) core)
+	@mkdir -p $$(@D)
+	$$(LINK) $$(filter %.o,$$^) -Wl,--start-group $$(filter %.a,$$^) -Wl,--end-group \
+	    $(foreach a,$(LINK_$(1)),$(libs_$(a))) -lm -pthread
+endef
+$(foreach c,$(COMMANDS),$(eval $(call command_rule,$(c))))
+
+$(B)/lib/hatch/hatch-oiio.so: $(call obj,$(PLUGIN_SRC))
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -shared -o $@ $^ -lOpenImageIO -lOpenImageIO_Util
+$(B)/share/hatch/styles/%: styles/%
+	@mkdir -p $(@D)
+	cp $< $@
+$(B)/share/hatch/shaders/%: cmd/render-gl/shaders/%
+	@mkdir -p $(@D)
+	cp $< $@
+
+# Tests. A unit test program links of all archives what it needs.
+TEST_SRC := $(wildcard tests/unit/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
+TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
+ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
+$(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
+	@mkdir -p $(@D)
+	$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
+	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lcheck_pic -lsubunit -lrt -lm -pthread
+$(call obj,$(TEST_SRC)): BASE += -Itests/unit
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz lint))
+check: all $(TESTS)
+	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
+
 clean:
 	rm -rf build
-.PHONY: all clean
+.PHONY: all check clean
+.DELETE_ON_ERROR:
+.SECONDARY:

@@ -60,7 +60,7 @@ struct cmd_program {
 struct cmd_args {
     const char *output;      /* NULL or "-": standard output */
     uint32_t threads;        /* 1 .. 256; default: the processors at hand */
-    uint64_t max_memory;     /* bytes, for each of keep and scratch together; default 4 GiB */
+    uint64_t max_memory;     /* bytes, for each of keep and scratch; default 4 GiB */
     uint64_t seed;           /* default 1 */
     bool json, verbose, quiet;
     int operand_count;
@@ -83,6 +83,11 @@ struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
 /* The same, failing by status; for companions of a file (a glTF's .bin). */
 enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
                                struct hatch_bytes *bytes, struct hatch_err *err) HATCH_MUST_USE;
+
+/* The path of a file that comes with the commands, in args->keep: "share/hatch/styles/ink.style",
+ * "lib/hatch/hatch-oiio.so". It is looked for beside the folder that holds the executable, which is the
+ * same in the build tree and after an installation, wherever that was moved. It may not exist. */
+const char *cmd_own_file(struct cmd_args *args, const char *relative);
 
 /* How messages name an input: "standard input" for "-" or NULL. */
 const char *cmd_input_name(const char *path);
