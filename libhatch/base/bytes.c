@@ -73,7 +73,8 @@ double hatch_read_f64(struct hatch_reader *reader)
     return value;
 }
 
-static enum hatch_status reserve(struct hatch_buffer *buffer, size_t more, struct hatch_err *err)
+enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
+                                       struct hatch_err *err)
 {
     if (more <= buffer->capacity - buffer->size)
         return HATCH_OK;
@@ -96,7 +97,7 @@ static enum hatch_status reserve(struct hatch_buffer *buffer, size_t more, struc
 enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size,
                                    struct hatch_err *err)
 {
-    HATCH_TRY(reserve(buffer, size, err));
+    HATCH_TRY(hatch_buffer_reserve(buffer, size, err));
     if (bytes && size)
         memcpy(buffer->data + buffer->size, bytes, size);
     else if (size)
@@ -135,7 +136,7 @@ enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_e
     int length = vsnprintf(NULL, 0, format, args);
     va_end(args);
     enum hatch_status status = length < 0 ? hatch_fail(err, HATCH_LIMIT, "text too long to format")
-                                          : reserve(buffer, (size_t)length + 1, err);
+                                          : hatch_buffer_reserve(buffer, (size_t)length + 1, err);
     if (status == HATCH_OK) {
         vsnprintf((char *)buffer->data + buffer->size, (size_t)length + 1, format, again);
         buffer->size += (size_t)length;

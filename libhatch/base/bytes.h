@@ -46,6 +46,9 @@ struct hatch_buffer {
     struct hatch_arena *arena;
 };
 
+/* Makes room for more bytes at once, for a writer that knows what is coming. */
+enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 /* Appends size bytes; bytes may be NULL for zeros. */
 enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size,
                                    struct hatch_err *err) HATCH_MUST_USE;

@@ -13,7 +13,8 @@
 #define HATCH_MESH_NAME_MAX 64u
 
 /* data[vertex * components + i], owned by the mesh's arena. Names are glTF's: POSITION (3), NORMAL
- * (3), TANGENT (4: unit direction of rising u, and the sign of the bitangent), TEXCOORD_0 (2),
+ * (3), TANGENT (4: unit direction of rising u, and the sign w that makes w * (NORMAL × TANGENT) the
+ * direction of falling v, up in the picture: 1 unless the texture is mirrored), TEXCOORD_0 (2),
  * TEXCOORD_1 (2), COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
 struct hatch_mesh_attribute {
     char name[HATCH_MESH_NAME_MAX];
@@ -51,6 +52,10 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
 
 /* The attribute's floats, or NULL. components: the number that it must have. */
 float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components);
+
+/* The positions of a face's corners. false when the face has no area (in doubles, which hold the
+ * square of every float's product: 1e-30 and 1e30 are sizes like any other). face: below face_count. */
+bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double corners[3][3]);
 
 /* Fails with HATCH_BAD_INPUT on an index out of range, a position that is not finite, no faces, or
  * no face with an area. */

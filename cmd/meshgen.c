@@ -1,0 +1,80 @@
+/* meshgen: makes a built-in shape as GLB. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cmd.h"
+#include "io/gltf.h"
+#include "mesh/shapes.h"
+
+static int64_t faces = 10000;
+static double jitter, noise;
+static int uv;
+
+static const char *const uv_choices[] = {"natural", "even", NULL};
+
+static const struct cmd_option options[] = {
+    {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N",
+     "about how many triangles (default 10000)", &faces, NULL, NULL},
+    {'J', "jitter", CMD_REAL, 0, 1, "SHARE",
+     "irregular triangles: how far vertices move over the surface (default 0)", &jitter, NULL, NULL},
+    {'N', "noise", CMD_REAL, 0, 1, "SHARE",
+     "displacement along the normals, in mean edge lengths (default 0)", &noise, NULL, NULL},
+    {'u', "uv", CMD_CHOICE, 0, 0, "HOW",
+     "v within a patch: natural (its parameter; default) or even (length)", &uv, uv_choices, NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "meshgen teapot -o teapot.glb",
+    "meshgen torus --faces 50000 --jitter 0.8 --seed 3 | hatchstat mesh",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "meshgen",
+    .operands = "SHAPE",
+    .summary = "make a teapot, sphere, cylinder, cone, torus, plane, ellipsoid or saddle",
+    .examples = examples,
+    .options = options,
+    .operands_min = 1,
+    .operands_max = 1,
+    .seeded = true,
+    .binary = true,
+};
+
+static enum hatch_shape find_shape(const char *name)
+{
+    for (enum hatch_shape shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
+        if (strcmp(hatch_shape_name(shape), name) == 0)
+            return shape;
+    cmd_usage("%s: no such shape", name);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    enum hatch_shape shape = find_shape(args.operands[0]);
+    const struct hatch_shape_options how = {
+        .faces = (uint32_t)faces,
+        .jitter = (float)jitter,
+        .noise = (float)noise,
+        .seed = args.seed,
+        .uv = (enum hatch_shape_uv)uv,
+    };
+    struct cmd_output *output = cmd_open_output(args.output, true);
+
+    struct hatch_err err;
+    struct hatch_mesh mesh;
+    cmd_check(hatch_shape_make(shape, &how, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
+    char comment[160];
+    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g --noise %g --uv %s --seed %llu",
+             hatch_shape_name(shape), how.faces, jitter, noise, uv_choices[uv],
+             (unsigned long long)args.seed);
+    struct hatch_buffer file = {.arena = &args.keep};
+    cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err),
+              NULL, &err);
+    cmd_note("%u faces, %u vertices", mesh.face_count, mesh.vertex_count);
+    cmd_write(output, file.data, file.size);
+    return cmd_end(&args, HATCH_OK);
+}

@@ -1,0 +1,101 @@
+#include "mesh/mesh.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "math/vector.h"
+
+enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count,
+                                  uint32_t face_count, struct hatch_mesh *mesh,
+                                  struct hatch_err *err)
+{
+    struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
+    made.indices = HATCH_NEW(arena, uint32_t, (size_t)face_count * 3, err);
+    if (!made.indices)
+        return HATCH_LIMIT;
+    float *positions;
+    HATCH_TRY(hatch_mesh_add(arena, &made, "POSITION", 3, &positions, err));
+    *mesh = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh,
+                                 const char *name, uint32_t components, float **data,
+                                 struct hatch_err *err)
+{
+    assert(components >= 1 && components <= 4);
+    assert(strlen(name) < HATCH_MESH_NAME_MAX);
+    if (mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh holds at most %u", name,
+                          HATCH_MESH_ATTRIBUTES_MAX);
+    float *floats = HATCH_NEW(arena, float, (size_t)mesh->vertex_count * components, err);
+    if (!floats)
+        return HATCH_LIMIT;
+    struct hatch_mesh_attribute *attribute = &mesh->attributes[mesh->attribute_count++];
+    memcpy(attribute->name, name, strlen(name) + 1);
+    attribute->components = components;
+    attribute->data = floats;
+    *data = floats;
+    return HATCH_OK;
+}
+
+float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components)
+{
+    for (uint32_t i = 0; i < mesh->attribute_count; i++)
+        if (strcmp(mesh->attributes[i].name, name) == 0 &&
+            mesh->attributes[i].components == components)
+            return mesh->attributes[i].data;
+    return NULL;
+}
+
+bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double corners[3][3])
+{
+    const uint32_t *index = &mesh->indices[(size_t)face * 3];
+    for (int c = 0; c < 3; c++)
+        hatch_vec_of(&mesh->attributes[0].data[(size_t)index[c] * 3], corners[c]);
+    double normal[3];
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    return hatch_vec_dot(normal, normal) > 0;
+}
+
+static enum hatch_status check_positions(const struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    const float *positions = mesh->attributes[0].data;
+    for (size_t i = 0; i < (size_t)mesh->vertex_count * 3; i++)
+        if (!isfinite(positions[i]))
+            return hatch_fail(err, HATCH_BAD_INPUT, "vertex %zu: position is not finite", i / 3);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    assert(mesh->attribute_count > 0 && strcmp(mesh->attributes[0].name, "POSITION") == 0);
+    if (mesh->face_count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
+        if (mesh->indices[i] >= mesh->vertex_count)
+            return hatch_fail(err, HATCH_BAD_INPUT, "face %zu: vertex %u of %u", i / 3,
+                              mesh->indices[i], mesh->vertex_count);
+    HATCH_TRY(check_positions(mesh, err));
+    double corners[3][3];
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        if (hatch_mesh_corners(mesh, f, corners))
+            return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
+}
+
+bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3])
+{
+    const float *positions = mesh->attributes[0].data;
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
+        const float *p = &positions[(size_t)mesh->indices[i] * 3];
+        for (int k = 0; k < 3; k++) {
+            if (i == 0 || p[k] < low[k])
+                low[k] = p[k];
+            if (i == 0 || p[k] > high[k])
+                high[k] = p[k];
+        }
+    }
+    return mesh->face_count > 0;
+}
