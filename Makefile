@@ -121,8 +121,11 @@ SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuz
 check: all $(TESTS)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
+lint:
+	B=$(B) perl tests/run $(wildcard tests/lint/*.t)
+
 clean:
 	rm -rf build
-.PHONY: all check clean
+.PHONY: all check lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:

@@ -1,0 +1,55 @@
+# Who includes whom: libhatch/DEPS, and where the packages' headers may stand.
+. "${TOP:-.}/tests/tap.sh"
+cd "$TOP" || exit 1
+
+includes() { # "file header" for every include of the files given; <header> keeps its brackets
+    awk '/^#[ \t]*include/ {gsub(/"/, "", $2); print FILENAME, $2}' "$@"
+}
+ours() {
+    find libhatch cmd tests -name '*.[ch]' -o -name '*.cc'
+}
+
+bad=$(awk '!/^#/ && NF {
+        module = $1; sub(/:/, "", module)
+        for (i = 2; i <= NF; i++) if (!($i in seen)) print module " includes " $i ", which is not above it"
+        seen[module] = 1 }' libhatch/DEPS)
+is "DEPS lists every module below those that it includes" "$bad" ""
+
+bad=""
+for folder in libhatch/*/; do
+    module=$(basename "$folder")
+    grep -q "^$module:" libhatch/DEPS || bad="$bad $module"
+done
+is "every module stands in DEPS" "$bad" ""
+
+bad=$(find libhatch -name '*.[ch]' -o -name '*.cc' | sort | while read -r file; do
+    module=$(echo "$file" | cut -d/ -f2)
+    allowed=" $module $(sed -n "s/^$module://p" libhatch/DEPS) "
+    includes "$file" | while read -r _ header; do
+        case $header in
+        '<'*) ;;
+        *)
+            case $allowed in
+            *" ${header%%/*} "*) ;;
+            *) echo "$file: $header" ;;
+            esac
+            ;;
+        esac
+    done
+done)
+is "modules include only what DEPS allows" "$bad" ""
+
+bad=$(includes $(ours) | grep -E '<(epoxy|GL|GLES[23]?|EGL|GLFW|KHR)/' | grep -v '^cmd/render-gl/')
+is "OpenGL stands only in cmd/render-gl" "$bad" ""
+
+bad=$(includes $(ours) | grep -E 'tiny_gltf|OpenMesh|OpenImageIO' | grep -v '^libhatch/[a-z]*/[a-z_0-9]*\.cc ')
+is "C++ packages stand only in the adapters' .cc files" "$bad" ""
+
+# What libhatch takes from the system; cglm is the vectors of math.
+system='assert|ctype|dlfcn|errno|fenv|float|inttypes|limits|math|pthread|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
+bad=$(includes $(find libhatch -name '*.[ch]') | grep '<' |
+    grep -vE " <($system)\.h>|^libhatch/math/.* <cglm/|^libhatch/io/")
+is "packages stand only in io" "$bad" ""
+bad=$(includes $(find cmd -name '*.[ch]') | grep -E '<(openexr|OpenEXR|png|zstd|zlib|ktx|jansson|libdeflate)')
+is "commands see no package but OpenGL's" "$bad" ""
+finish

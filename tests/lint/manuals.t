@@ -1,0 +1,19 @@
+# Every command has a manual and a line in the contract's table; every manual is clean.
+. "${TOP:-.}/tests/tap.sh"
+cd "$TOP" || exit 1
+commands=$(ls cmd | sed -n 's/\.c$//p' | grep -v '^cmd'; ls -d cmd/*/ | xargs -n1 basename)
+for command in $commands; do
+    [ -e "cmd/$command.c" ] || [ -e "cmd/$command/main.c" ] || continue
+    [ -e "man/man1/$command.1" ] || skip "$command has a manual" "none yet"
+    ok "$command stands in the contract's table" grep -q "^$command	" tests/cli/commands.tsv
+done
+command -v mandoc >/dev/null || { skip "manuals are clean" "no mandoc"; finish; }
+for manual in man/man*/*; do
+    [ -e "$manual" ] || continue
+    # Other manuals of ours need not be installed where this runs.
+    is "$manual is clean" "$(mandoc -Tlint "$manual" | grep -v 'referenced manual not found')" ""
+    for section in NAME SYNOPSIS DESCRIPTION 'EXIT STATUS' EXAMPLES 'SEE ALSO'; do
+        case $manual in *.1) ok "$manual has $section" grep -q "^.Sh $section" "$manual" ;; esac
+    done
+done
+finish

@@ -1,0 +1,11 @@
+# Shell scripts are read by the shell without complaint, and run where they are said to.
+. "${TOP:-.}/tests/tap.sh"
+cd "$TOP" || exit 1
+for script in bootstrap .ci/run $(find tests cmd $(ls -d pipelines 2>/dev/null) -name '*.sh' -o -name '*.t' | sort); do
+    ok "$script" sh -n "$script"
+done
+ok "tests/run" perl -c tests/run
+for script in bootstrap .ci/run; do
+    ok "$script may be executed" test -x $script
+done
+finish

@@ -1,0 +1,43 @@
+# Sizes, words and what libhatch must not call.
+. "${TOP:-.}/tests/tap.sh"
+cd "$TOP" || exit 1
+sources=$(find libhatch cmd tests -name '*.c' -o -name '*.h' -o -name '*.cc' -o -name '*.glsl' \
+    -o -name '*.vert' -o -name '*.frag' | sort)
+
+is "no source file over 500 lines" "$(wc -l $sources | awk '$2 != "total" && $1 > 500')" ""
+is "no function over 60 lines" "$(awk '
+    FNR == 1 {begin = 0}
+    /^\{/ {begin = FNR}
+    /^\}/ {if (begin && FNR - begin > 60) print FILENAME ":" begin ": " FNR - begin; begin = 0}' \
+    $(echo "$sources" | grep -E '\.(c|cc)$'))" ""
+is "no line over 104 columns" "$(awk 'length($0) > 104 {print FILENAME ":" FNR}' $sources)" ""
+is "the Makefile stays one page or three" "$(wc -l <Makefile | awk '$1 > 200')" ""
+
+texts=$(find . -path ./build -prune -o -path ./.git -prune -o -path ./tests/lint -prune -o -type f \
+    \( -name '*.[ch1-7]' -o -name '*.cc' -o -name '*.sh' -o -name '*.t' -o -name '*.md' -o -name '*.mk' \
+    -o -name '*.glsl' -o -name '*.vert' -o -name '*.frag' -o -name Makefile -o -name bootstrap \) -print)
+is "no words that say unfinished" \
+    "$(grep -nwiE 'TODO|FIXME|XXX|stub|not implemented|for now|placeholder' $texts)" ""
+is "no paths of one machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
+
+# calls PATTERN FILE ...: calls outside comments and strings
+calls() {
+    calls_pattern=$1
+    shift
+    awk -v pattern="(^|[^A-Za-z0-9_.>])($calls_pattern)[ ]*\\\\(" '
+        {line = $0; gsub(/"([^"\\]|\\.)*"/, "", line); gsub(/\/\*.*\*\//, "", line)
+         sub(/\/\/.*/, "", line); sub(/^ \*.*/, "", line); sub(/\/\*.*/, "", line)}
+        line ~ pattern {print FILENAME ":" FNR ": " $0}' "$@"
+}
+library=$(find libhatch -name '*.c' -o -name '*.cc' -o -name '*.h')
+is "libhatch never prints or ends the process" \
+    "$(calls 'v?f?printf|f?puts|f?putc|putchar|perror|_?exit|abort|signal' $library)" ""
+is "libhatch allocates from arenas alone" \
+    "$(calls 'malloc|calloc|realloc|aligned_alloc|strdup' \
+        $(echo "$library" | grep -v libhatch/base/arena.c))" ""
+is "libhatch does not look at clock, environment or locale" \
+    "$(calls 'time|clock|clock_gettime|gettimeofday|getenv|setlocale|s?rand|random' $library)" ""
+is "commands print through cmd alone" \
+    "$(calls 'v?f?printf|f?puts|putchar|perror|_?exit|abort|setlocale|getenv' \
+        $(find cmd -name '*.c' | grep -vE '^cmd/cmd(_[a-z]+)?\.c$'))" ""
+finish

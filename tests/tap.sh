@@ -1,0 +1,99 @@
+# What the shell tests share: TAP, and a folder of their own to work in. Begin a test with
+#     . "${TOP:-.}/tests/tap.sh"
+# and end it with `finish`. tests/run sets TOP (the source), BIN and BUILD; by hand, from the top
+# folder, `sh tests/cli/x.t` does. PATH holds the commands; the working folder is empty and removed.
+set -u
+TOP=${TOP:-$PWD}
+BUILD=${BUILD:-$TOP/build}
+BIN=${BIN:-$BUILD/bin}
+SANITIZE=${SANITIZE:-}
+PATH=$BIN:$PATH
+LC_ALL=C
+export TOP BUILD BIN PATH LC_ALL
+tap_count=0
+tap_failed=0
+WORK=$(mktemp -d) || exit 1
+trap 'chmod -R u+w "$WORK" 2>/dev/null; rm -rf "$WORK"' EXIT
+trap 'exit 1' INT TERM HUP
+chmod 755 "$WORK"
+cd "$WORK" || exit 1
+
+pass() {
+    tap_count=$((tap_count + 1))
+    echo "ok $tap_count - $1"
+}
+
+# fail NAME [LINE ...]: the lines say why
+fail() {
+    tap_count=$((tap_count + 1))
+    tap_failed=$((tap_failed + 1))
+    echo "not ok $tap_count - $1"
+    shift
+    [ $# -eq 0 ] || printf '%s\n' "$@" | sed 's/^/# /'
+}
+
+skip() {
+    tap_count=$((tap_count + 1))
+    echo "ok $tap_count - $1 # SKIP $2"
+}
+
+# ok NAME COMMAND ...: the command must succeed; what it says is shown when it does not
+ok() {
+    tap_name=$1
+    shift
+    if tap_said=$("$@" 2>&1); then
+        pass "$tap_name"
+    else
+        fail "$tap_name" "exit $? of: $*" "$tap_said"
+    fi
+}
+
+# is NAME GOT WANT
+is() {
+    if [ "$2" = "$3" ]; then
+        pass "$1"
+    else
+        fail "$1" " got: $2" "want: $3"
+    fi
+}
+
+# try COMMAND ...: runs it with its streams in $WORK/.out and $WORK/.err and its exit status in
+# $status; standard input is empty unless given
+try() {
+    "$@" >"$WORK/.out" 2>"$WORK/.err"
+    status=$?
+}
+
+# refused NAME STATUS LINES: what try ran last must have exited with STATUS (several: "3 5") with
+# that many lines on standard error and nothing on standard output
+refused() {
+    tap_lines=$(wc -l <"$WORK/.err")
+    tap_right=no
+    for tap_status in $2; do
+        [ "$status" != "$tap_status" ] || tap_right=yes
+    done
+    if [ $tap_right = yes ] && [ "$tap_lines" -eq "$3" ] && [ ! -s "$WORK/.out" ]; then
+        pass "$1"
+    else
+        fail "$1" "exit $status, want $2; $tap_lines lines on standard error, want $3;" \
+            "$(wc -c <"$WORK/.out") bytes on standard output" "$(head -c 600 "$WORK/.err")"
+    fi
+}
+
+# milliseconds COMMAND ...: the shortest of five runs
+milliseconds() {
+    tap_best=999999
+    for tap_i in 1 2 3 4 5; do
+        tap_from=$(date +%s%N)
+        "$@" >/dev/null 2>&1 </dev/null
+        tap_ms=$((($(date +%s%N) - tap_from) / 1000000))
+        [ $tap_ms -ge $tap_best ] || tap_best=$tap_ms
+    done
+    echo $tap_best
+}
+
+finish() {
+    [ $tap_count -gt 0 ] || skip "nothing to test" "nothing is there yet"
+    echo "1..$tap_count"
+    exit $((tap_failed > 0))
+}
