@@ -21,8 +21,8 @@ const char *cmd_input_name(const char *path)
     return is_standard_input(path) ? "standard input" : path;
 }
 
-/* Reads to the end. A regular file's size is only a first guess: it may grow, and files of /proc say
- * 0. */
+/* Reads to the end. A regular file's size is only a first guess: it may grow, and files of /proc
+ * say 0. */
 static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena,
                                      struct hatch_bytes *bytes, struct hatch_err *err)
 {
@@ -31,8 +31,8 @@ static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_
     while (data) {
         uint8_t beyond;
         bool full = size == capacity;
-        ssize_t got = full ? read(descriptor, &beyond, 1)
-                           : read(descriptor, data + size, capacity - size);
+        ssize_t got =
+            full ? read(descriptor, &beyond, 1) : read(descriptor, data + size, capacity - size);
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)

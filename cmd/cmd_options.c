@@ -51,9 +51,9 @@ static void make_table(const struct cmd_program *program, struct table *table)
     if (program->reports)
         add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON",
                                        &common.json, NULL, NULL});
-    add(table, (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N",
-                                   "threads (default: one per processor)", &common.threads, NULL,
-                                   NULL});
+    add(table,
+        (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N",
+                            "threads (default: one per processor)", &common.threads, NULL, NULL});
     add(table, (struct cmd_option){0, "max-memory", CMD_SIZE, 1 << 20, 0x1p53, "BYTES",
                                    "refuse to use more; K, M or G may follow (4G)",
                                    &common.max_memory, NULL, NULL});
@@ -326,8 +326,8 @@ static noreturn void refuse_unknown(const struct table *table, char **argv)
     cmd_usage("unknown option %s", word);
 }
 
-/* getopt_long takes every unambiguous beginning of a name; a script that relies on one breaks when an
- * option is added. */
+/* getopt_long takes every unambiguous beginning of a name; a script that relies on one breaks when
+ * an option is added. */
 static void refuse_abbreviation(const struct cmd_option *option, const char *word)
 {
     size_t length = strcspn(word, "=");
@@ -364,9 +364,7 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
     struct table table;
     make_table(program, &table);
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    common.threads = processors < 1             ? 1
-                     : processors > THREADS_MAX ? THREADS_MAX
-                                                : processors;
+    common.threads = processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : processors;
     common.seed = 1;
     common.max_memory = (uint64_t)4 << 30;
     *args = (struct cmd_args){.operands = argv};

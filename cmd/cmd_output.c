@@ -103,8 +103,8 @@ static void refuse_terminal(int descriptor, bool binary)
         cmd_usage("binary data is not written to a terminal: use -o FILE or a pipe");
 }
 
-/* The file that path leads to, through symbolic links, so that the rename replaces that file and not
- * the link. */
+/* The file that path leads to, through symbolic links, so that the rename replaces that file and
+ * not the link. */
 static char *final_path(const char *path, bool exists)
 {
     char *resolved = NULL;
