@@ -38,6 +38,7 @@ struct hatch_mesh_notes {
     uint32_t unreferenced_dropped; /* vertices that no face uses */
     uint32_t faces_flipped;        /* faces turned to agree with their neighbours */
     uint32_t non_manifold_edges;   /* edges of more than two faces */
+    uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */
 };
 
 /* Makes an empty mesh with room: indices and POSITION zeroed. */
@@ -75,12 +76,14 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
 /* Adds TANGENT from NORMAL and TEXCOORD_0 where it is missing: the direction of rising u, area
  * weighted, made orthogonal to the normal; where the UVs are degenerate, any direction orthogonal to
  * the normal. Needs both attributes. */
-enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatch_mesh *mesh,
-                                          struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatch_arena *scratch,
+                                          struct hatch_mesh *mesh, struct hatch_err *err)
+    HATCH_MUST_USE;
 
 /* Drops faces with a repeated corner or without area, faces given twice and unreferenced vertices;
- * turns faces so that neighbours agree (a component keeps the side that most of its faces had);
- * counts what it did. Vertices keep their order. HATCH_BAD_INPUT when no face is left. */
+ * turns faces so that neighbours agree (a component keeps the side that most of its faces had; a
+ * closed one whose faces disagreed takes the side of positive volume); counts what it did in notes,
+ * whose polygons_split stays. Vertices keep their order. HATCH_BAD_INPUT when no face is left. */
 enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch,
                                    struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                    struct hatch_err *err) HATCH_MUST_USE;

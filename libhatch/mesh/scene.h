@@ -101,7 +101,8 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
     HATCH_MUST_USE;
 
 /* The world matrix of every node, column-major, 16 floats each, at time_s of the given animation
- * (HATCH_NONE: the rest pose). Times beyond the animation's end are wrapped into it.
+ * (HATCH_NONE: the rest pose). Times beyond the animation's end are wrapped into it. A matrix of
+ * negative determinant mirrors: the renderer then takes clockwise faces for front faces.
  * world: 16 * node_count floats. */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s,
                       float *world);

@@ -1,0 +1,185 @@
+/* Cleaning works on points (welded positions), so that unwelded files are judged as the surfaces they
+ * are, and changes vertices only by leaving out those that no face uses. */
+#include <string.h>
+
+#include "base/random.h"
+#include "mesh/edges.h"
+#include "mesh/mesh.h"
+#include "mesh/orient.h"
+
+struct work {
+    const struct hatch_mesh *mesh;
+    uint32_t *point;  /* per corner */
+    uint32_t point_count;
+    uint8_t *dropped; /* per face */
+    uint8_t *flipped; /* per face */
+    struct hatch_mesh_notes notes;
+};
+
+static void drop_degenerate(struct work *w)
+{
+    double corners[3][3];
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        const uint32_t *p = &w->point[(size_t)f * 3];
+        bool repeated = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+        if (repeated || !hatch_mesh_corners(w->mesh, f, corners)) {
+            w->dropped[f] = 1;
+            w->notes.degenerate_dropped++;
+        }
+    }
+}
+
+static void sorted_points(const struct work *w, uint32_t face, uint32_t out[3])
+{
+    memcpy(out, &w->point[(size_t)face * 3], 3 * sizeof *out);
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k + 1 < 3; k++)
+            if (out[k] > out[k + 1]) {
+                uint32_t swap = out[k];
+                out[k] = out[k + 1];
+                out[k + 1] = swap;
+            }
+}
+
+/* The first of several faces on the same three points stays, whichever way round they go. */
+static enum hatch_status drop_duplicates(struct work *w, struct hatch_arena *scratch,
+                                         struct hatch_err *err)
+{
+    size_t capacity = 16;
+    while (capacity < (size_t)w->mesh->face_count * 2)
+        capacity *= 2;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* face + 1 */
+    if (!slots)
+        return HATCH_LIMIT;
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        if (w->dropped[f])
+            continue;
+        uint32_t mine[3], other[3];
+        sorted_points(w, f, mine);
+        uint64_t hash = hatch_random_mix((uint64_t)mine[0] << 32 | mine[1]);
+        size_t slot = hatch_random_mix(hash ^ mine[2]) & (capacity - 1);
+        for (; slots[slot]; slot = (slot + 1) & (capacity - 1)) {
+            sorted_points(w, slots[slot] - 1, other);
+            if (memcmp(mine, other, sizeof mine) == 0)
+                break;
+        }
+        if (slots[slot]) {
+            w->dropped[f] = 1;
+            w->notes.duplicates_dropped++;
+        } else {
+            slots[slot] = f + 1;
+        }
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_edges edges;
+    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch,
+                               scratch, &edges, err));
+    struct hatch_orientation result;
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, &edges, w->dropped, scratch, w->flipped, &result,
+                                err));
+    w->notes.faces_flipped = result.faces_flipped;
+    w->notes.contrary_edges = result.contrary_edges;
+    for (uint32_t e = 0; e < edges.count; e++)
+        w->notes.non_manifold_edges += edges.first[e + 1] - edges.first[e] > 2;
+    return HATCH_OK;
+}
+
+static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
+        if (!w->dropped[i / 3])
+            new_vertex[mesh->indices[i]] = 1;
+    uint32_t count = 0;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        new_vertex[v] = new_vertex[v] ? count++ : UINT32_MAX;
+    return count;
+}
+
+static void copy_faces(const struct work *w, const uint32_t *new_vertex, uint32_t *to)
+{
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        if (w->dropped[f])
+            continue;
+        const uint32_t *from = &w->mesh->indices[(size_t)f * 3];
+        for (int c = 0; c < 3; c++)
+            *to++ = new_vertex[from[w->flipped[f] ? (3 - c) % 3 : c]];
+    }
+}
+
+static void copy_attribute(const struct hatch_mesh *mesh, const uint32_t *new_vertex,
+                           const struct hatch_mesh_attribute *from, float *to)
+{
+    size_t n = from->components;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        if (new_vertex[v] != UINT32_MAX)
+            memcpy(&to[new_vertex[v] * n], &from->data[v * n], n * sizeof *to);
+}
+
+static enum hatch_status build(struct work *w, struct hatch_arena *arena,
+                               struct hatch_arena *scratch, struct hatch_mesh *out,
+                               struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    uint32_t faces = mesh->face_count - w->notes.degenerate_dropped - w->notes.duplicates_dropped;
+    if (faces == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
+    uint32_t *new_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    if (!new_vertex)
+        return HATCH_LIMIT;
+    uint32_t vertices = number_vertices(w, new_vertex);
+    w->notes.unreferenced_dropped = mesh->vertex_count - vertices;
+    HATCH_TRY(hatch_mesh_make(arena, vertices, faces, out, err));
+    copy_faces(w, new_vertex, out->indices);
+    copy_attribute(mesh, new_vertex, &mesh->attributes[0], out->attributes[0].data);
+    for (uint32_t i = 1; i < mesh->attribute_count; i++) {
+        const struct hatch_mesh_attribute *from = &mesh->attributes[i];
+        float *data;
+        HATCH_TRY(hatch_mesh_add(arena, out, from->name, from->components, &data, err));
+        copy_attribute(mesh, new_vertex, from, data);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
+                               struct hatch_arena *scratch, struct hatch_mesh *out,
+                               struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    size_t corners = (size_t)mesh->face_count * 3;
+    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    w->point = vertex_to_point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    w->dropped = w->point ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
+    w->flipped = w->dropped ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
+    if (!w->flipped)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &w->point_count, err));
+    hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
+    drop_degenerate(w);
+    HATCH_TRY(drop_duplicates(w, scratch, err));
+    HATCH_TRY(orient(w, scratch, err));
+    return build(w, arena, scratch, out, err);
+}
+
+enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                   struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work w = {.mesh = mesh};
+    struct hatch_mesh out;
+    enum hatch_status status = clean(&w, arena, scratch, &out, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status != HATCH_OK)
+        return status;
+    w.notes.polygons_split = notes->polygons_split;
+    *mesh = out;
+    *notes = w.notes;
+    return HATCH_OK;
+}

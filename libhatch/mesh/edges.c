@@ -1,0 +1,88 @@
+#include "mesh/edges.h"
+
+#include <assert.h>
+#include <string.h>
+
+void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point,
+                              uint32_t *point)
+{
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
+        point[i] = vertex_to_point[mesh->indices[i]];
+}
+
+static uint32_t low_point(const uint32_t *point, uint32_t side)
+{
+    uint32_t a = point[side], b = point[hatch_side_end(side)];
+    return a < b ? a : b;
+}
+
+static uint32_t high_point(const uint32_t *point, uint32_t side)
+{
+    uint32_t a = point[side], b = point[hatch_side_end(side)];
+    return a < b ? b : a;
+}
+
+/* One pass of a stable counting sort. starts: point_count + 1 entries, overwritten. */
+static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t *point,
+                    uint32_t point_count, const uint32_t *from, uint32_t *to, uint32_t count,
+                    uint32_t *starts)
+{
+    memset(starts, 0, ((size_t)point_count + 1) * sizeof *starts);
+    for (uint32_t i = 0; i < count; i++)
+        starts[key(point, from[i]) + 1]++;
+    for (uint32_t p = 0; p < point_count; p++)
+        starts[p + 1] += starts[p];
+    for (uint32_t i = 0; i < count; i++)
+        to[starts[key(point, from[i])]++] = from[i];
+}
+
+static uint32_t list_sides(const uint32_t *point, uint32_t face_count, const uint8_t *dropped,
+                           uint32_t *sides)
+{
+    uint32_t count = 0;
+    for (uint32_t side = 0; side < face_count * 3; side++)
+        if (!(dropped && dropped[side / 3]) && point[side] != point[hatch_side_end(side)])
+            sides[count++] = side;
+    return count;
+}
+
+static void group(const uint32_t *point, uint32_t side_count, struct hatch_edges *edges)
+{
+    edges->count = 0;
+    for (uint32_t i = 0; i < side_count; i++) {
+        uint32_t side = edges->sides[i], before = i ? edges->sides[i - 1] : side;
+        if (i == 0 || low_point(point, side) != low_point(point, before) ||
+            high_point(point, side) != high_point(point, before))
+            edges->first[edges->count++] = i;
+        edges->edge_of[side] = edges->count - 1;
+    }
+    edges->first[edges->count] = side_count;
+}
+
+enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, uint32_t point_count,
+                                   const uint8_t *dropped, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_edges *edges,
+                                   struct hatch_err *err)
+{
+    assert(face_count <= UINT32_MAX / 3 - 1);
+    size_t all = (size_t)face_count * 3;
+    struct hatch_edges found;
+    found.first = HATCH_NEW(arena, uint32_t, all + 1, err);
+    found.sides = found.first ? HATCH_NEW(arena, uint32_t, all, err) : NULL;
+    found.edge_of = found.sides ? HATCH_NEW(arena, uint32_t, all, err) : NULL;
+    if (!found.edge_of)
+        return HATCH_LIMIT;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *listed = HATCH_NEW(scratch, uint32_t, all, err);
+    uint32_t *starts = listed ? HATCH_NEW(scratch, uint32_t, (size_t)point_count + 1, err) : NULL;
+    if (starts) {
+        uint32_t count = list_sides(point, face_count, dropped, found.sides);
+        sort_by(high_point, point, point_count, found.sides, listed, count, starts);
+        sort_by(low_point, point, point_count, listed, found.sides, count, starts);
+        memset(found.edge_of, 0xff, all * sizeof *found.edge_of);
+        group(point, count, &found);
+        *edges = found;
+    }
+    hatch_arena_rewind(scratch, mark);
+    return starts ? HATCH_OK : HATCH_LIMIT;
+}

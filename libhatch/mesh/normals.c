@@ -1,0 +1,223 @@
+#include <math.h>
+#include <string.h>
+
+#include "math/vector.h"
+#include "mesh/edges.h"
+#include "mesh/mesh.h"
+
+/* Corners that share one normal form a class. Without a crease angle the class is the point; with
+ * one, corners are joined across the edges that are not sharp. */
+struct work {
+    const struct hatch_mesh *mesh;
+    uint32_t *point;    /* per corner */
+    uint32_t *class_of; /* per corner */
+    uint32_t class_count;
+    double *sum;        /* 3 per class */
+};
+
+static uint32_t root(uint32_t *parent, uint32_t i)
+{
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+static void join(uint32_t *parent, uint32_t a, uint32_t b)
+{
+    a = root(parent, a);
+    b = root(parent, b);
+    if (a < b)
+        parent[b] = a;
+    else
+        parent[a] = b;
+}
+
+static bool is_smooth(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
+{
+    double corners[3][3], na[3], nb[3];
+    hatch_mesh_corners(mesh, a, corners);
+    hatch_vec_triangle(corners[0], corners[1], corners[2], na);
+    hatch_mesh_corners(mesh, b, corners);
+    hatch_vec_triangle(corners[0], corners[1], corners[2], nb);
+    return hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb);
+}
+
+static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
+                                           struct hatch_arena *scratch, struct hatch_err *err)
+{
+    uint32_t corner_count = w->mesh->face_count * 3, *parent = w->class_of;
+    struct hatch_edges edges;
+    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch,
+                               &edges, err));
+    for (uint32_t i = 0; i < corner_count; i++)
+        parent[i] = i;
+    for (uint32_t e = 0; e < edges.count; e++) {
+        const uint32_t *sides = &edges.sides[edges.first[e]];
+        if (edges.first[e + 1] - edges.first[e] != 2 ||
+            !is_smooth(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad)))
+            continue;
+        uint32_t end0 = hatch_side_end(sides[0]), end1 = hatch_side_end(sides[1]);
+        bool same_way = w->point[sides[0]] == w->point[sides[1]];
+        join(parent, sides[0], same_way ? sides[1] : end1);
+        join(parent, end0, same_way ? end1 : sides[1]);
+    }
+    /* A root is the lowest corner of its class, so its number is known before its members ask. */
+    w->class_count = 0;
+    for (uint32_t i = 0; i < corner_count; i++)
+        parent[i] = root(parent, i);
+    for (uint32_t i = 0; i < corner_count; i++)
+        parent[i] = parent[i] == i ? w->class_count++ : parent[parent[i]];
+    return HATCH_OK;
+}
+
+static double corner_angle(double corners[3][3], int c)
+{
+    double a[3], b[3], cross[3];
+    hatch_vec_sub(corners[(c + 1) % 3], corners[c], a);
+    hatch_vec_sub(corners[(c + 2) % 3], corners[c], b);
+    hatch_vec_cross(a, b, cross);
+    return atan2(hatch_vec_length(cross), hatch_vec_dot(a, b));
+}
+
+static void sum_normals(struct work *w)
+{
+    double corners[3][3], normal[3];
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        if (!hatch_mesh_corners(w->mesh, f, corners))
+            continue;
+        hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+        hatch_vec_normalize(normal);
+        for (int c = 0; c < 3; c++) {
+            double *sum = &w->sum[(size_t)w->class_of[f * 3 + (uint32_t)c] * 3];
+            hatch_vec_add_scaled(sum, corner_angle(corners, c), normal, sum);
+        }
+    }
+}
+
+/* A vertex whose corners lie in several classes is doubled: the first class keeps it, the others'
+ * copies form a chain behind it. */
+struct splits {
+    uint32_t *class_at; /* per vertex, old and new; NO_CLASS until a corner asks */
+    uint32_t *next;     /* per vertex: the next copy, or 0 */
+    uint32_t *origin;   /* per vertex: the old one */
+    uint32_t count;
+};
+
+#define NO_CLASS UINT32_MAX
+
+static uint32_t vertex_for(struct splits *s, uint32_t vertex, uint32_t class)
+{
+    while (s->class_at[vertex] != class) {
+        if (s->class_at[vertex] == NO_CLASS) {
+            s->class_at[vertex] = class;
+        } else {
+            if (s->next[vertex] == 0) {
+                s->origin[s->count] = s->origin[vertex];
+                s->next[vertex] = s->count++;
+            }
+            vertex = s->next[vertex];
+        }
+    }
+    return vertex;
+}
+
+static enum hatch_status make_splits(const struct work *w, struct hatch_arena *scratch,
+                                     uint32_t *indices, struct splits *s, struct hatch_err *err)
+{
+    size_t corners = (size_t)w->mesh->face_count * 3;
+    size_t most = corners + w->mesh->vertex_count;
+    s->class_at = HATCH_NEW(scratch, uint32_t, most, err);
+    s->next = s->class_at ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
+    s->origin = s->next ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
+    if (!s->origin)
+        return HATCH_LIMIT;
+    memset(s->class_at, 0xff, most * sizeof *s->class_at);
+    s->count = w->mesh->vertex_count;
+    for (uint32_t v = 0; v < s->count; v++)
+        s->origin[v] = v;
+    for (size_t i = 0; i < corners; i++)
+        indices[i] = vertex_for(s, w->mesh->indices[i], w->class_of[i]);
+    return HATCH_OK;
+}
+
+static void store_normals(const struct work *w, const struct splits *s, float *normals)
+{
+    for (uint32_t v = 0; v < s->count; v++) {
+        double normal[3] = {0, 0, 0};
+        if (s->class_at[v] != NO_CLASS)
+            hatch_vec_copy(&w->sum[(size_t)s->class_at[v] * 3], normal);
+        if (!(hatch_vec_normalize(normal) > 0))
+            normal[2] = 1; /* no face with an area, or faces that cancel: any unit vector */
+        hatch_vec_round(normal, &normals[(size_t)v * 3]);
+    }
+}
+
+static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
+                               struct hatch_arena *scratch, struct hatch_mesh *out,
+                               struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    struct splits s;
+    struct hatch_mesh made = {.face_count = mesh->face_count};
+    made.indices = HATCH_NEW(arena, uint32_t, (size_t)mesh->face_count * 3, err);
+    if (!made.indices)
+        return HATCH_LIMIT;
+    HATCH_TRY(make_splits(w, scratch, made.indices, &s, err));
+    made.vertex_count = s.count;
+    float *data;
+    for (uint32_t i = 0; i < mesh->attribute_count; i++) {
+        const struct hatch_mesh_attribute *from = &mesh->attributes[i];
+        size_t n = from->components;
+        HATCH_TRY(hatch_mesh_add(arena, &made, from->name, from->components, &data, err));
+        for (uint32_t v = 0; v < s.count; v++)
+            memcpy(&data[v * n], &from->data[s.origin[v] * n], n * sizeof *data);
+    }
+    HATCH_TRY(hatch_mesh_add(arena, &made, "NORMAL", 3, &data, err));
+    store_normals(w, &s, data);
+    *out = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status add_normals(struct work *w, float crease_rad, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_mesh *out,
+                                     struct hatch_err *err)
+{
+    size_t corners = (size_t)w->mesh->face_count * 3;
+    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, w->mesh->vertex_count, err);
+    w->point = vertex_to_point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    w->class_of = w->point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    if (!w->class_of)
+        return HATCH_LIMIT;
+    uint32_t point_count;
+    HATCH_TRY(hatch_mesh_weld(w->mesh, scratch, vertex_to_point, &point_count, err));
+    hatch_mesh_corner_points(w->mesh, vertex_to_point, w->point);
+    if (crease_rad > 0) {
+        HATCH_TRY(classes_by_crease(w, point_count, (double)crease_rad, scratch, err));
+    } else {
+        memcpy(w->class_of, w->point, corners * sizeof *w->point);
+        w->class_count = point_count;
+    }
+    w->sum = HATCH_NEW(scratch, double, (size_t)w->class_count * 3, err);
+    if (!w->sum)
+        return HATCH_LIMIT;
+    sum_normals(w);
+    return build(w, arena, scratch, out, err);
+}
+
+enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,
+                                         struct hatch_mesh *mesh, float crease_rad,
+                                         struct hatch_err *err)
+{
+    if (hatch_mesh_find(mesh, "NORMAL", 3))
+        return HATCH_OK;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work w = {.mesh = mesh};
+    struct hatch_mesh out;
+    enum hatch_status status = add_normals(&w, crease_rad, arena, scratch, &out, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *mesh = out;
+    return status;
+}
