@@ -81,9 +81,11 @@ enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
     size_t want = buffer->size + more;
     if (want < more)
         return hatch_fail(err, HATCH_LIMIT, "output larger than memory can hold");
-    size_t capacity = buffer->capacity < 4096 ? 4096 : buffer->capacity;
-    while (capacity < want)
-        capacity = capacity > SIZE_MAX / 2 ? want : capacity * 2;
+    size_t capacity = buffer->capacity > SIZE_MAX / 2 ? want : buffer->capacity * 2;
+    if (capacity < want)
+        capacity = want;
+    if (capacity < 4096)
+        capacity = 4096;
     uint8_t *data = HATCH_NEW(buffer->arena, uint8_t, capacity, err);
     if (!data)
         return HATCH_LIMIT;

@@ -85,4 +85,8 @@ float hatch_linear_to_srgb(float linear);
 uint16_t hatch_half_from_float(float value);
 float hatch_float_from_half(uint16_t half);
 
+/* The same for count numbers: values[i * stride] and halves[i]. */
+void hatch_halves_from_floats(const float *values, size_t stride, uint16_t *halves, size_t count);
+void hatch_floats_from_halves(const uint16_t *halves, size_t count, float *values, size_t stride);
+
 #endif

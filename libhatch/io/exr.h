@@ -1,5 +1,5 @@
-/* OpenEXR files: several named parts, each tiled and mip-mapped (or flat scanlines, when reading), on
- * OpenEXR's C core. Everything is encoded in and decoded from memory. */
+/* OpenEXR files: several named parts, each tiled and mip-mapped (or flat scanlines, when reading),
+ * on OpenEXR's C core. Everything is encoded in and decoded from memory. */
 #ifndef HATCH_IO_EXR_H
 #define HATCH_IO_EXR_H
 
@@ -8,9 +8,9 @@
 #include "image/image.h"
 
 /* Reads every part: scanline or tiled, one level or mip-mapped, HALF, FLOAT or UINT channels, any
- * lossless compression; float, int and string attributes. Deep data, rip-maps and sub-sampled channels
- * are HATCH_BAD_INPUT. Sizes are checked against the arena's limit before anything is allocated:
- * HATCH_LIMIT. Pixels that are not finite are kept; the caller decides. */
+ * lossless compression; float, int and string attributes. Deep data, rip-maps and sub-sampled
+ * channels are HATCH_BAD_INPUT. Sizes are checked against the arena's limit before anything is
+ * allocated: HATCH_LIMIT. Pixels that are not finite are kept; the caller decides. */
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts,
                                  uint32_t *part_count, struct hatch_err *err) HATCH_MUST_USE;
@@ -18,22 +18,25 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *ar
 struct hatch_exr_writer;
 
 /* Begins a file of part_count parts, all of base's size, levels and channels (its pixels are not
- * looked at). More than one level makes tiled mip-maps, ZIP compressed; one level makes scanlines. */
+ * looked at). More than one level makes tiled mip-maps, ZIP compressed; one level makes scanlines.
+ */
 enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count,
                                   struct hatch_arena *arena, struct hatch_exr_writer **writer,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* Converts and compresses one part and keeps the compressed bytes, not the pixels. Different parts may
- * be added from different threads at once; each part once. */
+/* Converts and compresses one part and keeps the compressed bytes, not the pixels. Different parts
+ * may be added from different threads at once; each part once. */
 enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part,
-                                     const struct hatch_mipmap *mipmap, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                     const struct hatch_mipmap *mipmap,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Writes the file's bytes; the writer is done then. The bytes depend on the parts alone. */
+/* Writes the file's bytes into an empty buffer; whatever happens, the writer is done then. The
+ * bytes depend on the parts alone. */
 enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees what the writer holds outside its arena; for the way out after a failure. NULL is allowed. */
+/* Frees what the writer holds outside its arena; for the way out after a failure. NULL is allowed.
+ */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
 #endif

@@ -5,8 +5,9 @@
 #include "base/bytes.h"
 #include "image/image.h"
 
-/* Any PNG as linear floats: Y, Y A, RGB or RGBA; palettes and low depths expanded, sRGB decoded (gamma
- * and ICC chunks are ignored). The header's size is checked against the arena's limit first. */
+/* Any PNG as linear floats: Y, Y A, RGB or RGBA; palettes and low depths expanded, sRGB decoded
+ * (gamma and ICC chunks are ignored). The header's size is checked against the arena's limit first.
+ */
 enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_image *image,
                                  struct hatch_err *err) HATCH_MUST_USE;

@@ -1,0 +1,360 @@
+#include "io/exr.h"
+
+#include <assert.h>
+#include <libdeflate.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "io/exr_stream.h"
+#include "io/exr_zip.h"
+
+/* Measured on hatching: larger tiles pack little better, smaller ones cost more time. */
+#define TILE_SIDE 256u
+#define SCANLINES_PER_CHUNK 16u /* the format's for ZIP */
+#define ZIP_LEVEL 1
+#define SHORT_NAME_MAX 31u
+
+struct part {
+    struct hatch_arena arena;  /* what follows lives in it: threads add parts side by side */
+    struct hatch_mipmap label; /* name and attributes; its levels are not used */
+    uint32_t *chunk_sizes;
+    uint8_t *packed;
+};
+
+/* The texels of one chunk: a tile, or a few whole rows. */
+struct area {
+    uint32_t level, x, y; /* x and y count chunks */
+    uint32_t left, top, width, height;
+};
+
+struct hatch_exr_writer {
+    uint32_t width, height, level_count, channel_count, chunk_count, part_count;
+    uint32_t chunk_width, chunk_height;
+    struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX];
+    uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* the file's order of channels is by name */
+    struct part *parts;
+    size_t limit_bytes;
+    atomic_size_t packed_bytes; /* of all parts; the limit holds for all together */
+};
+
+static uint32_t chunks_across(uint32_t size, uint32_t chunk)
+{
+    return (size + chunk - 1) / chunk;
+}
+
+static void sort_channels(struct hatch_exr_writer *writer)
+{
+    for (uint32_t i = 0; i < writer->channel_count; i++) {
+        uint32_t at = i;
+        for (; at > 0; at--) {
+            uint32_t before = writer->order[at - 1];
+            if (strcmp(writer->channels[before].name, writer->channels[i].name) < 0)
+                break;
+            writer->order[at] = before;
+        }
+        writer->order[at] = i;
+    }
+}
+
+static void measure(struct hatch_exr_writer *writer)
+{
+    bool tiled = writer->level_count > 1;
+    uint32_t width = writer->width, height = writer->height;
+    writer->chunk_width = tiled && width > TILE_SIDE ? TILE_SIDE : width;
+    writer->chunk_height = tiled ? (height > TILE_SIDE ? TILE_SIDE : height) : SCANLINES_PER_CHUNK;
+    for (uint32_t level = 0; level < writer->level_count; level++)
+        writer->chunk_count += chunks_across(hatch_mip_size(width, level), writer->chunk_width) *
+                               chunks_across(hatch_mip_size(height, level), writer->chunk_height);
+}
+
+enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count,
+                                  struct hatch_arena *arena, struct hatch_exr_writer **writer,
+                                  struct hatch_err *err)
+{
+    const struct hatch_image *finest = &base->levels[0];
+    assert(part_count > 0 && base->level_count > 0);
+    assert(base->level_count == 1 ||
+           base->level_count == hatch_mip_chain_length(finest->width, finest->height));
+    struct hatch_exr_writer *made = HATCH_NEW(arena, struct hatch_exr_writer, 1, err);
+    if (!made)
+        return HATCH_LIMIT;
+    made->parts = HATCH_NEW(arena, struct part, part_count, err);
+    if (!made->parts)
+        return HATCH_LIMIT;
+    made->width = finest->width;
+    made->height = finest->height;
+    made->level_count = base->level_count;
+    made->channel_count = finest->channel_count;
+    made->part_count = part_count;
+    memcpy(made->channels, finest->channels, sizeof made->channels);
+    sort_channels(made);
+    measure(made);
+    size_t left = arena->limit_bytes - arena->used_bytes;
+    made->limit_bytes = left ? left : 1;
+    atomic_init(&made->packed_bytes, 0);
+    for (uint32_t i = 0; i < part_count; i++)
+        hatch_arena_init(&made->parts[i].arena, made->limit_bytes);
+    *writer = made;
+    return HATCH_OK;
+}
+
+/* The chunks of a level, row by row, are the order of the file. Returns false after the last. */
+static bool next_area(const struct hatch_exr_writer *writer, struct area *area)
+{
+    uint32_t width = hatch_mip_size(writer->width, area->level);
+    uint32_t height = hatch_mip_size(writer->height, area->level);
+    if (area->width && ++area->x == chunks_across(width, writer->chunk_width)) {
+        area->x = 0;
+        if (++area->y == chunks_across(height, writer->chunk_height)) {
+            area->y = 0;
+            if (++area->level == writer->level_count)
+                return false;
+            width = hatch_mip_size(writer->width, area->level);
+            height = hatch_mip_size(writer->height, area->level);
+        }
+    }
+    area->left = area->x * writer->chunk_width;
+    area->top = area->y * writer->chunk_height;
+    uint32_t right = width - area->left, below = height - area->top;
+    area->width = right < writer->chunk_width ? right : writer->chunk_width;
+    area->height = below < writer->chunk_height ? below : writer->chunk_height;
+    return true;
+}
+
+static void put_row(const float *values, size_t stride, enum hatch_channel_type type,
+                    uint32_t count, uint8_t *out)
+{
+    /* the file is little-endian, as are the machines that this is built for */
+    if (type == HATCH_HALF) {
+        hatch_halves_from_floats(values, stride, (uint16_t *)(void *)out, count);
+        return;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        float value = values[i * stride];
+        uint32_t bits = 0;
+        if (type == HATCH_FLOAT)
+            memcpy(&bits, &value, sizeof bits);
+        else {
+            assert(value >= 0 && value <= 0x1p24f);
+            bits = (uint32_t)value;
+        }
+        memcpy(out + 4 * (size_t)i, &bits, sizeof bits);
+    }
+}
+
+/* Lays an area out as the format wants it: row by row, in each row channel by channel. */
+static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_image *image,
+                      const struct area *area, uint8_t *raw)
+{
+    uint8_t *at = raw;
+    size_t stride = image->channel_count;
+    for (uint32_t row = 0; row < area->height; row++) {
+        const float *first =
+            image->pixels + ((size_t)(area->top + row) * image->width + area->left) * stride;
+        for (uint32_t i = 0; i < writer->channel_count; i++) {
+            uint32_t c = writer->order[i];
+            put_row(first + c, stride, writer->channels[c].type, area->width, at);
+            at += hatch_exr_channel_bytes(writer->channels[c].type) * area->width;
+        }
+    }
+    return (size_t)(at - raw);
+}
+
+static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, struct part *part,
+                                     const struct hatch_mipmap *mipmap,
+                                     struct libdeflate_compressor *compressor,
+                                     struct hatch_buffer *packed, struct hatch_err *err)
+{
+    size_t texel = 0;
+    for (uint32_t c = 0; c < writer->channel_count; c++)
+        texel += hatch_exr_channel_bytes(writer->channels[c].type);
+    size_t raw_size = texel * writer->chunk_width * writer->chunk_height;
+    uint8_t *raw = HATCH_NEW(packed->arena, uint8_t, 3 * raw_size, err);
+    if (!raw)
+        return HATCH_LIMIT;
+    uint8_t *filtered = raw + raw_size, *zipped = raw + 2 * raw_size;
+    struct area area = {0};
+    for (uint32_t chunk = 0; next_area(writer, &area); chunk++) {
+        size_t size = lay_out(writer, &mipmap->levels[area.level], &area, raw);
+        size = hatch_exr_zip(compressor, raw, size, filtered, zipped);
+        part->chunk_sizes[chunk] = (uint32_t)size;
+        HATCH_TRY(hatch_buffer_add(packed, zipped, size, err));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap *mipmap,
+                                    struct hatch_err *err)
+{
+    part->label = *mipmap;
+    part->label.levels = NULL;
+    for (uint32_t i = 0; i < mipmap->attribute_count; i++) {
+        struct hatch_attribute *attribute = &part->label.attributes[i];
+        if (attribute->type != HATCH_ATTRIBUTE_TEXT)
+            continue;
+        attribute->text =
+            hatch_arena_text(&part->arena, attribute->text, strlen(attribute->text), err);
+        if (!attribute->text)
+            return HATCH_LIMIT;
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status add_part(struct hatch_exr_writer *writer, struct part *part,
+                                  const struct hatch_mipmap *mipmap,
+                                  struct libdeflate_compressor *compressor,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
+{
+    HATCH_TRY(keep_label(part, mipmap, err));
+    part->chunk_sizes = HATCH_NEW(&part->arena, uint32_t, writer->chunk_count, err);
+    if (!part->chunk_sizes)
+        return HATCH_LIMIT;
+    struct hatch_buffer packed = {.arena = scratch};
+    HATCH_TRY(pack_chunks(writer, part, mipmap, compressor, &packed, err));
+    if (atomic_fetch_add(&writer->packed_bytes, packed.size) + packed.size > writer->limit_bytes)
+        return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu",
+                          writer->limit_bytes);
+    part->packed = HATCH_NEW(&part->arena, uint8_t, packed.size, err);
+    if (!part->packed)
+        return HATCH_LIMIT;
+    memcpy(part->packed, packed.data, packed.size);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part,
+                                     const struct hatch_mipmap *mipmap, struct hatch_err *err)
+{
+    assert(part < writer->part_count && !writer->parts[part].packed);
+    assert(mipmap->level_count == writer->level_count);
+    assert(mipmap->levels[0].width == writer->width && mipmap->levels[0].height == writer->height);
+    assert(mipmap->levels[0].channel_count == writer->channel_count);
+    struct libdeflate_compressor *compressor = libdeflate_alloc_compressor(ZIP_LEVEL);
+    if (!compressor)
+        return hatch_fail(err, HATCH_LIMIT, "out of memory for compression");
+    struct hatch_arena scratch;
+    hatch_arena_init(&scratch, writer->limit_bytes);
+    enum hatch_status status =
+        add_part(writer, &writer->parts[part], mipmap, compressor, &scratch, err);
+    hatch_arena_free(&scratch);
+    libdeflate_free_compressor(compressor);
+    return status;
+}
+
+static const exr_pixel_type_t pixel_types[] = {
+    [HATCH_HALF] = EXR_PIXEL_HALF, [HATCH_FLOAT] = EXR_PIXEL_FLOAT, [HATCH_UINT] = EXR_PIXEL_UINT};
+
+static exr_result_t declare_attribute(exr_context_t context, int index,
+                                      const struct hatch_attribute *attribute)
+{
+    switch (attribute->type) {
+    case HATCH_ATTRIBUTE_FLOAT:
+        return exr_attr_set_float(context, index, attribute->name, (float)attribute->number);
+    case HATCH_ATTRIBUTE_INT:
+        return exr_attr_set_int(context, index, attribute->name, (int32_t)attribute->number);
+    case HATCH_ATTRIBUTE_TEXT:
+        break;
+    }
+    return exr_attr_set_string(context, index, attribute->name, attribute->text);
+}
+
+static exr_result_t declare_part(const struct hatch_exr_writer *writer, const struct part *part,
+                                 exr_context_t context)
+{
+    bool tiled = writer->level_count > 1;
+    int index = 0;
+    exr_result_t result = exr_add_part(context, part->label.name,
+                                       tiled ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &index);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_initialize_required_attr_simple(context, index, (int32_t)writer->width,
+                                                     (int32_t)writer->height, EXR_COMPRESSION_ZIP);
+    if (result == EXR_ERR_SUCCESS && tiled)
+        result = exr_set_tile_descriptor(context, index, writer->chunk_width, writer->chunk_height,
+                                         EXR_TILE_MIPMAP_LEVELS, EXR_TILE_ROUND_DOWN);
+    for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < writer->channel_count; i++) {
+        const struct hatch_channel *channel = &writer->channels[writer->order[i]];
+        result = exr_add_channel(context, index, channel->name, pixel_types[channel->type],
+                                 EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    }
+    for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < part->label.attribute_count; i++)
+        result = declare_attribute(context, index, &part->label.attributes[i]);
+    return result;
+}
+
+static bool has_long_names(const struct hatch_exr_writer *writer)
+{
+    bool is_long = false;
+    for (uint32_t c = 0; c < writer->channel_count; c++)
+        is_long |= strlen(writer->channels[c].name) > SHORT_NAME_MAX;
+    for (uint32_t i = 0; i < writer->part_count; i++)
+        for (uint32_t a = 0; a < writer->parts[i].label.attribute_count; a++)
+            is_long |= strlen(writer->parts[i].label.attributes[a].name) > SHORT_NAME_MAX;
+    return is_long;
+}
+
+static exr_result_t write_part(const struct hatch_exr_writer *writer, struct part *part, int index,
+                               exr_context_t context)
+{
+    const uint8_t *at = part->packed;
+    struct area area = {0};
+    exr_result_t result = EXR_ERR_SUCCESS;
+    for (uint32_t chunk = 0; result == EXR_ERR_SUCCESS && next_area(writer, &area); chunk++) {
+        uint32_t size = part->chunk_sizes[chunk];
+        int level = (int)area.level;
+        if (writer->level_count > 1)
+            result = exr_write_tile_chunk(context, index, (int)area.x, (int)area.y, level, level,
+                                          at, size);
+        else
+            result = exr_write_scanline_chunk(context, index, (int)area.top, at, size);
+        at += size;
+    }
+    hatch_arena_free(&part->arena);
+    part->packed = NULL;
+    return result;
+}
+
+static exr_result_t write_file(struct hatch_exr_writer *writer, exr_context_t context)
+{
+    exr_result_t result = EXR_ERR_SUCCESS;
+    if (has_long_names(writer))
+        result = exr_set_longname_support(context, 1);
+    for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < writer->part_count; i++)
+        result = declare_part(writer, &writer->parts[i], context);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_write_header(context);
+    for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < writer->part_count; i++)
+        result = write_part(writer, &writer->parts[i], (int)i, context);
+    return result;
+}
+
+enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
+                                struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < writer->part_count; i++)
+        assert(writer->parts[i].packed);
+    assert(file->size == 0);
+    struct hatch_exr_stream stream = {.buffer = file};
+    size_t overhead = (size_t)writer->part_count * (writer->chunk_count * 32u + 1024u);
+    enum hatch_status status = hatch_buffer_reserve(file, writer->packed_bytes + overhead, err);
+    exr_context_t context = NULL;
+    if (status == HATCH_OK) {
+        exr_result_t result = hatch_exr_open_write(&stream, &context);
+        if (result == EXR_ERR_SUCCESS) {
+            result = write_file(writer, context);
+            exr_result_t finished = exr_finish(&context);
+            result = result == EXR_ERR_SUCCESS ? finished : result;
+        }
+        if (result != EXR_ERR_SUCCESS)
+            status = hatch_exr_fail(&stream, result, HATCH_IO, err);
+    }
+    if (status != HATCH_OK)
+        file->size = 0;
+    hatch_exr_abandon(writer);
+    return status;
+}
+
+void hatch_exr_abandon(struct hatch_exr_writer *writer)
+{
+    for (uint32_t i = 0; writer && i < writer->part_count; i++)
+        hatch_arena_free(&writer->parts[i].arena);
+}
