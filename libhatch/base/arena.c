@@ -58,7 +58,7 @@ static struct hatch_arena_block *add_block(struct hatch_arena *arena, size_t byt
         return NULL;
     size_t capacity = block_capacity(arena, bytes);
     size_t whole = sizeof(struct hatch_arena_block) + capacity;
-    if (whole < capacity)
+    if (whole < capacity || whole > SIZE_MAX - HATCH_ARENA_ALIGN)
         return NULL;
     whole = (whole + HATCH_ARENA_ALIGN - 1) / HATCH_ARENA_ALIGN * HATCH_ARENA_ALIGN;
     struct hatch_arena_block *block = aligned_alloc(HATCH_ARENA_ALIGN, whole);

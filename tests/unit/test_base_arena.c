@@ -1,0 +1,154 @@
+#include "run.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+START_TEST(objects_are_zeroed_and_aligned)
+{
+    struct hatch_arena arena;
+    struct hatch_err err;
+    hatch_arena_init(&arena, 1 << 20);
+    for (size_t size = 0; size < 300; size += 7) {
+        unsigned char *bytes = HATCH_NEW(&arena, unsigned char, size, &err);
+        ck_assert_ptr_nonnull(bytes);
+        ck_assert_uint_eq((uintptr_t)bytes % HATCH_ARENA_ALIGN, 0);
+        for (size_t i = 0; i < size; i++)
+            ck_assert_uint_eq(bytes[i], 0);
+        memset(bytes, 0xff, size);
+    }
+    hatch_arena_free(&arena);
+    ck_assert_uint_eq(arena.used_bytes, 0);
+}
+END_TEST
+
+START_TEST(objects_do_not_overlap)
+{
+    enum { COUNT = 200 };
+    struct hatch_arena arena;
+    struct hatch_err err;
+    unsigned char *objects[COUNT];
+    hatch_arena_init(&arena, 1 << 24);
+    for (int i = 0; i < COUNT; i++) {
+        size_t size = 1 + (size_t)i * 97 % 5000;
+        objects[i] = HATCH_NEW(&arena, unsigned char, size, &err);
+        memset(objects[i], i, size);
+    }
+    for (int i = 0; i < COUNT; i++)
+        for (size_t at = 0; at < 1 + (size_t)i * 97 % 5000; at++)
+            ck_assert_uint_eq(objects[i][at], (unsigned)i);
+    hatch_arena_free(&arena);
+}
+END_TEST
+
+START_TEST(the_limit_holds)
+{
+    struct hatch_arena arena;
+    struct hatch_err err;
+    hatch_arena_init(&arena, 100000);
+    ck_assert_ptr_null(HATCH_NEW(&arena, char, 100001, &err));
+    ck_assert_int_eq(err.status, HATCH_LIMIT);
+    ck_assert_ptr_nonnull(strstr(err.text, "100001"));
+    size_t got = 0;
+    while (HATCH_NEW(&arena, char, 1000, &err))
+        got += 1000;
+    ck_assert_uint_ge(got, 90000);
+    ck_assert_uint_le(arena.peak_bytes, 100000);
+    hatch_arena_free(&arena);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 50000, &err));
+    hatch_arena_free(&arena);
+}
+END_TEST
+
+START_TEST(sizes_that_overflow_are_refused)
+{
+    struct hatch_arena arena;
+    struct hatch_err err;
+    hatch_arena_init(&arena, SIZE_MAX);
+    ck_assert_ptr_null(hatch_arena_array(&arena, SIZE_MAX / 4 + 2, 4, &err));
+    ck_assert_int_eq(err.status, HATCH_LIMIT);
+    for (size_t less = 0; less < 200; less++)
+        ck_assert_ptr_null(hatch_arena_array(&arena, SIZE_MAX - less, 1, &err));
+    ck_assert_uint_eq(arena.used_bytes, 0);
+}
+END_TEST
+
+START_TEST(rewind_frees_what_came_after_the_mark)
+{
+    struct hatch_arena arena;
+    struct hatch_err err;
+    hatch_arena_init(&arena, 1 << 20);
+    struct hatch_arena_mark empty = hatch_arena_mark(&arena);
+    char *kept = hatch_arena_text(&arena, "kept and more", 4, &err);
+    size_t used = arena.used_bytes;
+    for (int i = 0; i < 20000; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(&arena);
+        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 100, &err));
+        hatch_arena_rewind(&arena, mark);
+    }
+    for (int i = 0; i < 1000; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(&arena);
+        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 300000, &err));
+        struct hatch_arena_mark inner = hatch_arena_mark(&arena);
+        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 300000, &err));
+        hatch_arena_rewind(&arena, inner);
+        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 300000, &err));
+        hatch_arena_rewind(&arena, mark);
+    }
+    ck_assert_str_eq(kept, "kept");
+    ck_assert_uint_eq(arena.used_bytes, used);
+    hatch_arena_rewind(&arena, empty);
+    ck_assert_uint_eq(arena.used_bytes, 0);
+}
+END_TEST
+
+START_TEST(memory_given_again_is_zeroed_again)
+{
+    struct hatch_arena arena;
+    struct hatch_err err;
+    hatch_arena_init(&arena, 1 << 20);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 10, &err));
+    struct hatch_arena_mark mark = hatch_arena_mark(&arena);
+    char *first = HATCH_NEW(&arena, char, 100, &err);
+    memset(first, 'x', 100);
+    hatch_arena_rewind(&arena, mark);
+    char *second = HATCH_NEW(&arena, char, 100, &err);
+    for (int i = 0; i < 100; i++)
+        ck_assert_int_eq(second[i], 0);
+    hatch_arena_free(&arena);
+}
+END_TEST
+
+START_TEST(the_nth_allocation_and_all_later_ones_fail)
+{
+    for (uint64_t n = 1; n < 10; n++) {
+        struct hatch_arena arena;
+        struct hatch_err err = {0};
+        hatch_arena_init(&arena, 1 << 20);
+        hatch_arena_fail_after(&arena, n);
+        for (uint64_t i = 1; i < 20; i++)
+            ck_assert_int_eq(HATCH_NEW(&arena, char, 8, &err) != NULL, i < n);
+        ck_assert_int_eq(err.status, HATCH_LIMIT);
+        hatch_arena_fail_after(&arena, 0);
+        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 8, &err));
+        hatch_arena_free(&arena);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("base arena");
+    TCase *tests = tcase_create("arena");
+    tcase_add_test(tests, objects_are_zeroed_and_aligned);
+    tcase_add_test(tests, objects_do_not_overlap);
+    tcase_add_test(tests, the_limit_holds);
+    tcase_add_test(tests, sizes_that_overflow_are_refused);
+    tcase_add_test(tests, rewind_frees_what_came_after_the_mark);
+    tcase_add_test(tests, memory_given_again_is_zeroed_again);
+    tcase_add_test(tests, the_nth_allocation_and_all_later_ones_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

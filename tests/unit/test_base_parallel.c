@@ -1,0 +1,134 @@
+#include "run.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "fail_alloc.h"
+
+enum { COUNT = 1000, MOST_THREADS = 8 };
+
+struct work {
+    atomic_int calls[COUNT];
+    uint64_t results[COUNT];
+};
+
+static void fill(void *context, uint32_t index)
+{
+    struct work *work = context;
+    atomic_fetch_add(&work->calls[index], 1);
+    uint64_t sum = 0;
+    for (uint64_t i = 0; i < index % 50; i++)
+        sum += hatch_random_u64(1, index, i);
+    work->results[index] = sum;
+}
+
+static struct hatch_pool *make_pool(struct hatch_arena *arena, uint32_t threads)
+{
+    struct hatch_pool *pool = NULL;
+    struct hatch_err err;
+    hatch_arena_init(arena, 1 << 20);
+    HATCH_TEST_OK(hatch_pool_make(threads, arena, &pool, &err), &err);
+    ck_assert_uint_eq(hatch_pool_threads(pool), threads);
+    return pool;
+}
+
+START_TEST(every_index_once_and_the_same_result_for_any_threads)
+{
+    static struct work alone, together;
+    memset(&alone, 0, sizeof alone);
+    hatch_parallel_for(NULL, COUNT, fill, &alone);
+    for (uint32_t threads = 1; threads <= MOST_THREADS; threads++) {
+        struct hatch_arena arena;
+        struct hatch_pool *pool = make_pool(&arena, threads);
+        for (int round = 0; round < 20; round++) {
+            memset(&together, 0, sizeof together);
+            hatch_parallel_for(pool, COUNT, fill, &together);
+            ck_assert_mem_eq(together.results, alone.results, sizeof alone.results);
+            for (int i = 0; i < COUNT; i++)
+                ck_assert_int_eq(atomic_load(&together.calls[i]), 1);
+        }
+        hatch_parallel_for(pool, 0, fill, NULL);
+        hatch_pool_free(pool);
+        hatch_arena_free(&arena);
+    }
+}
+END_TEST
+
+struct one {
+    struct work *work;
+    uint32_t index;
+};
+
+static void fill_one(void *context, uint32_t index)
+{
+    const struct one *one = context;
+    ck_assert_uint_eq(index, 0);
+    fill(one->work, one->index);
+}
+
+/* More tasks than the queue holds. */
+START_TEST(submitted_tasks_are_all_done_when_wait_returns)
+{
+    static struct work alone, together;
+    static struct one ones[COUNT];
+    hatch_parallel_for(NULL, COUNT, fill, &alone);
+    for (uint32_t threads = 1; threads <= MOST_THREADS; threads++) {
+        struct hatch_arena arena;
+        struct hatch_pool *pool = make_pool(&arena, threads);
+        memset(&together, 0, sizeof together);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            ones[i] = (struct one){&together, i};
+            hatch_pool_submit(pool, fill_one, &ones[i]);
+        }
+        hatch_pool_wait(pool);
+        ck_assert_mem_eq(together.results, alone.results, sizeof alone.results);
+        hatch_pool_wait(pool);
+        hatch_pool_free(pool);
+        hatch_arena_free(&arena);
+    }
+}
+END_TEST
+
+START_TEST(no_pool_is_one_thread)
+{
+    static struct work work;
+    struct one one = {&work, 3};
+    hatch_pool_submit(NULL, fill_one, &one);
+    ck_assert_int_eq(atomic_load(&work.calls[3]), 1);
+    hatch_pool_wait(NULL);
+    hatch_pool_free(NULL);
+    ck_assert_uint_eq(hatch_pool_threads(NULL), 1);
+}
+END_TEST
+
+static enum hatch_status make_and_free(void *context, struct hatch_arena *keep,
+                                       struct hatch_arena *scratch, struct hatch_err *err)
+{
+    (void)scratch;
+    struct hatch_pool **pool = context;
+    HATCH_TRY(hatch_pool_make(3, keep, pool, err));
+    hatch_pool_free(*pool);
+    return HATCH_OK;
+}
+
+START_TEST(a_pool_survives_every_failed_allocation)
+{
+    struct hatch_pool *pool = NULL;
+    hatch_test_fail_alloc(make_and_free, &pool, &pool, sizeof pool);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("base parallel");
+    TCase *tests = tcase_create("parallel");
+    tcase_add_test(tests, every_index_once_and_the_same_result_for_any_threads);
+    tcase_add_test(tests, submitted_tasks_are_all_done_when_wait_returns);
+    tcase_add_test(tests, no_pool_is_one_thread);
+    tcase_add_test(tests, a_pool_survives_every_failed_allocation);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

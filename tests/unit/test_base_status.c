@@ -1,0 +1,73 @@
+#include "run.h"
+
+#include <string.h>
+
+#include "base/status.h"
+
+START_TEST(a_sentence_is_formatted_and_the_status_returned)
+{
+    struct hatch_err err;
+    ck_assert_int_eq(hatch_fail(&err, HATCH_BAD_INPUT, "row %d: %d fields, want %d", 12, 3, 4),
+                     HATCH_BAD_INPUT);
+    ck_assert_int_eq(err.status, HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "row 12: 3 fields, want 4");
+    ck_assert_int_eq(hatch_fail(NULL, HATCH_IO, "nobody asks"), HATCH_IO);
+}
+END_TEST
+
+START_TEST(text_of_a_hostile_file_is_made_harmless)
+{
+    struct hatch_err err;
+    hatch_fail(&err, HATCH_BAD_INPUT, "key '%s'", "\033[2J\n\x7f\xc3\xa4");
+    ck_assert_str_eq(err.text, "key '?[2J??\xc3\xa4'");
+    hatch_fail_at(&err, "part\t%s: ", "a\rb");
+    ck_assert_str_eq(err.text, "part?a?b: key '?[2J??\xc3\xa4'");
+    ck_assert_int_eq(err.status, HATCH_BAD_INPUT);
+}
+END_TEST
+
+START_TEST(long_sentences_are_cut)
+{
+    char text[2 * HATCH_ERR_TEXT_MAX];
+    struct hatch_err err;
+    memset(text, 'y', sizeof text - 1);
+    text[sizeof text - 1] = 0;
+    hatch_fail(&err, HATCH_LIMIT, "%s", text);
+    ck_assert_uint_eq(strlen(err.text), HATCH_ERR_TEXT_MAX - 1);
+    hatch_fail_at(&err, "place: ");
+    ck_assert_uint_eq(strlen(err.text), HATCH_ERR_TEXT_MAX - 1);
+    ck_assert_int_eq(strncmp(err.text, "place: yyy", 10), 0);
+    hatch_fail_at(&err, "%s", text);
+    ck_assert_uint_eq(strlen(err.text), HATCH_ERR_TEXT_MAX - 1);
+}
+END_TEST
+
+static enum hatch_status pass_on(enum hatch_status status, int *reached)
+{
+    HATCH_TRY(status);
+    *reached = 1;
+    return HATCH_OK;
+}
+
+START_TEST(try_returns_at_once)
+{
+    int reached = 0;
+    ck_assert_int_eq(pass_on(HATCH_DIFFERS, &reached), HATCH_DIFFERS);
+    ck_assert_int_eq(reached, 0);
+    ck_assert_int_eq(pass_on(HATCH_OK, &reached), HATCH_OK);
+    ck_assert_int_eq(reached, 1);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("base status");
+    TCase *tests = tcase_create("status");
+    tcase_add_test(tests, a_sentence_is_formatted_and_the_status_returned);
+    tcase_add_test(tests, text_of_a_hostile_file_is_made_harmless);
+    tcase_add_test(tests, long_sentences_are_cut);
+    tcase_add_test(tests, try_returns_at_once);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
