@@ -82,11 +82,6 @@ START_TEST(rewind_frees_what_came_after_the_mark)
     struct hatch_arena_mark empty = hatch_arena_mark(&arena);
     char *kept = hatch_arena_text(&arena, "kept and more", 4, &err);
     size_t used = arena.used_bytes;
-    for (int i = 0; i < 20000; i++) {
-        struct hatch_arena_mark mark = hatch_arena_mark(&arena);
-        ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 100, &err));
-        hatch_arena_rewind(&arena, mark);
-    }
     for (int i = 0; i < 1000; i++) {
         struct hatch_arena_mark mark = hatch_arena_mark(&arena);
         ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 300000, &err));
@@ -114,6 +109,9 @@ START_TEST(memory_given_again_is_zeroed_again)
     memset(first, 'x', 100);
     hatch_arena_rewind(&arena, mark);
     char *second = HATCH_NEW(&arena, char, 100, &err);
+#ifndef HATCH_ARENA_SEPARATE
+    ck_assert_ptr_eq(second, first);
+#endif
     for (int i = 0; i < 100; i++)
         ck_assert_int_eq(second[i], 0);
     hatch_arena_free(&arena);
