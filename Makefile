@@ -52,9 +52,15 @@ $(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(if $(PLUGIN_SRC),$(B)/lib/hatch/hatch-oiio.so)
-SHARED := $(patsubst styles/%,$(B)/share/hatch/styles/%,$(wildcard styles/*.style)) \
-          $(patsubst cmd/render-gl/shaders/%,$(B)/share/hatch/shaders/%,$(SHADERS))
-all: $(BINARIES) $(PLUGIN) $(SHARED)
+# What is not a binary lies in share as it will be installed, so that commands find it in both places.
+copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
+SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,man,man,man*/*) \
+          $(call copies,cmd/render-gl/shaders,hatch/shaders,*)
+COMPLETIONS := $(COMMANDS:%=$(B)/share/bash-completion/completions/%) \
+               $(COMMANDS:%=$(B)/share/zsh/site-functions/_%) \
+               $(COMMANDS:%=$(B)/share/fish/vendor_completions.d/%.fish)
+INSTALLED := $(BINARIES) $(PLUGIN) $(SHARED) $(COMPLETIONS)
+all: $(INSTALLED)
 
 # Objects are made again when the flags change.
 FLAGS := $(CC) $(CXX) $(BASE) $(CFLAGS) $(CXXFLAGS) $(CPPFLAGS) $(LDFLAGS)
@@ -101,12 +107,35 @@ $(foreach c,$(COMMANDS),$(eval $(call command_rule,$(c))))
 $(B)/lib/hatch/hatch-oiio.so: $(call obj,$(PLUGIN_SRC))
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -shared -o $@ $^ -lOpenImageIO -lOpenImageIO_Util
-$(B)/share/hatch/styles/%: styles/%
-	@mkdir -p $(@D)
-	cp $< $@
-$(B)/share/hatch/shaders/%: cmd/render-gl/shaders/%
-	@mkdir -p $(@D)
-	cp $< $@
+define copy_rule
+$(B)/share/$(2)/%: $(1)/%
+	@mkdir -p $$(@D)
+	cp $$< $$@
+endef
+$(eval $(call copy_rule,styles,hatch/styles))
+$(eval $(call copy_rule,man,man))
+$(eval $(call copy_rule,cmd/render-gl/shaders,hatch/shaders))
+define completion_rule
+$(B)/share/$(2): $(B)/bin/% cmd/completions.sh
+	@mkdir -p $$(@D)
+	$$< --options-table | sh cmd/completions.sh $(1) $$* >$$@
+endef
+$(eval $(call completion_rule,bash,bash-completion/completions/%))
+$(eval $(call completion_rule,zsh,zsh/site-functions/_%))
+$(eval $(call completion_rule,fish,fish/vendor_completions.d/%.fish))
+
+# install_into FOLDER
+install_into = for file in $(INSTALLED:$(B)/%=%); do mode=644; [ ! -x $(B)/$$file ] || mode=755; \
+    install -D -m $$mode $(B)/$$file $(1)/$$file || exit 1; done
+install: all
+	@$(call install_into,"$(DESTDIR)$(PREFIX)")
+
+# The commit alone makes the bytes.
+DIST := hatch-$(VERSION)
+dist:
+	@mkdir -p $(B)
+	git archive --format=tar --prefix=$(DIST)/ HEAD | gzip -9n >$(B)/$(DIST).tar.gz
+	@echo $(B)/$(DIST).tar.gz
 
 # Tests. A unit test program links of all archives what it needs.
 TEST_SRC := $(wildcard tests/unit/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
@@ -119,6 +148,7 @@ $(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 $(call obj,$(TEST_SRC)): BASE += -Itests/unit
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz lint))
 check: all $(TESTS)
+	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
 lint:
@@ -126,6 +156,6 @@ lint:
 
 clean:
 	rm -rf build
-.PHONY: all check lint clean
+.PHONY: all check install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:

@@ -1,0 +1,77 @@
+#!/bin/sh
+# completions.sh bash|zsh|fish NAME: prints the completions of a command, whose options table (what
+# NAME --options-table prints) stands on standard input.
+set -eu
+tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
+    function quoted(text) { gsub(/\047/, "\047\\\047\047", text); return "\047" text "\047" }
+    # zsh reads brackets and colons in a description as its own
+    function described(text,    i, c, out) {
+        for (i = 1; i <= length(text); i++) {
+            c = substr(text, i, 1)
+            out = out (index("[]:\\", c) ? "\\" : "") c
+        }
+        return out
+    }
+    $2 != "options-table" {
+        count++
+        letter[count] = $1; name[count] = $2; type[count] = $3; variable[count] = $6
+        choices[count] = $7; help[count] = $9
+        gsub(/,/, " ", choices[count])
+    }
+    function bash_words(i) { return "--" name[i] (letter[i] == "" ? "" : " -" letter[i]) }
+    function print_bash(    i, all, pattern) {
+        print "_hatch_" command "()\n{"
+        print "    local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}"
+        print "    if [[ $current == = ]]; then current=; fi"
+        print "    if [[ $before == = ]]; then before=${COMP_WORDS[COMP_CWORD - 2]}; fi"
+        print "    COMPREPLY=()\n    case $before in"
+        for (i = 1; i <= count; i++) {
+            all = all (i > 1 ? " " : "") bash_words(i)
+            pattern = bash_words(i); sub(/ /, " | ", pattern)
+            if (type[i] == "choice")
+                print "    " pattern ")\n        mapfile -t COMPREPLY < <(compgen -W " \
+                    quoted(choices[i]) " -- \"$current\")\n        return ;;"
+            else if (type[i] != "flag" && type[i] != "text")
+                print "    " pattern ") return ;;"
+            else if (type[i] == "text")
+                print "    " pattern ")\n        mapfile -t COMPREPLY < <(compgen -f -- " \
+                    "\"$current\")\n        return ;;"
+        }
+        print "    esac\n    if [[ $current == -* ]]; then"
+        print "        mapfile -t COMPREPLY < <(compgen -W " quoted(all) " -- \"$current\")"
+        print "    else\n        mapfile -t COMPREPLY < <(compgen -f -- \"$current\")\n    fi\n}"
+        print "complete -o filenames -F _hatch_" command " " command
+    }
+    function print_zsh(    i, what, names) {
+        print "#compdef " command "\n_arguments -s -S \\"
+        for (i = 1; i <= count; i++) {
+            what = ""
+            if (type[i] != "flag") {
+                what = ":" variable[i] ":"
+                if (type[i] == "choice") what = what "(" choices[i] ")"
+                if (type[i] == "text") what = what "_files"
+            }
+            what = "[" described(help[i]) "]" what
+            names = "--" name[i] (type[i] == "flag" ? "" : "=")
+            if (letter[i] != "")
+                print "    " quoted("(-" letter[i] " --" name[i] ")") "{-" letter[i] \
+                    (type[i] == "flag" ? "" : "+") "," names "}" quoted(what) " \\"
+            else
+                print "    " quoted(names what) " \\"
+        }
+        print "    \047*:file:_files\047"
+    }
+    function print_fish(    i, line) {
+        for (i = 1; i <= count; i++) {
+            line = "complete -c " command (letter[i] == "" ? "" : " -s " letter[i]) " -l " name[i]
+            if (type[i] == "choice") line = line " -x -a " quoted(choices[i])
+            else if (type[i] == "text") line = line " -r -F"
+            else if (type[i] != "flag") line = line " -x"
+            print line " -d " quoted(help[i])
+        }
+    }
+    END {
+        if (shell == "bash") print_bash()
+        else if (shell == "zsh") print_zsh()
+        else print_fish()
+    }'
