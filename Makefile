@@ -18,6 +18,14 @@ B := build/sanitize
 SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 BASE += $(SANITIZERS) -DHATCH_ARENA_SEPARATE
 endif
+# The fuzzers are a build of their own.
+ifneq ($(filter fuzz check-long,$(MAKECMDGOALS)),)
+B := build/fuzz
+CC := clang
+CXX := clang++
+SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=undefined
+BASE += $(SANITIZERS) -DHATCH_ARENA_SEPARATE
+endif
 
 # command: the package archives and packages that it links
 LINK_meshgen   :=
@@ -147,7 +155,25 @@ $(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC)): BASE += -Itests/unit
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz lint))
-check: all $(TESTS)
+FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
+FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
+REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
+FUZZERS := $(FUZZ_NAMES:%=$(B)/bin/%)
+fuzz_libs = -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
+    $(foreach a,$(PACKAGES),$(libs_$(a))) -lm -pthread
+define fuzz_rule
+$(B)/tests/fuzz/$(2): $(call obj,$(1) tests/fuzz/replay.c) $(ARCHIVES)
+	@mkdir -p $$(@D)
+	$$(LINK) $$(filter %.o,$$^) $$(fuzz_libs) -lstdc++
+$(B)/bin/$(2): $(call obj,$(1)) $(ARCHIVES)
+	@mkdir -p $$(@D)
+	$(CXX) -fsanitize=address,undefined,fuzzer $(LDFLAGS) -o $$@ $$< $$(fuzz_libs)
+endef
+$(foreach s,$(FUZZ_SRC),$(eval $(call fuzz_rule,$(s),$(patsubst fuzz_%,%,$(basename $(notdir $(s)))))))
+fuzz: $(FUZZERS)
+check-long: fuzz
+	sh tests/fuzz/long.sh $(FUZZERS)
+check: all $(TESTS) $(REPLAYS)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
@@ -156,6 +182,6 @@ lint:
 
 clean:
 	rm -rf build
-.PHONY: all check install dist lint clean
+.PHONY: all check check-long fuzz install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:
