@@ -6,7 +6,8 @@
 #include "mesh/mesh.h"
 #include "mesh/scene.h"
 
-/* Reads a companion file of a glTF; uri is relative, decoded, checked not to leave the folder. */
+/* Reads a companion file of a glTF; uri is relative, decoded, checked not to leave the folder. Its
+ * failure is an error for a buffer and a note for an image. */
 typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
                                                 struct hatch_arena *arena,
                                                 struct hatch_bytes *bytes, struct hatch_err *err);
@@ -14,8 +15,9 @@ typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
 /* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
  * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
  * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
- * per the specification's rule. Points and lines are skipped. HATCH_BAD_INPUT for what the format
- * forbids and for a required extension that is not known, by name. */
+ * per the specification's rule. Points, lines and morph targets are skipped and noted.
+ * HATCH_BAD_INPUT for what the format forbids and for a required extension that is not known, by
+ * name. resolve: NULL where there is no folder. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
                                   struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct hatch_scene *scene, struct hatch_mesh_notes *notes,

@@ -39,6 +39,9 @@ struct hatch_mesh_notes {
     uint32_t faces_flipped;        /* faces turned to agree with their neighbours */
     uint32_t non_manifold_edges;   /* edges of more than two faces */
     uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */
+    uint32_t primitives_skipped;   /* glTF: points and lines */
+    uint32_t morphs_ignored;       /* glTF: meshes with morph targets, drawn as they rest */
+    uint32_t images_missing;       /* glTF: image files that could not be read */
 };
 
 /* Makes an empty mesh with room: indices and POSITION zeroed. */

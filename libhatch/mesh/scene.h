@@ -18,7 +18,7 @@ struct hatch_material {
 
 /* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */
 struct hatch_texture {
-    const uint8_t *data;
+    const uint8_t *data; /* NULL where the image's own file could not be read */
     size_t size;
 };
 

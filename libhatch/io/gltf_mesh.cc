@@ -1,0 +1,189 @@
+#include "io/gltf_reader.h"
+
+#include <cstring>
+
+namespace hatch {
+
+namespace {
+
+/* Normals of neighbours closer than this count as one: the facets of a flat face share vertices. */
+const float flat_rad = 1e-4f;
+
+/* How many components an attribute of this name has, 0 for one that is not read. */
+int wanted_components(const std::string &name, int has)
+{
+    if (name == "POSITION" || name == "NORMAL")
+        return 3;
+    if (name == "TANGENT" || name == "JOINTS_0" || name == "WEIGHTS_0")
+        return 4;
+    if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
+        return 2;
+    if (name == "COLOR_0")
+        return has == 3 ? 3 : 4;
+    bool own = name.size() > 1 && name[0] == '_' && name.size() < HATCH_MESH_NAME_MAX;
+    return own && has <= 4 ? has : 0;
+}
+
+int components_of(const Reader &r, int accessor)
+{
+    if (accessor < 0 || static_cast<size_t>(accessor) >= r.model.accessors.size())
+        return 0;
+    return tinygltf::GetNumComponentsInType(
+        static_cast<uint32_t>(r.model.accessors[static_cast<size_t>(accessor)].type));
+}
+
+/* COLOR_0 always has four components in a mesh. */
+enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
+{
+    float *wide = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 4, r.err);
+    if (!wide)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < count; i++) {
+        std::memcpy(wide + 4 * i, *data + 3 * i, 3 * sizeof *wide);
+        wide[4 * i + 3] = 1;
+    }
+    *data = wide;
+    return HATCH_OK;
+}
+
+enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor,
+                                 const std::string &where, struct hatch_mesh *mesh)
+{
+    int components = wanted_components(name, components_of(r, accessor));
+    if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
+        return HATCH_OK;
+    std::string at = where + ", " + name;
+    float *data;
+    uint32_t count;
+    HATCH_TRY(read_floats(r, accessor, components, at, &data, &count));
+    if (mesh->attribute_count > 0 && count != mesh->vertex_count)
+        return bad(r, at,
+                   std::to_string(count) + " elements, POSITION has " +
+                       std::to_string(mesh->vertex_count));
+    if (name == "COLOR_0" && components == 3) {
+        HATCH_TRY(add_alpha(r, count, &data));
+        components = 4;
+    }
+    struct hatch_mesh_attribute *a = &mesh->attributes[mesh->attribute_count++];
+    std::memcpy(a->name, name.c_str(), name.size() + 1);
+    a->components = static_cast<uint32_t>(components);
+    a->data = data;
+    mesh->vertex_count = count;
+    return HATCH_OK;
+}
+
+enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive,
+                                  const std::string &where, struct hatch_mesh *mesh)
+{
+    auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end())
+        return bad(r, where, "no POSITION");
+    HATCH_TRY(read_attribute(r, "POSITION", position->second, where, mesh));
+    bool normals = primitive.attributes.count("NORMAL") > 0;
+    for (const auto &attribute : primitive.attributes) {
+        /* Tangents without normals are to be ignored (glTF 2.0, §3.7.2.1). */
+        if (attribute.first == "POSITION" || (attribute.first == "TANGENT" && !normals))
+            continue;
+        HATCH_TRY(read_attribute(r, attribute.first, attribute.second, where, mesh));
+    }
+    return HATCH_OK;
+}
+
+/* Corner k of triangle i of a strip: every other one is turned, so that all face the same way. */
+uint32_t strip_corner(uint32_t i, uint32_t k)
+{
+    return i + (i % 2 == 1 && k > 0 ? 3 - k : k);
+}
+
+enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_t count,
+                              const std::string &where, struct hatch_mesh *mesh)
+{
+    bool separate = mode == TINYGLTF_MODE_TRIANGLES, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    if (count < 3 || (separate && count % 3 != 0))
+        return bad(r, where, std::to_string(count) + " corners make no triangles");
+    uint32_t faces = separate ? count / 3 : count - 2;
+    mesh->indices = HATCH_NEW(r.arena, uint32_t, static_cast<size_t>(faces) * 3, r.err);
+    if (!mesh->indices)
+        return HATCH_LIMIT;
+    mesh->face_count = 0;
+    for (uint32_t i = 0; i < faces; i++) {
+        uint32_t *face = mesh->indices + static_cast<size_t>(mesh->face_count) * 3;
+        for (uint32_t k = 0; k < 3; k++) {
+            uint32_t corner = separate ? 3 * i + k
+                              : fan    ? (k == 0 ? 0 : i + k)
+                                       : strip_corner(i, k);
+            face[k] = list ? list[corner] : corner;
+            if (face[k] >= mesh->vertex_count)
+                return bad(r, where,
+                           "index " + std::to_string(face[k]) + " of " +
+                               std::to_string(mesh->vertex_count) + " vertices");
+        }
+        /* Strips are joined by triangles without area, which are no part of the surface. */
+        bool joint = face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+        mesh->face_count += separate || !joint;
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive,
+                                 const std::string &where, struct hatch_scene_mesh *out)
+{
+    struct hatch_mesh mesh = {};
+    HATCH_TRY(read_attributes(r, primitive, where, &mesh));
+    uint32_t *list = nullptr, count = mesh.vertex_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
+    if (primitive.indices != -1)
+        HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &list, &count));
+    HATCH_TRY(triangulate(r, primitive.mode, list, count, where, &mesh));
+    hatch_arena_rewind(r.scratch, mark);
+    HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
+    out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
+    out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
+    out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
+    if (!out->had_normals && mesh.face_count > 0)
+        HATCH_TRY(hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
+    r.notes->morphs_ignored += !primitive.targets.empty();
+    out->mesh = mesh;
+    return HATCH_OK;
+}
+
+bool has_faces(const tinygltf::Primitive &primitive)
+{
+    return primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
+} // namespace
+
+enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
+{
+    size_t count = r.model.meshes.size(), primitives = 0;
+    uint32_t *first = HATCH_NEW(r.scratch, uint32_t, count + 1, r.err);
+    if (!first)
+        return HATCH_LIMIT;
+    for (const tinygltf::Mesh &mesh : r.model.meshes)
+        primitives += mesh.primitives.size();
+    r.scene->meshes = HATCH_NEW(r.arena, struct hatch_scene_mesh, primitives, r.err);
+    if (!r.scene->meshes)
+        return HATCH_LIMIT;
+    for (size_t m = 0; m < count; m++) {
+        const std::vector<tinygltf::Primitive> &list = r.model.meshes[m].primitives;
+        first[m] = r.scene->mesh_count;
+        for (size_t p = 0; p < list.size(); p++) {
+            if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
+                return bad(r, place("mesh", m, "primitive", p),
+                           "mode " + std::to_string(list[p].mode));
+            if (!has_faces(list[p])) {
+                r.notes->primitives_skipped++;
+                continue;
+            }
+            HATCH_TRY(read_primitive(r, list[p], place("mesh", m, "primitive", p),
+                                     &r.scene->meshes[r.scene->mesh_count]));
+            r.scene->mesh_count++;
+        }
+    }
+    first[count] = r.scene->mesh_count;
+    *first_mesh = first;
+    return HATCH_OK;
+}
+
+} // namespace hatch

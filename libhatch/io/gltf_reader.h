@@ -1,0 +1,67 @@
+/* Private to the glTF reader (C++): what its files share. */
+#ifndef HATCH_IO_GLTF_READER_H
+#define HATCH_IO_GLTF_READER_H
+
+#include <string>
+
+#include <tiny_gltf.h>
+
+/* C may give a struct and a function one name (hatch_arena_mark); C++ sees a hidden constructor. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+extern "C" {
+#include "io/gltf.h"
+#include "io/gltf_check.h"
+}
+#pragma GCC diagnostic pop
+
+namespace hatch {
+
+struct Reader {
+    const tinygltf::Model &model;
+    struct hatch_arena *arena, *scratch;
+    struct hatch_scene *scene;
+    struct hatch_mesh_notes *notes;
+    struct hatch_err *err;
+    uint32_t *node_of = nullptr; /* per glTF node: the scene's node, or HATCH_NONE */
+};
+
+/* "mesh 3, primitive 0": where a sentence about the file points. */
+std::string place(const char *what, size_t index);
+std::string place(const char *what, size_t index, const char *part, size_t part_index);
+
+enum hatch_status bad(Reader &r, const std::string &where, const std::string &what);
+
+/* -1 stands for nothing; else fails unless 0 <= index < count. */
+enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where,
+                              const char *what);
+
+/* Reads an accessor as floats, count * components of them, in the arena; integers are widened, or
+ * divided by their type's range where the accessor is normalised. Sparse values are laid over it.
+ * Every number is checked to be finite. */
+enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where,
+                              float **data, uint32_t *count);
+
+/* Reads an accessor of unsigned integers; those of a type's largest value are refused (primitive
+ * restart, which glTF does not have). In scratch. */
+enum hatch_status read_indices(Reader &r, int accessor, const std::string &where, uint32_t **data,
+                               uint32_t *count);
+
+/* The bytes that a buffer view covers, checked against its buffer. */
+enum hatch_status find_view(Reader &r, int view, const std::string &where,
+                            struct hatch_bytes *bytes, size_t *stride);
+
+/* Each fills its part of the scene. Nodes come first. */
+enum hatch_status read_nodes(Reader &r);
+enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);
+enum hatch_status attach(Reader &r, const uint32_t *first_mesh);
+enum hatch_status read_materials(Reader &r);
+enum hatch_status read_images(Reader &r);
+enum hatch_status read_cameras(Reader &r);
+enum hatch_status read_lights(Reader &r);
+enum hatch_status read_skins(Reader &r);
+enum hatch_status read_animations(Reader &r);
+
+} // namespace hatch
+
+#endif
