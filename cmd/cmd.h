@@ -77,7 +77,7 @@ void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct 
 struct hatch_pool *cmd_pool(struct cmd_args *args);
 
 /* Whole content of a file ("-" or NULL: standard input, which is never seeked), in args->keep. A
- * directory, an unreadable or a missing file is HATCH_IO. Dies on failure. */
+ * missing or unreadable file is HATCH_IO, a directory HATCH_BAD_INPUT. Dies on failure. */
 struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
 
 /* The same, failing by status; for companions of a file (a glTF's .bin). */

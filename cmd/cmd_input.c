@@ -67,7 +67,7 @@ enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
     if (fstat(descriptor, &info) < 0)
         status = cmd_fail_errno(err, "cannot read", errno);
     else if (S_ISDIR(info.st_mode))
-        status = cmd_fail_errno(err, "cannot read", EISDIR);
+        status = hatch_fail(err, HATCH_BAD_INPUT, "is a directory, not a file");
     else
         status = read_to_end(descriptor, S_ISREG(info.st_mode) ? (size_t)info.st_size : 0, arena,
                              bytes, err);

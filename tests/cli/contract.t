@@ -230,7 +230,7 @@ check_input() {
     refused_input "missing file" 4
     mkdir -p "folder.${good##*.}"
     input=folder.${good##*.}
-    refused_input "a folder" 4
+    refused_input "a folder" 3
     input=empty.${good##*.}
     : >"$input"
     refused_input "an empty file" 3
