@@ -10,7 +10,8 @@
 /* Reads every part: scanline or tiled, one level or mip-mapped, HALF, FLOAT or UINT channels, any
  * lossless compression; float, int and string attributes. Deep data, rip-maps and sub-sampled
  * channels are HATCH_BAD_INPUT. Sizes are checked against the arena's limit before anything is
- * allocated: HATCH_LIMIT. Pixels that are not finite are kept; the caller decides. */
+ * allocated: HATCH_LIMIT. Pixels that are not finite are kept; the caller decides. arena and
+ * scratch may be one. */
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts,
                                  uint32_t *part_count, struct hatch_err *err) HATCH_MUST_USE;
