@@ -15,13 +15,17 @@ enum hatch_brush_kind {
     HATCH_BRUSH_IMAGE     /* the user's grey image */
 };
 
-/* alpha[y * width + x] in 0..1: x runs along the stroke, y across it. Grain that repeats along the
- * stroke starts at a place that the stroke's texture_seed picks. */
+#define HATCH_GRAIN_SIZE 64u
+
+/* alpha[y * width + x] in 0..1: x runs along the stroke from start to end, y across it: the envelope.
+ * The grain is a toroidal square of HATCH_GRAIN_SIZE pixels at the drawn scale, which multiplies the
+ * envelope and starts at a place that the stroke's texture_seed picks; NULL where there is none. */
 struct hatch_brush {
     enum hatch_brush_kind kind;
     uint32_t width, height;
     float *alpha;
-    float mean_alpha; /* over the whole image */
+    float *cumulative; /* [x * (height + 1) + y]: the sum of alpha over rows 0 .. y-1, over height */
+    float *grain;
 };
 
 /* "ink", "pencil" and so on; NULL beyond HATCH_BRUSH_STIPPLE. */

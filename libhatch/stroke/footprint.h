@@ -11,6 +11,7 @@ struct hatch_footprint {
     uint32_t *at;  /* y * size + x */
     float *alpha;  /* 0 .. 1: coverage × brush × tone */
     float *along;  /* 0 .. 1 from the stroke's start to its end */
+    uint32_t *entry_of; /* private: zeros, one for each pixel of the largest image */
 };
 
 /* Room for any stroke up to the given length (fraction of the tile) and width on images up to size_px
@@ -26,5 +27,9 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
 void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
                           uint32_t size_px, float length_scale, float width_scale,
                           struct hatch_footprint *footprint);
+
+/* Turns the alphas of `now` into what must be laid over `before`, multiplying, to make `now`: 1 - (1 -
+ * now) / (1 - before), at least 0. Both on one image size. */
+void hatch_footprint_remove(struct hatch_footprint *now, const struct hatch_footprint *before);
 
 #endif

@@ -27,8 +27,8 @@ struct hatch_style {
     float jitter_rad;          /* standard deviation of the orientation */
     float ink;                 /* 0 .. 1: how dark one stroke is */
     bool overlap_darkens;      /* crossing strokes multiply; else the darker one stands */
-    float tone_min, tone_max;  /* targets of the first and last column, 0 .. 1 */
-    float tone_gamma;          /* > 0: 1 is even steps */
+    float tone_max;            /* target darkness of the last column, 0 .. 1 */
+    float tone_gamma;          /* 0.1 .. 10: 1 is even steps of darkness from white, which is implicit */
     uint32_t direction_count;
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
     uint32_t candidates_light, candidates_dark; /* 1000 falling to 100 (§4) */
@@ -42,7 +42,7 @@ void hatch_style_default(struct hatch_style *style);
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The target darkness of each column: tone_min .. tone_max in even steps of darkness^(1/gamma). */
+/* The target darkness of each column: target[i] = tone_max * ((i + 1) / tones)^tone_gamma. */
 void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target);
 
 #endif

@@ -1,0 +1,94 @@
+#include "tam/canvas.h"
+
+enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
+                                    const struct hatch_brush *brush, uint32_t size_px, uint32_t levels,
+                                    bool ids, struct hatch_canvas *canvas, struct hatch_err *err)
+{
+    struct hatch_canvas made = {
+        .style = style, .brush = brush, .size_px = size_px, .levels = levels};
+    for (uint32_t level = 0; level < levels; level++) {
+        size_t pixels = (size_t)(size_px >> level) * (size_px >> level);
+        made.paper[level] = HATCH_NEW(arena, float, pixels, err);
+        if (!made.paper[level])
+            return HATCH_LIMIT;
+        for (size_t i = 0; i < pixels; i++)
+            made.paper[level][i] = 1;
+        if (!ids)
+            continue;
+        made.id[level] = HATCH_NEW(arena, float, pixels, err);
+        made.along[level] = HATCH_NEW(arena, float, pixels, err);
+        if (!made.id[level] || !made.along[level])
+            return HATCH_LIMIT;
+    }
+    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px,
+                                   &made.footprint, err));
+    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.before,
+                                   err));
+    made.change = HATCH_NEW(arena, float, made.footprint.capacity, err);
+    if (!made.change)
+        return HATCH_LIMIT;
+    *canvas = made;
+    return HATCH_OK;
+}
+
+/* What ink of that alpha leaves of a reflectance. Never more than there was, so that darker columns
+ * nest pixel by pixel. */
+static float inked(const struct hatch_style *style, float paper, float alpha)
+{
+    if (style->overlap_darkens)
+        return paper * (1 - alpha);
+    return paper < 1 - alpha ? paper : 1 - alpha;
+}
+
+static double measure_change(struct hatch_canvas *canvas, uint32_t level)
+{
+    const struct hatch_footprint *f = &canvas->footprint;
+    const float *paper = canvas->paper[level];
+    double sum = 0;
+    for (uint32_t i = 0; i < f->count; i++) {
+        float before = paper[f->at[i]];
+        canvas->change[i] = before - inked(canvas->style, before, f->alpha[i]);
+        sum += (double)canvas->change[i];
+    }
+    double size = hatch_canvas_size(canvas, level);
+    return sum / (size * size);
+}
+
+double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
+                        float scale)
+{
+    hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale, scale,
+                         &canvas->footprint);
+    return measure_change(canvas, level);
+}
+
+static void mark_ids(struct hatch_canvas *canvas, uint32_t level, uint32_t id)
+{
+    const struct hatch_footprint *f = &canvas->footprint;
+    for (uint32_t i = 0; i < f->count; i++) {
+        float *owner = &canvas->id[level][f->at[i]];
+        if (*owner > 0)
+            continue;
+        *owner = (float)id;
+        canvas->along[level][f->at[i]] = f->along[i];
+    }
+}
+
+void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
+                       float scale_before, float scale)
+{
+    uint32_t size_px = hatch_canvas_size(canvas, level);
+    struct hatch_footprint *f = &canvas->footprint;
+    hatch_footprint_draw(stroke, canvas->brush, size_px, scale, scale, f);
+    if (scale_before > 0 && canvas->style->overlap_darkens) {
+        hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, scale_before,
+                             &canvas->before);
+        hatch_footprint_remove(f, &canvas->before);
+    }
+    canvas->darkness[level] += measure_change(canvas, level);
+    float *paper = canvas->paper[level];
+    for (uint32_t i = 0; i < f->count; i++)
+        paper[f->at[i]] = inked(canvas->style, paper[f->at[i]], f->alpha[i]);
+    if (canvas->id[level])
+        mark_ids(canvas, level, stroke->id);
+}

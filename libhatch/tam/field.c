@@ -1,0 +1,150 @@
+#include "tam/field.h"
+
+#include <math.h>
+#include <string.h>
+
+enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
+                                   struct hatch_field *field, struct hatch_err *err)
+{
+    struct hatch_field made = {.canvas_size_px = canvas_size_px, .levels = levels};
+    made.size = canvas_size_px / 4;
+    if (made.size < 128)
+        made.size = canvas_size_px < 128 ? canvas_size_px : 128;
+    size_t cells = (size_t)made.size * made.size;
+    made.potential = HATCH_NEW(arena, float, cells, err);
+    made.row = HATCH_NEW(arena, float, made.size, err);
+    if (!made.potential || !made.row)
+        return HATCH_LIMIT;
+    for (uint32_t size = made.size; size >= 2; size /= 2) {
+        float *octave = HATCH_NEW(arena, float, (size_t)size * size, err);
+        if (!octave)
+            return HATCH_LIMIT;
+        made.octave[made.octaves++] = octave;
+    }
+    for (uint32_t level = 0; level < levels; level++) {
+        uint32_t size = canvas_size_px >> level, grid = size < made.size ? size : made.size;
+        made.grid[level] = grid;
+        made.darkness[level] = HATCH_NEW(arena, float, (size_t)grid * grid, err);
+        if (!made.darkness[level])
+            return HATCH_LIMIT;
+    }
+    *field = made;
+    return HATCH_OK;
+}
+
+/* The weight of a level: its stroke covers width_px / size of the tile across, so that a coarse image
+ * counts for more, as in the paper's sum. */
+static float level_weight(uint32_t size_px)
+{
+    return 1.0f / (float)size_px;
+}
+
+/* Adds amount to the cells of the field under one cell of a level's grid. */
+static void spread(struct hatch_field *field, uint32_t grid, uint32_t x, uint32_t y, float amount)
+{
+    uint32_t cells = field->size / grid;
+    for (uint32_t j = 0; j < cells; j++) {
+        float *row = field->octave[0] + (size_t)(y * cells + j) * field->size + (size_t)x * cells;
+        for (uint32_t i = 0; i < cells; i++)
+            row[i] += amount;
+    }
+}
+
+void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *canvas, uint32_t level)
+{
+    uint32_t size_px = hatch_canvas_size(canvas, level), grid = field->grid[level];
+    uint32_t px_per_cell = size_px / grid;
+    float share = 1.0f / (float)(px_per_cell * px_per_cell), weight = level_weight(size_px);
+    const struct hatch_footprint *f = &canvas->footprint;
+    for (uint32_t i = 0; i < f->count; i++) {
+        uint32_t x = f->at[i] % size_px / px_per_cell, y = f->at[i] / size_px / px_per_cell;
+        float amount = canvas->change[i] * share;
+        field->darkness[level][y * grid + x] += amount;
+        spread(field, grid, x, y, amount * weight);
+    }
+}
+
+void hatch_field_start(struct hatch_field *field, uint32_t level)
+{
+    size_t cells = (size_t)field->size * field->size;
+    memset(field->potential, 0, cells * sizeof *field->potential);
+    memset(field->octave[0], 0, cells * sizeof *field->octave[0]);
+    for (uint32_t l = 0; l <= level; l++) {
+        float weight = level_weight(field->canvas_size_px >> l);
+        for (uint32_t y = 0; y < field->grid[l]; y++)
+            for (uint32_t x = 0; x < field->grid[l]; x++)
+                spread(field, field->grid[l], x, y, field->darkness[l][y * field->grid[l] + x] * weight);
+    }
+    hatch_field_settle(field);
+}
+
+/* coarse = fine, filtered by (1 3 3 1)/8 each way and halved, on the torus: close to a Gaussian, so that
+ * the pyramid hardly depends on where its cells lie. */
+static void reduce(const float *fine, uint32_t size, float *row, float *coarse)
+{
+    uint32_t half = size / 2, mask = size - 1;
+    for (uint32_t y = 0; y < half; y++) {
+        const float *a = fine + (size_t)((2 * y + mask) & mask) * size;
+        const float *b = fine + (size_t)(2 * y) * size;
+        const float *c = b + size;
+        const float *d = fine + (size_t)((2 * y + 2) & mask) * size;
+        for (uint32_t x = 0; x < size; x++)
+            row[x] = ((a[x] + d[x]) + 3 * (b[x] + c[x])) * 0.125f;
+        float *out = coarse + (size_t)y * half;
+        for (uint32_t x = 0; x < half; x++) {
+            float left = row[(2 * x + mask) & mask], right = row[(2 * x + 2) & mask];
+            out[x] = ((left + right) + 3 * (row[2 * x] + row[2 * x + 1])) * 0.125f;
+        }
+    }
+}
+
+/* Adds coarse to fine, interpolated linearly between the coarse cells' centres. */
+static void expand(const float *coarse, uint32_t half, float *row, float *fine)
+{
+    uint32_t size = 2 * half, mask = half - 1;
+    for (uint32_t y = 0; y < size; y++) {
+        const float *near = coarse + (size_t)(y / 2) * half;
+        const float *far = coarse + (size_t)(((y & 1) ? y / 2 + 1 : y / 2 + mask) & mask) * half;
+        for (uint32_t x = 0; x < half; x++)
+            row[x] = 0.75f * near[x] + 0.25f * far[x];
+        float *out = fine + (size_t)y * size;
+        for (uint32_t x = 0; x < half; x++) {
+            float left = row[(x + mask) & mask], right = row[(x + 1) & mask];
+            out[2 * x] += 0.75f * row[x] + 0.25f * left;
+            out[2 * x + 1] += 0.75f * row[x] + 0.25f * right;
+        }
+    }
+}
+
+void hatch_field_settle(struct hatch_field *field)
+{
+    uint32_t last = field->octaves - 1;
+    for (uint32_t o = 0; o < last; o++)
+        reduce(field->octave[o], field->size >> o, field->row, field->octave[o + 1]);
+    for (uint32_t o = last; o-- > 0;)
+        expand(field->octave[o + 1], field->size >> (o + 1), field->row, field->octave[o]);
+    size_t cells = (size_t)field->size * field->size;
+    for (size_t i = 0; i < cells; i++)
+        field->potential[i] += field->octave[0][i];
+    memset(field->octave[0], 0, cells * sizeof *field->octave[0]);
+}
+
+float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
+                        uint32_t samples_max)
+{
+    float size = (float)field->size;
+    float cells = stroke->length * size;
+    uint32_t samples = cells < 1 ? 1 : cells > (float)samples_max ? samples_max : (uint32_t)cells;
+    /* 16.16 fixed point; the wrap around the torus is the mask's. */
+    float dx = (float)cos((double)stroke->angle_rad) * cells / (float)samples;
+    float dy = (float)sin((double)stroke->angle_rad) * cells / (float)samples;
+    float back = ((float)samples - 1) / 2;
+    uint32_t x = (uint32_t)(int32_t)((stroke->x * size - back * dx) * 65536.0f);
+    uint32_t y = (uint32_t)(int32_t)((stroke->y * size - back * dy) * 65536.0f);
+    uint32_t step_x = (uint32_t)(int32_t)(dx * 65536.0f), step_y = (uint32_t)(int32_t)(dy * 65536.0f);
+    uint32_t mask = field->size - 1;
+    float sum = 0;
+    for (uint32_t i = 0; i < samples; i++, x += step_x, y += step_y)
+        sum += field->potential[(y >> 16 & mask) * field->size + (x >> 16 & mask)];
+    return sum / (float)samples;
+}

@@ -1,0 +1,47 @@
+/* The potential field: how dark it is around each place, over every level that a stroke would reach and
+ * over every scale, so that a candidate's goodness is a mean along one line. Private to tam.
+ *
+ * Praun et al. 2001, §4, sum the darkness that a stroke adds over all receiving levels and over all
+ * levels of each one's pyramid. That sum is linear in the paper that is left: it is the integral, over
+ * the stroke, of the sum of all those pyramids. The field keeps this sum on one grid, with smooth
+ * pyramids in place of box filters (their blocks would draw strokes to block borders), so that a
+ * candidate costs some dozens of look-ups instead of its footprints on all levels and pyramids.
+ */
+#ifndef HATCH_TAM_FIELD_H
+#define HATCH_TAM_FIELD_H
+
+#include "tam/canvas.h"
+
+#define HATCH_FIELD_OCTAVES_MAX 12u
+
+struct hatch_field {
+    uint32_t size;      /* cells each way, a power of two */
+    uint32_t octaves;
+    float *potential;   /* size² cells */
+    float *octave[HATCH_FIELD_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
+    float *row;         /* work: one row */
+    uint32_t canvas_size_px, levels;
+    float *darkness[HATCH_MIP_LEVELS_MAX];  /* of each canvas level, averaged over cells */
+    uint32_t grid[HATCH_MIP_LEVELS_MAX];    /* its size: the field's, or the level's if smaller */
+};
+
+/* A field for a white canvas. canvas_size_px: a power of two. */
+enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
+                                   struct hatch_field *field, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
+ * those levels. */
+void hatch_field_start(struct hatch_field *field, uint32_t level);
+
+/* Takes in canvas->change of the stroke just drawn on that level, one of those of the last start. */
+void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *canvas, uint32_t level);
+
+/* Spreads what was deposited over all scales: once per stroke. */
+void hatch_field_settle(struct hatch_field *field);
+
+/* The mean potential along the stroke's centre line, from at most samples_max evenly spaced places:
+ * the lower the better. */
+float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
+                        uint32_t samples_max);
+
+#endif
