@@ -1,5 +1,5 @@
 /* Stroke scripts: strokes as text, TSV with a header line: x y length angle width tone r g b, and
- * optionally id column level; fractions of the tile and radians; width as a fraction of the tile at
+ * optionally id column level grain (the seed of its texture); fractions of the tile and radians; width as a fraction of the tile at
  * its finest size. In drawing order. */
 #ifndef HATCH_STROKE_SCRIPT_H
 #define HATCH_STROKE_SCRIPT_H

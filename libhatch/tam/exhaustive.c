@@ -5,7 +5,7 @@
 /* The darkness that the footprint adds at every level of one image's pyramid. The stroke that is drawn
  * into pyramid level p is the box-filtered stroke, so that its share of one coarse pixel is spread
  * evenly over the fine pixels below. */
-static double pyramid_gain(const struct hatch_canvas *canvas, float *const pyramid[], uint32_t size_px)
+static double pyramid_gain(const struct hatch_canvas *canvas, float *const *pyramid, uint32_t size_px)
 {
     const struct hatch_footprint *f = &canvas->footprint;
     double sum = 0;
@@ -20,7 +20,7 @@ static double pyramid_gain(const struct hatch_canvas *canvas, float *const pyram
 }
 
 struct hatch_stroke hatch_place_exhaustively(struct hatch_canvas *canvas,
-                                             float *const pyramids[][HATCH_MIP_LEVELS_MAX],
+                                             float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice)
 {
     struct hatch_stroke best = {0};

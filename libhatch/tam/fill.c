@@ -8,8 +8,8 @@
 #include "tam/field.h"
 #include "tam/place.h"
 
-/* No image takes more strokes than this many for each of its pixels' worth: a target that the ink
- * cannot reach ends here. */
+/* After this many choices in a row that found no paper to darken, or nothing small enough, an image is
+ * as close to its target as it gets: the ink may be too thin to reach it. */
 #define FRUITLESS_MAX 8u
 
 struct filler {
@@ -21,8 +21,9 @@ struct filler {
     float targets[HATCH_TAM_TONES_MAX];
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
-    uint64_t choices;
-    uint32_t growing_from; /* the first stroke that may still grow */
+    uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
+    float *scale;          /* of each stroke: the share of its full size that it is drawn at */
+    uint32_t scale_capacity;
 };
 
 static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *arena,
@@ -100,62 +101,152 @@ static struct hatch_stroke place(struct filler *f, const struct hatch_choice *ch
     return hatch_place_exhaustively(&f->canvas, f->pyramids, choice);
 }
 
+/* Appends the stroke and remembers its size. */
+static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke, float scale,
+                                  struct hatch_err *err)
+{
+    if (f->strokes.count == f->scale_capacity) {
+        uint32_t capacity = f->scale_capacity ? 2 * f->scale_capacity : 1024;
+        float *larger = HATCH_NEW(f->arena, float, capacity, err);
+        if (!larger)
+            return HATCH_LIMIT;
+        if (f->scale)
+            memcpy(larger, f->scale, f->scale_capacity * sizeof *larger);
+        f->scale = larger;
+        f->scale_capacity = capacity;
+    }
+    f->scale[f->strokes.count] = scale;
+    stroke->id = f->strokes.count + 1;
+    return hatch_stroke_list_add(&f->strokes, f->arena, stroke, err);
+}
+
+/* Lets the strokes that belong to this level grow by one step each, the oldest first, as long as the
+ * image is lighter than its target. */
+static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
+{
+    if (!(f->options->growth > 0))
+        return;
+    uint32_t columns = f->options->tones / 3 > 1 ? f->options->tones / 3 : 1;
+    float step = f->options->growth / (float)columns;
+    for (uint32_t i = 0; i < f->strokes.count; i++) {
+        const struct hatch_stroke *stroke = &f->strokes.items[i];
+        if (stroke->level != level || stroke->column == tone || !(f->scale[i] < 1))
+            continue;
+        if (!(f->canvas.darkness[level] < (double)f->targets[tone]))
+            return;
+        float scale = f->scale[i] + step < 0.999f ? f->scale[i] + step : 1;
+        draw(f, stroke, f->scale[i], scale);
+        f->scale[i] = scale;
+    }
+}
+
+/* Whether one more stroke brings the image closer to its target; else what to try instead. */
+enum verdict { TAKE, SHORTER, FRUITLESS };
+
+static enum verdict judge(double gain, double missing)
+{
+    if (gain > 2 * missing)
+        return SHORTER;
+    return gain > 1e-9 ? TAKE : FRUITLESS;
+}
+
 /* Adds strokes to one image until no stroke brings its mean closer to the target. An image that is too
  * dark already, because a coarser one's strokes were dark, receives none. */
-static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t level, float scale,
-                                    struct hatch_err *err)
+static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t level, struct hatch_err *err)
 {
-    float target = f->targets[tone];
+    double target = (double)f->targets[tone];
     struct hatch_choice choice = {.seed = f->options->seed,
                                   .level = level,
                                   .candidates = candidates_of(f, tone),
                                   .length_max = f->style->length_max,
-                                  .scale = scale};
-    choice.direction_count = directions_of(f->style, target, choice.directions);
-    if (f->options->method == HATCH_FILL_FIELD && f->canvas.darkness[level] < (double)target)
+                                  .scale = 1 - f->options->growth};
+    choice.direction_count = directions_of(f->style, f->targets[tone], choice.directions);
+    if (f->options->method == HATCH_FILL_FIELD && f->canvas.darkness[level] < target)
         hatch_field_start(&f->field, level);
-    for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX;) {
-        double missing = (double)target - f->canvas.darkness[level];
-        if (!(missing > 0))
-            break;
+    grow_strokes(f, tone, level);
+    for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
+        double missing = target - f->canvas.darkness[level];
         choice.number = f->choices++;
         struct hatch_stroke stroke = place(f, &choice);
-        double gain = hatch_canvas_try(&f->canvas, &stroke, level, scale);
-        if (gain > 2 * missing) { /* worse than stopping: a shorter one may fit */
+        double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);
+        switch (judge(gain, missing)) {
+        case TAKE:
+            fruitless = 0;
+            stroke.column = tone;
+            HATCH_TRY(remember(f, &stroke, choice.scale, err));
+            draw(f, &stroke, 0, choice.scale);
+            break;
+        case SHORTER:
+            fruitless = choice.length_max > f->style->length_min ? fruitless + 1 : FRUITLESS_MAX;
             choice.length_max = stroke.length * (float)(missing / gain);
-            if (choice.length_max < f->style->length_min)
-                fruitless = FRUITLESS_MAX - 1;
+            break;
+        case FRUITLESS:
             fruitless++;
-            continue;
+            break;
         }
-        if (!(gain > missing * 1e-9) && !(gain > 1e-9)) { /* no paper left where it went */
-            fruitless++;
-            continue;
-        }
-        stroke.id = f->strokes.count + 1;
-        stroke.column = tone;
-        HATCH_TRY(hatch_stroke_list_add(&f->strokes, f->arena, &stroke, err));
-        draw(f, &stroke, 0, scale);
     }
     return HATCH_OK;
 }
 
-/* Hands the column over: the drawn levels are the canvas's own, the rest is box-filtered. */
-static enum hatch_status deliver(struct filler *f, uint32_t tone, struct hatch_arena *scratch,
+/* Joins reflectance, id and t of one level into one image. */
+static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level,
+                                  struct hatch_arena *scratch, struct hatch_image *image,
+                                  struct hatch_err *err)
+{
+    size_t pixels = (size_t)image->width * image->height;
+    float *joined = HATCH_NEW(scratch, float, 3 * pixels, err);
+    if (!joined)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < pixels; i++) {
+        joined[3 * i] = canvas->paper[level][i];
+        joined[3 * i + 1] = canvas->id[level][i];
+        joined[3 * i + 2] = canvas->along[level][i];
+    }
+    image->channel_count = 3;
+    image->channels[1] = (struct hatch_channel){"id", HATCH_UINT};
+    image->channels[2] = (struct hatch_channel){"t", HATCH_FLOAT};
+    image->pixels = joined;
+    return HATCH_OK;
+}
+
+/* Below the drawn levels a pixel holds a mixture of strokes: no identity. */
+static void clear_ids(struct hatch_mipmap *column, uint32_t first)
+{
+    for (uint32_t level = first; level < column->level_count; level++) {
+        struct hatch_image *image = &column->levels[level];
+        for (size_t i = 0; i < (size_t)image->width * image->height; i++)
+            image->pixels[3 * i + 1] = image->pixels[3 * i + 2] = 0;
+    }
+}
+
+/* The images of the canvas as mip levels: the drawn levels are the canvas's own, the rest is
+ * box-filtered. */
+static enum hatch_status column_of(const struct filler *f, struct hatch_arena *scratch,
+                                   struct hatch_mipmap *column, struct hatch_err *err)
+{
+    for (uint32_t level = 0; level < f->options->levels; level++) {
+        uint32_t size = hatch_canvas_size(&f->canvas, level);
+        struct hatch_image *image = &column->levels[level];
+        *image = (struct hatch_image){.width = size, .height = size, .channel_count = 1};
+        image->channels[0] = (struct hatch_channel){"Y", HATCH_HALF};
+        image->pixels = f->canvas.paper[level];
+        if (f->options->ids)
+            HATCH_TRY(join_ids(&f->canvas, level, scratch, image, err));
+    }
+    HATCH_TRY(hatch_mipmap_complete(column, f->options->levels, scratch, err));
+    if (f->options->ids)
+        clear_ids(column, f->options->levels);
+    return HATCH_OK;
+}
+
+static enum hatch_status deliver(const struct filler *f, uint32_t tone, struct hatch_arena *scratch,
                                  hatch_tam_sink sink, void *context, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
     struct hatch_mipmap column = {.levels = levels};
-    for (uint32_t level = 0; level < f->options->levels; level++) {
-        uint32_t size = hatch_canvas_size(&f->canvas, level);
-        struct hatch_image *image = &levels[level];
-        *image = (struct hatch_image){.width = size, .height = size, .channel_count = 1};
-        strcpy(image->channels[0].name, "Y");
-        image->pixels = f->canvas.paper[level];
-    }
     hatch_tam_label(tone, f->targets[tone], f->options->levels, f->options->seed, &column);
-    enum hatch_status status = hatch_mipmap_complete(&column, f->options->levels, scratch, err);
+    enum hatch_status status = column_of(f, scratch, &column, err);
     if (status == HATCH_OK)
         status = sink(context, tone, &column, err);
     hatch_arena_rewind(scratch, mark);
@@ -180,7 +271,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
                      : make_pyramids(&f, scratch, err);
     for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
-            status = fill_image(&f, tone, level, 1, err);
+            status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)
             status = deliver(&f, tone, scratch, sink, context, err);
     }

@@ -18,20 +18,16 @@ struct hatch_fill_options {
     uint32_t levels;        /* 1 .. ; size_px >> (levels - 1) at least 32 */
     enum hatch_fill_method method;
     uint64_t seed;
-    float growth;           /* 0 .. 1: share of the tone range over which a stroke grows to its full
-                               length and width (§8); 0: strokes appear whole */
-    bool ids;               /* add the channels id and t */
+    float growth;           /* 0 .. 0.9: a stroke begins that share shorter and thinner, and grows to
+                               its full size over a third of the columns (§8, "stroke growth") */
+    bool ids;               /* add the channels id (0: no stroke) and t (0..1 along it); where strokes
+                               cross, the first one drawn keeps the pixel */
 };
 
 /* Called once per tone, lightest first, with the finished column; the images live until it returns. */
 typedef enum hatch_status (*hatch_tam_sink)(void *context, uint32_t tone,
                                             const struct hatch_mipmap *column,
                                             struct hatch_err *err);
-
-struct hatch_fill_report {
-    uint64_t candidates_scored;
-    double goodness_seconds; /* unused by output bytes */
-};
 
 /* Fills the map and hands each column to sink. Strokes go to list, in drawing order, where list is not
  * NULL. The result does not depend on the number of threads. brush: the style's. */

@@ -28,7 +28,7 @@ struct hatch_stroke hatch_place_by_field(struct hatch_canvas *canvas, const stru
  * and all levels of each one's image pyramid of the darkness that the stroke adds, over its length.
  * pyramids: of every level, box-filtered paper, [level][p]. */
 struct hatch_stroke hatch_place_exhaustively(struct hatch_canvas *canvas,
-                                             float *const pyramids[][HATCH_MIP_LEVELS_MAX],
+                                             float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice);
 
 #endif

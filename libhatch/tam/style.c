@@ -1,6 +1,11 @@
 #include "tam/style.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+
+#define RADIANS_PER_DEGREE 0.017453292519943295
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -28,4 +33,185 @@ void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float 
         double share = (double)(i + 1) / (double)tones;
         target[i] = (float)((double)style->tone_max * pow(share, (double)style->tone_gamma));
     }
+}
+
+/* Where the parser is, and what it fills. */
+struct reading {
+    struct hatch_style style;
+    bool directions_given; /* the first "direction" line replaces the default schedule */
+};
+
+/* The keys whose values are plain numbers: how many, their range, where they go. */
+struct number_key {
+    const char *name;
+    uint32_t count;
+    double low, high;
+    double scale; /* from the file's unit to the struct's */
+    size_t at[2];
+};
+
+#define AT(field) offsetof(struct hatch_style, field)
+static const struct number_key number_keys[] = {
+    {"width", 1, 0.5, 64, 1, {AT(width_px), 0}},
+    {"length", 2, 0, 4, 1, {AT(length_min), AT(length_max)}},
+    {"jitter", 1, 0, 90, RADIANS_PER_DEGREE, {AT(jitter_rad), 0}},
+    {"ink", 1, 0.01, 1, 1, {AT(ink), 0}},
+    {"darkest", 1, 0.01, 1, 1, {AT(tone_max), 0}},
+    {"gamma", 1, 0.1, 10, 1, {AT(tone_gamma), 0}},
+};
+
+static enum hatch_status take_number(struct hatch_text *rest, const char *key, double low, double high,
+                                     double *value, struct hatch_err *err)
+{
+    struct hatch_text word;
+    if (!hatch_text_word(rest, &word))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: a value is missing", key);
+    if (!hatch_text_number(word, value))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key,
+                          (int)(word.length < 40 ? word.length : 40), word.at);
+    if (!(*value >= low && *value <= high))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, *value, low, high);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_direction(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    double angle, from, to;
+    HATCH_TRY(take_number(rest, "direction", -360, 360, &angle, err));
+    HATCH_TRY(take_number(rest, "direction", 0, 1, &from, err));
+    HATCH_TRY(take_number(rest, "direction", 0, 1, &to, err));
+    if (from > to)
+        return hatch_fail(err, HATCH_BAD_INPUT, "direction: from tone %g to tone %g is empty", from, to);
+    if (!r->directions_given)
+        r->style.direction_count = 0;
+    r->directions_given = true;
+    if (r->style.direction_count == HATCH_STYLE_DIRECTIONS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "direction: more than %u", HATCH_STYLE_DIRECTIONS_MAX);
+    r->style.directions[r->style.direction_count++] = (struct hatch_style_direction){
+        (float)(angle * RADIANS_PER_DEGREE), (float)from, (float)to};
+    return HATCH_OK;
+}
+
+static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text word, rest_of_line;
+    if (!hatch_text_word(rest, &word))
+        return hatch_fail(err, HATCH_BAD_INPUT, "brush: a value is missing");
+    for (int kind = 0; kind < HATCH_BRUSH_IMAGE; kind++)
+        if (hatch_text_is(word, hatch_brush_name((enum hatch_brush_kind)kind))) {
+            r->style.brush = (enum hatch_brush_kind)kind;
+            return HATCH_OK;
+        }
+    if (!hatch_text_is(word, "image"))
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple or image FILE",
+                          (int)(word.length < 40 ? word.length : 40), word.at);
+    rest_of_line = *rest; /* a file's name may hold spaces */
+    while (rest_of_line.length && (*rest_of_line.at == ' ' || *rest_of_line.at == '\t')) {
+        rest_of_line.at++;
+        rest_of_line.length--;
+    }
+    if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
+        return hatch_fail(err, HATCH_BAD_INPUT, "brush: image wants a file name of up to %zu bytes",
+                          sizeof r->style.brush_file - 1);
+    r->style.brush = HATCH_BRUSH_IMAGE;
+    memset(r->style.brush_file, 0, sizeof r->style.brush_file);
+    memcpy(r->style.brush_file, rest_of_line.at, rest_of_line.length);
+    rest->length = 0;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text word;
+    if (hatch_text_word(rest, &word) && (hatch_text_is(word, "darkens") || hatch_text_is(word, "flat"))) {
+        r->style.overlap_darkens = hatch_text_is(word, "darkens");
+        return HATCH_OK;
+    }
+    return hatch_fail(err, HATCH_BAD_INPUT, "overlap: want darkens or flat");
+}
+
+static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r,
+                                         struct hatch_err *err)
+{
+    double light, dark;
+    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &light, err));
+    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &dark, err));
+    r->style.candidates_light = (uint32_t)light;
+    r->style.candidates_dark = (uint32_t)dark;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text word;
+    if (!hatch_text_word(rest, &word) || word.length >= sizeof r->style.name)
+        return hatch_fail(err, HATCH_BAD_INPUT, "name: want one word of up to %zu bytes",
+                          sizeof r->style.name - 1);
+    memset(r->style.name, 0, sizeof r->style.name);
+    memcpy(r->style.name, word.at, word.length);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_numbers(const struct number_key *key, struct hatch_text *rest,
+                                      struct reading *r, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < key->count; i++) {
+        double value;
+        HATCH_TRY(take_number(rest, key->name, key->low, key->high, &value, err));
+        float stored = (float)(value * key->scale);
+        memcpy((char *)&r->style + key->at[i], &stored, sizeof stored);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status read_line(struct hatch_text line, struct reading *r, struct hatch_err *err)
+{
+    static const struct {
+        const char *name;
+        enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
+    } keys[] = {{"name", read_name},
+                {"brush", read_brush},
+                {"direction", read_direction},
+                {"overlap", read_overlap},
+                {"candidates", read_candidates}};
+    struct hatch_text key, extra;
+    if (!hatch_text_word(&line, &key))
+        return HATCH_OK;
+    bool known = false;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (hatch_text_is(key, keys[i].name)) {
+            known = true;
+            HATCH_TRY(keys[i].read(&line, r, err));
+        }
+    for (size_t i = 0; i < sizeof number_keys / sizeof *number_keys; i++)
+        if (hatch_text_is(key, number_keys[i].name)) {
+            known = true;
+            HATCH_TRY(read_numbers(&number_keys[i], &line, r, err));
+        }
+    int shown = (int)(key.length < 40 ? key.length : 40);
+    if (!known)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
+    if (hatch_text_word(&line, &extra))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", shown, key.at);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
+                                    struct hatch_err *err)
+{
+    struct reading r = {.style = *style};
+    struct hatch_text rest = {(const char *)text.data, text.size}, line;
+    for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
+        const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
+        if (comment)
+            line.length = (size_t)(comment - line.at);
+        if (read_line(line, &r, err) != HATCH_OK)
+            return hatch_fail_at(err, "line %u: ", number);
+    }
+    if (r.style.length_min > r.style.length_max)
+        return hatch_fail(err, HATCH_BAD_INPUT, "length: the shortest, %g, is above the longest, %g",
+                          (double)r.style.length_min, (double)r.style.length_max);
+    *style = r.style;
+    return HATCH_OK;
 }

@@ -12,3 +12,88 @@ void hatch_tam_label(uint32_t tone, float target, uint32_t levels, uint64_t seed
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, levels, HATCH_ATTRIBUTE_INT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_SEED, (double)seed, HATCH_ATTRIBUTE_INT);
 }
+
+static enum hatch_status check_shape(const struct hatch_mipmap *part, const struct hatch_mipmap *first,
+                                     struct hatch_err *err)
+{
+    const struct hatch_image *finest = &part->levels[0];
+    if (finest->width != finest->height)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%u pixels, want a square", finest->width,
+                          finest->height);
+    if (finest->width != first->levels[0].width || part->level_count != first->level_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels in %u levels, where %s has %u in %u",
+                          finest->width, part->level_count, first->name, first->levels[0].width,
+                          first->level_count);
+    uint32_t chain = hatch_mip_chain_length(finest->width, finest->height);
+    if (part->level_count != chain)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u mip levels, want the whole chain of %u",
+                          part->level_count, chain);
+    bool grey = hatch_image_channel(finest, "Y") == 0;
+    bool rgb = hatch_image_channel(finest, "R") == 0 && hatch_image_channel(finest, "G") == 1 &&
+               hatch_image_channel(finest, "B") == 2;
+    if (!grey && !rgb)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no channel Y, and no channels R, G and B");
+    if (finest->channel_count != first->levels[0].channel_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "other channels than %s", first->name);
+    return HATCH_OK;
+}
+
+static enum hatch_status check_pixels(const struct hatch_mipmap *part, struct hatch_err *err)
+{
+    for (uint32_t level = 0; level < part->level_count; level++) {
+        const struct hatch_image *image = &part->levels[level];
+        size_t floats = (size_t)image->width * image->height * image->channel_count;
+        for (size_t i = 0; i < floats; i++)
+            if (!isfinite(image->pixels[i]))
+                return hatch_fail(err, HATCH_BAD_INPUT, "level %u: a pixel is not a finite number", level);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status check_attributes(const struct hatch_mipmap *part, struct hatch_tam *tam,
+                                          uint32_t tone, struct hatch_err *err)
+{
+    const struct hatch_attribute *target = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_TONE);
+    const struct hatch_attribute *levels = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_LEVELS);
+    if (!target || target->type != HATCH_ATTRIBUTE_FLOAT)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no attribute " HATCH_TAM_ATTR_TONE);
+    if (!(target->number >= 0 && target->number <= 1))
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_TONE " %g, want 0 to 1", target->number);
+    if (tone && !((float)target->number >= tam->target[tone - 1]))
+        return hatch_fail(err, HATCH_BAD_INPUT, "tone %g is lighter than the column before it, %g",
+                          target->number, (double)tam->target[tone - 1]);
+    if (levels && !(levels->number >= 1 && levels->number <= part->level_count))
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %g, want 1 to %u", levels->number,
+                          part->level_count);
+    tam->target[tone] = (float)target->number;
+    uint32_t drawn = levels ? (uint32_t)levels->number : part->level_count;
+    if (tone && drawn != tam->levels)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u drawn levels, where the first column has %u", drawn,
+                          tam->levels);
+    tam->levels = drawn;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count,
+                                         struct hatch_tam *tam, struct hatch_err *err)
+{
+    if (count < 1 || count > HATCH_TAM_TONES_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u parts, want 1 to %u tones", count,
+                          HATCH_TAM_TONES_MAX);
+    struct hatch_tam made = {.tones = count, .columns = parts, .size_px = parts[0].levels[0].width};
+    for (uint32_t tone = 0; tone < count; tone++) {
+        char name[HATCH_NAME_MAX];
+        snprintf(name, sizeof name, "tone.%03u", tone);
+        if (strcmp(parts[tone].name, name) != 0)
+            return hatch_fail(err, HATCH_BAD_INPUT, "part %u is named '%s', want %s: not a tonal art map",
+                              tone, parts[tone].name, name);
+        if (check_shape(&parts[tone], &parts[0], err) != HATCH_OK ||
+            check_attributes(&parts[tone], &made, tone, err) != HATCH_OK ||
+            check_pixels(&parts[tone], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", name);
+    }
+    made.color = hatch_image_channel(&parts[0].levels[0], "R") == 0;
+    made.ids = hatch_image_channel(&parts[0].levels[0], "id") >= 0;
+    *tam = made;
+    return HATCH_OK;
+}

@@ -1,0 +1,30 @@
+/* Small text formats: lines, fields, strict numbers. Numbers are read in the C locale whatever the
+ * process's locale is (no command calls setlocale). */
+#ifndef HATCH_BASE_TEXT_H
+#define HATCH_BASE_TEXT_H
+
+#include <stdbool.h>
+
+#include "base/bytes.h"
+
+/* A piece of somebody else's text, not zero-terminated. */
+struct hatch_text {
+    const char *at;
+    size_t length;
+};
+
+/* Takes the next line off *rest, without its LF or CR LF; false at the end. */
+bool hatch_text_line(struct hatch_text *rest, struct hatch_text *line);
+
+/* Takes the next word (between spaces and tabs) off *rest; false when there is none. */
+bool hatch_text_word(struct hatch_text *rest, struct hatch_text *word);
+
+/* Takes the next field up to a tab off *rest, empty ones too; false at the end of the line. */
+bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field);
+
+bool hatch_text_is(struct hatch_text text, const char *word);
+
+/* The whole text as one finite decimal number ("1", "-0.5", "1e-3"; no hex, no "inf", no spaces). */
+bool hatch_text_number(struct hatch_text text, double *number);
+
+#endif
