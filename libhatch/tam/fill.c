@@ -1,7 +1,8 @@
 #include "tam/fill.h"
 
 #include <assert.h>
-#include <math.h>
+#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "filter/pyramid.h"
@@ -245,7 +246,10 @@ static enum hatch_status deliver(const struct filler *f, uint32_t tone, struct h
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
     struct hatch_mipmap column = {.levels = levels};
-    hatch_tam_label(tone, f->targets[tone], f->options->levels, f->options->seed, &column);
+    char seed[24];
+    snprintf(seed, sizeof seed, "%" PRIu64, f->options->seed);
+    struct hatch_tam_label label = {f->options->levels, seed, f->style->name, f->options->growth};
+    hatch_tam_label_column(&label, tone, f->targets[tone], &column);
     enum hatch_status status = column_of(f, scratch, &column, err);
     if (status == HATCH_OK)
         status = sink(context, tone, &column, err);

@@ -4,13 +4,15 @@
 #include <stdio.h>
 #include <string.h>
 
-void hatch_tam_label(uint32_t tone, float target, uint32_t levels, uint64_t seed,
-                     struct hatch_mipmap *column)
+void hatch_tam_label_column(const struct hatch_tam_label *label, uint32_t tone, float target,
+                            struct hatch_mipmap *column)
 {
     snprintf(column->name, sizeof column->name, "tone.%03u", tone);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TONE, (double)target, HATCH_ATTRIBUTE_FLOAT);
-    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, levels, HATCH_ATTRIBUTE_INT);
-    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_SEED, (double)seed, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, label->levels, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)label->growth, HATCH_ATTRIBUTE_FLOAT);
+    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, label->seed);
+    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, label->style);
 }
 
 static enum hatch_status check_shape(const struct hatch_mipmap *part, const struct hatch_mipmap *first,

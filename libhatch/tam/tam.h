@@ -28,7 +28,9 @@ struct hatch_tam {
 /* The attributes of the file format tam(5). */
 #define HATCH_TAM_ATTR_TONE "hatch:tone"
 #define HATCH_TAM_ATTR_LEVELS "hatch:levels"
-#define HATCH_TAM_ATTR_SEED "hatch:seed"
+#define HATCH_TAM_ATTR_SEED "hatch:seed"   /* text: EXR's integers have 32 bits, seeds 64 */
+#define HATCH_TAM_ATTR_STYLE "hatch:style"
+#define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 
 /* Checks that the parts of a file are a tonal art map and takes them over (nothing is copied):
  * names tone.000 upwards without gaps, equal square sizes, powers of two not required, full chains,
@@ -37,14 +39,15 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
                                          struct hatch_tam *tam, struct hatch_err *err)
     HATCH_MUST_USE;
 
-/* Fills part names and attributes of one column the way the format wants them. */
-void hatch_tam_label(uint32_t tone, float target, uint32_t levels, uint64_t seed,
-                     struct hatch_mipmap *column);
+/* What is known of a map beside its pixels. Texts are not copied. */
+struct hatch_tam_label {
+    uint32_t levels;
+    const char *seed, *style;
+    float growth;
+};
 
-/* The grid as one picture (the paper's Figure 2): tones from left to right, levels from coarse at the
- * top to fine at the bottom; at most columns_max columns, evenly chosen, the last included. */
-enum hatch_status hatch_tam_contact_sheet(const struct hatch_tam *tam, uint32_t columns_max,
-                                          struct hatch_arena *arena, struct hatch_image *sheet,
-                                          struct hatch_err *err) HATCH_MUST_USE;
+/* Gives one column the name and the attributes that the format wants. */
+void hatch_tam_label_column(const struct hatch_tam_label *label, uint32_t tone, float target,
+                            struct hatch_mipmap *column);
 
 #endif

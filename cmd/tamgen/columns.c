@@ -1,0 +1,106 @@
+#include "columns.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "cmd.h"
+
+/* A column that waits for its compression: the canvas goes on changing, so its pixels are copied. */
+struct column_copy {
+    struct hatch_exr_writer *writer;
+    uint32_t tone;
+    struct hatch_mipmap column;
+    struct hatch_image levels[HATCH_MIP_LEVELS_MAX];
+    atomic_bool busy;
+    enum hatch_status status;
+    struct hatch_err err;
+};
+
+static void compress(void *context, uint32_t index)
+{
+    struct column_copy *copy = context;
+    (void)index;
+    copy->status = hatch_exr_add_part(copy->writer, copy->tone, &copy->column, &copy->err);
+    atomic_store(&copy->busy, false);
+}
+
+static enum hatch_status begin(struct columns *columns, const struct hatch_mipmap *column,
+                               struct hatch_err *err)
+{
+    HATCH_TRY(hatch_exr_begin(column, columns->tones, columns->arena, &columns->writer, err));
+    uint32_t others = hatch_pool_threads(columns->pool) - 1;
+    columns->copy_count = others ? others + 1 : 0;
+    columns->copies = HATCH_NEW(columns->arena, struct column_copy, columns->copy_count, err);
+    if (!columns->copies)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < columns->copy_count; i++) {
+        struct column_copy *copy = &columns->copies[i];
+        copy->writer = columns->writer;
+        for (uint32_t level = 0; level < column->level_count; level++) {
+            const struct hatch_image *image = &column->levels[level];
+            size_t floats = (size_t)image->width * image->height * image->channel_count;
+            copy->levels[level].pixels = HATCH_NEW(columns->arena, float, floats, err);
+            if (!copy->levels[level].pixels)
+                return HATCH_LIMIT;
+        }
+    }
+    return HATCH_OK;
+}
+
+static struct column_copy *free_copy(struct columns *columns)
+{
+    for (uint32_t i = 0; i < columns->copy_count; i++)
+        if (!atomic_load(&columns->copies[i].busy))
+            return &columns->copies[i];
+    return NULL;
+}
+
+static void fill_copy(struct column_copy *copy, uint32_t tone, const struct hatch_mipmap *column)
+{
+    copy->tone = tone;
+    copy->column = *column;
+    copy->column.levels = copy->levels;
+    for (uint32_t level = 0; level < column->level_count; level++) {
+        const struct hatch_image *image = &column->levels[level];
+        float *pixels = copy->levels[level].pixels;
+        memcpy(pixels, image->pixels,
+               (size_t)image->width * image->height * image->channel_count * sizeof *pixels);
+        copy->levels[level] = *image;
+        copy->levels[level].pixels = pixels;
+    }
+}
+
+enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column,
+                               struct hatch_err *err)
+{
+    struct columns *columns = context;
+    if (!columns->writer)
+        HATCH_TRY(begin(columns, column, err));
+    if (columns->sheet)
+        hatch_tam_sheet_add(columns->sheet, tone, column);
+    cmd_progress("columns", (double)++columns->done / columns->tones);
+    struct column_copy *copy = free_copy(columns);
+    if (!copy) /* all threads are busy: this one may as well compress */
+        return hatch_exr_add_part(columns->writer, tone, column, err);
+    if (copy->status != HATCH_OK) {
+        *err = copy->err;
+        return copy->status;
+    }
+    fill_copy(copy, tone, column);
+    atomic_store(&copy->busy, true);
+    hatch_pool_submit(columns->pool, compress, copy);
+    return HATCH_OK;
+}
+
+enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *file,
+                                 struct hatch_err *err)
+{
+    hatch_pool_wait(columns->pool);
+    for (uint32_t i = 0; i < columns->copy_count; i++)
+        if (columns->copies[i].status != HATCH_OK) {
+            *err = columns->copies[i].err;
+            hatch_exr_abandon(columns->writer);
+            return columns->copies[i].status;
+        }
+    return hatch_exr_end(columns->writer, file, err);
+}

@@ -1,0 +1,225 @@
+/* tamgen: fills a tonal art map with strokes of a style. */
+#include <string.h>
+#include <unistd.h>
+
+#include "cmd.h"
+#include "columns.h"
+#include "io/foreign.h"
+#include "io/png.h"
+#include "stroke/script.h"
+#include "tam/fill.h"
+
+#define SMALLEST_LEVEL_PX 32u
+#define SHEET_COLUMNS_MAX 12u
+
+static const char *style_name = "ink", *settings, *brush_path, *strokes_path, *sheet_path;
+static int64_t tones = 6, size_px = 256, levels;
+static double candidates[2], growth;
+static bool candidates_given, ids;
+static int method;
+
+static const char *const methods[] = {"field", "exhaustive", NULL};
+
+static const struct cmd_option options[] = {
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default ink)", &style_name, NULL,
+     NULL},
+    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL,
+     NULL},
+    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "a grey image of one stroke, dark on white", &brush_path, NULL,
+     NULL},
+    {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "columns, lightest first (default 6)", &tones, NULL,
+     NULL},
+    {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX",
+     "finest level, a power of two (default 256)", &size_px, NULL, NULL},
+    {'l', "levels", CMD_INT, 1, 8, "N", "levels that hold strokes (default: down to 32 px)", &levels, NULL,
+     NULL},
+    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "strokes tried per stroke, light to dark columns",
+     candidates, NULL, &candidates_given},
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the paper's loop", &method,
+     methods, NULL},
+    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes begin that much smaller and grow (default 0)",
+     &growth, NULL, NULL},
+    {'i', "ids", CMD_FLAG, 0, 0, NULL, "store which stroke each pixel belongs to", &ids, NULL, NULL},
+    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL,
+     NULL},
+    {'x', "contact-sheet", CMD_TEXT, 0, 0, "PNG", "draw the grid of tones and levels", &sheet_path, NULL,
+     NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "tamgen --style pencil --contact-sheet sheet.png -o pencil.exr",
+    "tamgen --size 512 --set 'width 3; direction 45 0 1' | tampack --layout rgb -o hatch",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "tamgen",
+    .operands = "",
+    .summary = "make a tonal art map: strokes that nest over tones and mip levels",
+    .examples = examples,
+    .options = options,
+    .seeded = true,
+    .binary = true,
+};
+
+/* The style's text: a file where the name is a path or such a file stands here, else a style that comes
+ * with the commands. */
+static const char *style_path(struct cmd_args *args)
+{
+    struct hatch_err err;
+    if (strchr(style_name, '/') || strchr(style_name, '.') || access(style_name, R_OK) == 0)
+        return style_name;
+    struct hatch_buffer path = {.arena = &args->keep};
+    cmd_check(hatch_buffer_print(&path, &err, "share/hatch/styles/%s.style%c", style_name, '\0'), NULL, &err);
+    return cmd_own_file(args, (const char *)path.data);
+}
+
+static void read_style(struct cmd_args *args, const char *path, struct hatch_style *style)
+{
+    struct hatch_err err;
+    hatch_style_default(style);
+    if (access(path, F_OK) != 0 && path != style_name)
+        cmd_usage("no style '%s': it is neither a file nor a style that comes with tamgen", style_name);
+    cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), path, &err);
+    if (settings) {
+        char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
+        if (!lines)
+            cmd_die(NULL, &err);
+        for (char *c = lines; (c = strchr(c, ';'));)
+            *c = '\n';
+        struct hatch_bytes text = {(const uint8_t *)lines, strlen(lines)};
+        if (hatch_style_parse(text, style, &err) != HATCH_OK)
+            cmd_usage("--set: %s", err.text);
+    }
+    if (candidates_given) {
+        style->candidates_light = (uint32_t)candidates[0];
+        style->candidates_dark = (uint32_t)candidates[1];
+    }
+}
+
+/* A brush image named in a style stands beside the style's file. */
+static const char *brush_beside(struct cmd_args *args, const char *path, const char *brush)
+{
+    struct hatch_err err;
+    const char *slash = strrchr(path, '/');
+    struct hatch_buffer joined = {.arena = &args->keep};
+    if (brush[0] == '/' || !slash)
+        return brush;
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, brush, '\0'), NULL,
+              &err);
+    return (const char *)joined.data;
+}
+
+static void make_brush(struct cmd_args *args, const struct hatch_style *style, const char *image_path,
+                       struct hatch_brush *brush)
+{
+    struct hatch_err err;
+    if (!image_path) {
+        cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
+        return;
+    }
+    struct hatch_image image;
+    cmd_check(hatch_image_read_any(cmd_read(args, image_path), image_path,
+                                   cmd_own_file(args, "lib/hatch/hatch-oiio.so"), &args->keep,
+                                   &args->scratch, &image, &err),
+              image_path, &err);
+    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), image_path, &err);
+}
+
+static void check_sizes(void)
+{
+    if ((size_px & (size_px - 1)) != 0)
+        cmd_usage("--size %d: want a power of two", (int)size_px);
+    int64_t deepest = 1;
+    while (size_px >> deepest >= SMALLEST_LEVEL_PX)
+        deepest++;
+    if (levels > deepest)
+        cmd_usage("--levels %d: the coarsest would be under %u pixels; %d at most", (int)levels,
+                  SMALLEST_LEVEL_PX, (int)deepest);
+    if (levels == 0)
+        levels = deepest;
+}
+
+/* Everything that tamgen writes; opened before the work, written after it. */
+struct outputs {
+    struct cmd_output *map, *strokes, *sheet;
+};
+
+static struct outputs open_outputs(const struct cmd_args *args)
+{
+    return (struct outputs){cmd_open_output(args->output, true),
+                            strokes_path ? cmd_open_output(strokes_path, false) : NULL,
+                            sheet_path ? cmd_open_output(sheet_path, true) : NULL};
+}
+
+/* Encodes all, then writes all. */
+static void write_outputs(struct cmd_args *args, const struct outputs *outputs, struct columns *columns,
+                          const struct hatch_stroke_list *strokes)
+{
+    struct hatch_err err;
+    struct hatch_buffer map = {.arena = &args->keep}, script = map, picture = map;
+    cmd_check(columns_finish(columns, &map, &err), args->output, &err);
+    if (strokes_path)
+        cmd_check(hatch_script_print(strokes->items, strokes->count, (uint32_t)size_px, NULL, &script, &err),
+                  strokes_path, &err);
+    if (sheet_path)
+        cmd_check(hatch_png_write(&columns->sheet->picture, HATCH_PNG_SRGB, 8, NULL, &args->scratch, &picture,
+                                  &err),
+                  sheet_path, &err);
+    cmd_write(outputs->map, map.data, map.size);
+    if (strokes_path)
+        cmd_write(outputs->strokes, script.data, script.size);
+    if (sheet_path)
+        cmd_write(outputs->sheet, picture.data, picture.size);
+}
+
+/* Fills the map; columns receives it. */
+static void fill_map(struct cmd_args *args, const struct hatch_style *style, const struct hatch_brush *brush,
+                     struct columns *columns, struct hatch_stroke_list *strokes)
+{
+    struct hatch_err err;
+    struct hatch_fill_options fill = {.size_px = (uint32_t)size_px,
+                                      .tones = (uint32_t)tones,
+                                      .levels = (uint32_t)levels,
+                                      .method = (enum hatch_fill_method)method,
+                                      .seed = args->seed,
+                                      .growth = (float)growth,
+                                      .ids = ids};
+    if (columns->sheet) {
+        uint32_t shown = fill.tones < SHEET_COLUMNS_MAX ? fill.tones : SHEET_COLUMNS_MAX;
+        cmd_check(hatch_tam_sheet_make(fill.size_px, fill.levels, fill.tones, false, shown, &args->keep,
+                                       columns->sheet, &err),
+                  sheet_path, &err);
+    }
+    cmd_check(hatch_tam_fill(style, brush, &fill, &args->keep, &args->scratch, columns_take, columns, strokes,
+                             &err),
+              NULL, &err);
+    cmd_note("%u strokes", strokes->count);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    check_sizes();
+    struct outputs outputs = open_outputs(&args);
+
+    struct hatch_style style;
+    struct hatch_brush brush;
+    const char *path = style_path(&args);
+    read_style(&args, path, &style);
+    if (!brush_path && style.brush == HATCH_BRUSH_IMAGE)
+        brush_path = brush_beside(&args, path, style.brush_file);
+    make_brush(&args, &style, brush_path, &brush);
+
+    struct hatch_tam_sheet sheet;
+    struct columns columns = {.arena = &args.keep,
+                              .pool = cmd_pool(&args),
+                              .tones = (uint32_t)tones,
+                              .sheet = sheet_path ? &sheet : NULL};
+    struct hatch_stroke_list strokes = {0};
+    fill_map(&args, &style, &brush, &columns, &strokes);
+    write_outputs(&args, &outputs, &columns, &strokes);
+    return cmd_end(&args, HATCH_OK);
+}
