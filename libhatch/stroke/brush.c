@@ -36,8 +36,8 @@ static struct pressure pressure_at(enum hatch_brush_kind kind, float s)
         return (struct pressure){0.6f + 0.4f * smooth_step(0, 0.25f, from_end),
                                  0.45f + 0.55f * smooth_step(0, 0.35f, from_end)};
     case HATCH_BRUSH_CRAYON:
-        return (struct pressure){0.8f + 0.2f * smooth_step(0, 0.1f, from_end),
-                                 0.8f + 0.2f * smooth_step(0, 0.1f, from_end)};
+        return (struct pressure){0.55f + 0.45f * smooth_step(0, 0.12f, from_end),
+                                 0.75f + 0.25f * smooth_step(0, 0.2f, from_end)};
     case HATCH_BRUSH_CHARCOAL:
         return (struct pressure){0.7f + 0.3f * smooth_step(0, 0.2f, from_end),
                                  0.6f + 0.4f * smooth_step(0, 0.3f, from_end)};
@@ -57,7 +57,7 @@ static float edge_softness(enum hatch_brush_kind kind)
     case HATCH_BRUSH_PENCIL:
         return 0.8f;
     case HATCH_BRUSH_CRAYON:
-        return 0.35f;
+        return 0.5f;
     case HATCH_BRUSH_CHARCOAL:
         return 0.7f;
     default:
@@ -103,10 +103,9 @@ static void draw_grain(struct hatch_brush *brush)
         float threshold, softness, floor;
     } look = {2, 0.35f, 0.5f, 0.45f};
     if (brush->kind == HATCH_BRUSH_CRAYON) {
-        look.cell = 4;
         look.threshold = 0.42f;
-        look.softness = 0.18f;
-        look.floor = 0.08f;
+        look.softness = 0.3f;
+        look.floor = 0.15f;
     } else if (brush->kind == HATCH_BRUSH_CHARCOAL) {
         look.threshold = 0.45f;
         look.softness = 0.35f;

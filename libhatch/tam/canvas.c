@@ -54,11 +54,17 @@ static double measure_change(struct hatch_canvas *canvas, uint32_t level)
     return sum / (size * size);
 }
 
+/* A growing stroke gets longer faster than it gets wider: thin beginnings would be grey. */
+static float width_scale(float scale)
+{
+    return (1 + scale) * 0.5f;
+}
+
 double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
                         float scale)
 {
-    hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale, scale,
-                         &canvas->footprint);
+    hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale,
+                         width_scale(scale), &canvas->footprint);
     return measure_change(canvas, level);
 }
 
@@ -79,9 +85,9 @@ void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *s
 {
     uint32_t size_px = hatch_canvas_size(canvas, level);
     struct hatch_footprint *f = &canvas->footprint;
-    hatch_footprint_draw(stroke, canvas->brush, size_px, scale, scale, f);
+    hatch_footprint_draw(stroke, canvas->brush, size_px, scale, width_scale(scale), f);
     if (scale_before > 0 && canvas->style->overlap_darkens) {
-        hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, scale_before,
+        hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, width_scale(scale_before),
                              &canvas->before);
         hatch_footprint_remove(f, &canvas->before);
     }

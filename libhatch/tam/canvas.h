@@ -30,13 +30,13 @@ static inline uint32_t hatch_canvas_size(const struct hatch_canvas *canvas, uint
     return canvas->size_px >> level;
 }
 
-/* How much darker the level's mean would become by the stroke at that share of its full length and
- * width; fills footprint and change, draws nothing. */
+/* How much darker the level's mean would become by the stroke at that share of its full length (its
+ * width follows at half the pace); fills footprint and change, draws nothing. */
 double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
                         float scale);
 
-/* Draws the stroke at that share of its full length and width, over itself at scale_before (0: it was
- * not there); fills footprint and change. */
+/* Draws the stroke at that share of its full length, over itself at scale_before (0: it was not there);
+ * fills footprint and change. */
 void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
                        float scale_before, float scale);
 

@@ -30,11 +30,10 @@ struct hatch_stroke hatch_place_exhaustively(struct hatch_canvas *canvas,
         double gain = 0;
         for (uint32_t level = 0; level <= choice->level; level++) {
             uint32_t size_px = hatch_canvas_size(canvas, level);
-            hatch_footprint_draw(&stroke, canvas->brush, size_px, choice->scale, choice->scale,
-                                 &canvas->footprint);
+            (void)hatch_canvas_try(canvas, &stroke, level, choice->scale);
             gain += pyramid_gain(canvas, pyramids[level], size_px);
         }
-        float drawn = stroke.length * (float)canvas->size_px;
+        float drawn = stroke.length * choice->scale * (float)canvas->size_px;
         double goodness = gain / (double)(drawn > stroke.width_px ? drawn : stroke.width_px);
         if (goodness > best_goodness) {
             best_goodness = goodness;

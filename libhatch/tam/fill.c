@@ -98,7 +98,7 @@ static uint32_t directions_of(const struct hatch_style *style, float target, flo
 static struct hatch_stroke place(struct filler *f, const struct hatch_choice *choice)
 {
     if (f->options->method == HATCH_FILL_FIELD)
-        return hatch_place_by_field(&f->canvas, &f->field, choice);
+        return hatch_place_by_field(f->style, &f->field, choice);
     return hatch_place_exhaustively(&f->canvas, f->pyramids, choice);
 }
 

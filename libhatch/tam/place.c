@@ -74,9 +74,9 @@ static struct hatch_stroke moved_across(const struct hatch_stroke *stroke, float
 }
 
 /* Steps across its own direction while the score falls, in halving steps. */
-static struct scored settle(const struct hatch_field *field, struct hatch_stroke stroke)
+static struct scored settle(const struct hatch_field *field, const struct hatch_stroke *stroke)
 {
-    struct scored best = {hatch_field_score(field, &stroke, UINT32_MAX), stroke};
+    struct scored best = {hatch_field_score(field, stroke, UINT32_MAX), *stroke};
     for (float step = 4.0f / (float)field->size; step * (float)field->size > 0.4f; step /= 2)
         for (uint32_t tries = 0; tries < 4; tries++) {
             struct hatch_stroke ahead = moved_across(&best.stroke, step);
@@ -93,21 +93,23 @@ static struct scored settle(const struct hatch_field *field, struct hatch_stroke
     return best;
 }
 
-struct hatch_stroke hatch_place_by_field(struct hatch_canvas *canvas, const struct hatch_field *field,
+struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_field *field,
                                          const struct hatch_choice *choice)
 {
     struct scored list[SHORTLIST];
     uint32_t count = 0;
     for (uint32_t c = 0; c < choice->candidates; c++) {
-        struct scored entry = {0, hatch_candidate(canvas->style, choice, c)};
+        struct scored entry = {0, hatch_candidate(style, choice, c)};
+        entry.stroke.length *= choice->scale; /* the score is that of what will be drawn now */
         entry.score = hatch_field_score(field, &entry.stroke, COARSE_SAMPLES);
         count = insert(list, count, &entry);
     }
-    struct scored best = settle(field, list[0].stroke);
+    struct scored best = settle(field, &list[0].stroke);
     for (uint32_t i = 1; i < count; i++) {
-        struct scored other = settle(field, list[i].stroke);
+        struct scored other = settle(field, &list[i].stroke);
         if (other.score < best.score)
             best = other;
     }
+    best.stroke.length /= choice->scale;
     return best.stroke;
 }

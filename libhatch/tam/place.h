@@ -11,7 +11,7 @@ struct hatch_choice {
     uint32_t level;             /* coarsest level that receives the stroke */
     uint32_t candidates;
     float length_max;           /* fraction of the tile: the style's, or less for a last, small gap */
-    float scale;                /* share of its full size at which the stroke is first drawn */
+    float scale;                /* share of its full length at which the stroke is first drawn */
     uint32_t direction_count;
     float directions[HATCH_STYLE_DIRECTIONS_MAX]; /* angles to draw from */
 };
@@ -21,7 +21,7 @@ struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struc
                                     uint32_t candidate);
 
 /* The best candidate by the field, moved to the best place near it. */
-struct hatch_stroke hatch_place_by_field(struct hatch_canvas *canvas, const struct hatch_field *field,
+struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_field *field,
                                          const struct hatch_choice *choice);
 
 /* The best candidate by the paper's goodness, footprint by footprint: the sum over all receiving levels
