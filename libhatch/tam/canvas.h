@@ -1,5 +1,5 @@
 /* The images of one tone column while it is filled, finest first, and what a stroke does to them.
- * Private to tam. */
+ * For tam and what measures it. */
 #ifndef HATCH_TAM_CANVAS_H
 #define HATCH_TAM_CANVAS_H
 

@@ -1,0 +1,144 @@
+/* The figures that need the strokes themselves: identity, one stroke's darkness, evenness. */
+#include <assert.h>
+#include <math.h>
+
+#include "base/random.h"
+#include "measure/tam_figures.h"
+#include "tam/canvas.h"
+
+/* Reflectances are stored as halves: 11 bits. */
+#define HALF_STEP 0x1p-11f
+
+/* A canvas of the map's size with white paper on its first `levels` levels, and room for the longest and
+ * the widest stroke of the list, whatever the style says. style is kept by the canvas. */
+static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                      uint32_t levels, struct hatch_style *style,
+                                      struct hatch_arena *scratch, struct hatch_canvas *canvas,
+                                      struct hatch_err *err)
+{
+    *style = *strokes->style;
+    for (uint32_t i = 0; i < strokes->list->count; i++) {
+        const struct hatch_stroke *stroke = &strokes->list->items[i];
+        style->length_max = fmaxf(style->length_max, stroke->length);
+        style->width_px = fmaxf(style->width_px, stroke->width_px);
+    }
+    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, false, canvas, err);
+}
+
+static bool is_missing(const struct hatch_canvas *canvas, const struct hatch_image *image)
+{
+    const struct hatch_footprint *f = &canvas->footprint;
+    for (uint32_t i = 0; i < f->count; i++)
+        if (image->pixels[(size_t)f->at[i] * image->channel_count] > 1 - f->alpha[i] + HALF_STEP)
+            return true;
+    return false;
+}
+
+static bool belongs(const struct hatch_tam *tam, const struct hatch_stroke *stroke)
+{
+    return stroke->column < tam->tones && stroke->level < tam->levels;
+}
+
+enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
+                                            const struct hatch_tam_strokes *strokes,
+                                            struct hatch_arena *scratch, uint64_t *missing,
+                                            struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_canvas canvas;
+    struct hatch_style style;
+    uint64_t count = 0;
+    enum hatch_status status = white_canvas(tam, strokes, tam->levels, &style, scratch, &canvas, err);
+    for (uint32_t i = 0; status == HATCH_OK && i < strokes->list->count; i++) {
+        const struct hatch_stroke *stroke = &strokes->list->items[i];
+        if (!belongs(tam, stroke)) {
+            status = hatch_fail(err, HATCH_BAD_INPUT, "stroke %u: column %u, level %u, but the map has %u, %u",
+                                i + 1, stroke->column, stroke->level, tam->tones, tam->levels);
+            break;
+        }
+        for (uint32_t level = 0; level <= stroke->level; level++) {
+            (void)hatch_canvas_try(&canvas, stroke, level, 1 - strokes->growth);
+            count += is_missing(&canvas, &tam->columns[stroke->column].levels[level]);
+        }
+    }
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *missing = count;
+    return status;
+}
+
+enum hatch_status hatch_measure_stroke_darkness(const struct hatch_tam *tam,
+                                                const struct hatch_tam_strokes *strokes, uint32_t level,
+                                                struct hatch_arena *scratch, double *darkness,
+                                                struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_canvas canvas;
+    struct hatch_style style;
+    enum hatch_status status = white_canvas(tam, strokes, level + 1, &style, scratch, &canvas, err);
+    double sum = 0;
+    for (uint32_t i = 0; status == HATCH_OK && i < strokes->list->count; i++)
+        sum += hatch_canvas_try(&canvas, &strokes->list->items[i], level, 1);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *darkness = strokes->list->count ? sum / strokes->list->count : 0;
+    return status;
+}
+
+/* Throws the strokes of one column at random places on the canvas. */
+static void throw_column(struct hatch_canvas *canvas, const struct hatch_stroke_list *list, uint32_t column,
+                         uint32_t draw)
+{
+    for (uint32_t i = 0; i < list->count; i++) {
+        struct hatch_stroke stroke = list->items[i];
+        if (stroke.column != column)
+            continue;
+        stroke.x = hatch_random_unit(draw, 1, i);
+        stroke.y = hatch_random_unit(draw, 2, i);
+        hatch_canvas_draw(canvas, &stroke, 0, 0, 1);
+    }
+}
+
+/* Adds each tone's squared spreads of one throw to ratio. */
+static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                   uint32_t draw, struct hatch_arena *scratch, double *ratio,
+                                   struct hatch_err *err)
+{
+    struct hatch_canvas canvas;
+    struct hatch_style style;
+    HATCH_TRY(white_canvas(tam, strokes, 1, &style, scratch, &canvas, err));
+    struct hatch_image image = {.width = tam->size_px, .height = tam->size_px, .channel_count = 1,
+                                .pixels = canvas.paper[0]};
+    for (uint32_t tone = 0; tone < tam->tones; tone++) {
+        double spread[HATCH_EVENNESS_BOXES];
+        throw_column(&canvas, strokes->list, tone, draw);
+        HATCH_TRY(hatch_measure_spreads(&image, scratch, spread, err));
+        for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++)
+            ratio[tone * HATCH_EVENNESS_BOXES + box] += spread[box] * spread[box];
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_measure_evenness(const struct hatch_tam *tam,
+                                         const struct hatch_tam_strokes *strokes, uint32_t draws,
+                                         struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
+{
+    assert(draws > 0);
+    for (uint32_t i = 0; i < tam->tones * HATCH_EVENNESS_BOXES; i++)
+        ratio[i] = 0;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    for (uint32_t draw = 0; draw < draws; draw++) {
+        enum hatch_status status = add_throw(tam, strokes, draw, scratch, ratio, err);
+        hatch_arena_rewind(scratch, mark);
+        HATCH_TRY(status);
+    }
+    for (uint32_t tone = 0; tone < tam->tones; tone++) {
+        double spread[HATCH_EVENNESS_BOXES];
+        HATCH_TRY(hatch_measure_spreads(&tam->columns[tone].levels[0], scratch, spread, err));
+        for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++) {
+            double random = sqrt(ratio[tone * HATCH_EVENNESS_BOXES + box] / draws);
+            ratio[tone * HATCH_EVENNESS_BOXES + box] = random > 0 ? spread[box] / random : 0;
+        }
+    }
+    return HATCH_OK;
+}
