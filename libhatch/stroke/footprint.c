@@ -10,7 +10,10 @@ struct frame {
     float centre_x, centre_y;
     float cosine, sine;
     float half_length, half_width; /* px */
-    float tone;
+    float per_length, per_width;   /* 1 / px: to 0..1 along and across */
+    float columns;                 /* of the brush image */
+    float ends;                    /* coverage along: at most the length, for strokes under a pixel */
+    float tone;                    /* times the width: what a difference of two sums is to become */
     uint32_t grain_x, grain_y;
 };
 
@@ -47,7 +50,11 @@ static struct frame frame_of(const struct hatch_stroke *stroke, const struct hat
     f.half_length = stroke->length * (float)size_px * length_scale * 0.5f;
     if (f.half_length < f.half_width)
         f.half_length = f.half_width;
-    f.tone = stroke->tone;
+    f.per_length = 0.5f / f.half_length;
+    f.per_width = 0.5f / f.half_width;
+    f.columns = (float)brush->width;
+    f.ends = 2 * f.half_length < 1 ? 2 * f.half_length : 1;
+    f.tone = stroke->tone * 2 * f.half_width;
     uint64_t place = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
     f.grain_x = (uint32_t)(place % HATCH_GRAIN_SIZE);
     f.grain_y = (uint32_t)(place / HATCH_GRAIN_SIZE % HATCH_GRAIN_SIZE);
@@ -81,20 +88,12 @@ static float alpha_at(const struct hatch_brush *brush, const struct frame *f, fl
     float inside = f->half_length - fabsf(along) + 0.5f;
     if (inside <= 0)
         return 0;
-    if (inside > 1)
-        inside = 1;
-    if (inside > 2 * f->half_length)
-        inside = 2 * f->half_length;
-    float s = (along / f->half_length + 1) * 0.5f;
-    float place = s * (float)brush->width;
-    uint32_t x = place <= 0 ? 0 : (uint32_t)place;
-    if (x >= brush->width)
-        x = brush->width - 1;
+    inside = inside < f->ends ? inside : f->ends;
+    float place = (along * f->per_length + 0.5f) * f->columns;
+    uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
     const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
-    float width = 2 * f->half_width;
-    float from = (across - 0.5f) / width + 0.5f, to = (across + 0.5f) / width + 0.5f;
-    float covered =
-        (cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from)) * width;
+    float from = (across - 0.5f) * f->per_width + 0.5f, to = (across + 0.5f) * f->per_width + 0.5f;
+    float covered = cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
     float alpha = covered * inside * f->tone;
     if (brush->grain && alpha > 0)
         alpha *= grain_at(brush, f, along, across);
@@ -141,7 +140,7 @@ static void draw_row(const struct hatch_brush *brush, const struct frame *f, uin
             assert(out->count < out->capacity);
             out->at[out->count] = row + column;
             out->alpha[out->count] = alpha;
-            float t = (along / f->half_length + 1) * 0.5f;
+            float t = along * f->per_length + 0.5f;
             out->along[out->count++] = t < 0 ? 0 : t > 1 ? 1 : t;
         }
     }

@@ -2,39 +2,60 @@
 
 #include "tam/place.h"
 
-/* The darkness that the footprint adds at every level of one image's pyramid. The stroke that is drawn
- * into pyramid level p is the box-filtered stroke, so that its share of one coarse pixel is spread
- * evenly over the fine pixels below. */
-static double pyramid_gain(const struct hatch_canvas *canvas, float *const *pyramid, uint32_t size_px)
+/* A candidate on the tile: what does not depend on the image's size. */
+struct line {
+    float x, y, cosine, sine;
+    float length;   /* fraction of the tile */
+    float width_px;
+};
+
+/* The darkness that the stroke adds to one square image of a pyramid: a plain loop over its footprint, one
+ * sample a pixel along it and across it. width_px: of the stroke at this image's scale. */
+static float added_darkness(const struct line *line, const struct hatch_brush *brush, float width_px,
+                            const float *paper, uint32_t size)
 {
-    const struct hatch_footprint *f = &canvas->footprint;
-    double sum = 0;
-    for (uint32_t i = 0; i < f->count; i++) {
-        uint32_t x = f->at[i] % size_px, y = f->at[i] / size_px;
-        float paper = 0;
-        for (uint32_t p = 0; size_px >> p; p++)
-            paper += pyramid[p][(y >> p) * (size_px >> p) + (x >> p)];
-        sum += (double)(f->alpha[i] * paper);
+    float length = line->length * (float)size;
+    uint32_t along = length < 1 ? 1 : (uint32_t)length, across = width_px < 1 ? 1 : (uint32_t)(width_px + 0.5f);
+    float step_along = length / (float)along, step_across = width_px / (float)across;
+    float back = ((float)along - 1) * 0.5f * step_along, aside = ((float)across - 1) * 0.5f * step_across;
+    uint32_t mask = size - 1;
+    float sum = 0;
+    for (uint32_t i = 0; i < along; i++) {
+        uint32_t column = (2 * i + 1) * brush->width / (2 * along);
+        float alpha = brush->cumulative[(size_t)(column + 1) * (brush->height + 1) - 1];
+        float at = (float)i * step_along - back, left = 0;
+        for (uint32_t j = 0; j < across; j++) {
+            float off = (float)j * step_across - aside;
+            /* sizes are powers of two and places lie within a few tiles: the mask wraps them */
+            uint32_t x = (uint32_t)(int32_t)((line->x + 8) * (float)size + at * line->cosine - off * line->sine);
+            uint32_t y = (uint32_t)(int32_t)((line->y + 8) * (float)size + at * line->sine + off * line->cosine);
+            left += paper[(y & mask) * size + (x & mask)];
+        }
+        sum += alpha * left;
     }
-    return sum / ((double)size_px * (double)size_px);
+    return sum * step_along * step_across / ((float)size * (float)size);
 }
 
-struct hatch_stroke hatch_place_exhaustively(struct hatch_canvas *canvas,
+struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas,
                                              float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice)
 {
     struct hatch_stroke best = {0};
-    double best_goodness = -1;
+    float best_goodness = -1;
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct hatch_stroke stroke = hatch_candidate(canvas->style, choice, c);
-        double gain = 0;
+        struct line line = {stroke.x, stroke.y, (float)cos((double)stroke.angle_rad),
+                            (float)sin((double)stroke.angle_rad),
+                            stroke.length * choice->scale, stroke.width_px};
+        float gain = 0;
         for (uint32_t level = 0; level <= choice->level; level++) {
-            uint32_t size_px = hatch_canvas_size(canvas, level);
-            (void)hatch_canvas_try(canvas, &stroke, level, choice->scale);
-            gain += pyramid_gain(canvas, pyramids[level], size_px);
+            uint32_t size = hatch_canvas_size(canvas, level);
+            float width_px = line.width_px;
+            for (uint32_t p = 0; size >> p; p++, width_px *= 0.5f)
+                gain += added_darkness(&line, canvas->brush, width_px, pyramids[level][p], size >> p);
         }
-        float drawn = stroke.length * choice->scale * (float)canvas->size_px;
-        double goodness = gain / (double)(drawn > stroke.width_px ? drawn : stroke.width_px);
+        float drawn_px = line.length * (float)canvas->size_px;
+        float goodness = gain / (drawn_px > line.width_px ? drawn_px : line.width_px);
         if (goodness > best_goodness) {
             best_goodness = goodness;
             best = stroke;

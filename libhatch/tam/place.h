@@ -27,7 +27,7 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
 /* The best candidate by the paper's goodness, footprint by footprint: the sum over all receiving levels
  * and all levels of each one's image pyramid of the darkness that the stroke adds, over its length.
  * pyramids: of every level, box-filtered paper, [level][p]. */
-struct hatch_stroke hatch_place_exhaustively(struct hatch_canvas *canvas,
+struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas,
                                              float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice);
 
