@@ -5,7 +5,7 @@
 # SANITIZE=1 builds and tests under AddressSanitizer and UBSan, in build/sanitize.
 CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
 CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
-CFLAGS ?= -O2 -g
+CFLAGS ?= -O3 -g
 CXXFLAGS ?= $(CFLAGS)
 PREFIX ?= /usr/local
 VERSION := $(shell sed -n 's/^.define HATCH_VERSION "\(.*\)"/\1/p' cmd/cmd.h)
