@@ -96,7 +96,7 @@ static struct scored settle(const struct hatch_field *field, const struct hatch_
 struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_field *field,
                                          const struct hatch_choice *choice)
 {
-    struct scored list[SHORTLIST];
+    struct scored list[SHORTLIST] = {{0}};
     uint32_t count = 0;
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct scored entry = {0, hatch_candidate(style, choice, c)};
