@@ -39,7 +39,7 @@ libs_foreign   := -ldl
 libs_gltf      := -ltinygltf -lstdc++
 libs_openmesh  := -lOpenMeshCore -lstdc++
 libs_container := -lzstd
-libs_gl        := -lepoxy -lEGL -lglfw
+libs_gl        := -lepoxy -lglfw
 
 # A package's archive holds libhatch/*/PACKAGE*; all else of libhatch is C alone and one archive.
 PACKAGES := exr png foreign gltf openmesh container

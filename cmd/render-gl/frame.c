@@ -1,0 +1,146 @@
+#include "render-gl/frame.h"
+
+#include <math.h>
+#include <string.h>
+
+static float luminance(const float rgb[3])
+{
+    return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+}
+
+void frame_set_style(struct frame_block *block, const struct inks *inks,
+                     const struct tone_curve *curve, const struct gpu_columns *columns)
+{
+    memcpy(block->paper, inks->paper, sizeof inks->paper);
+    memcpy(block->ink, inks->ink, sizeof inks->ink);
+    memcpy(block->light_ink, inks->light_ink, sizeof inks->light_ink);
+    block->curve[0] = (float)curve->low;
+    block->curve[1] = (float)curve->high;
+    block->curve[2] = (float)curve->gamma;
+    block->shade[1] = (float)curve->ambient;
+    block->shade[2] = (float)curve->specular;
+    block->shade[3] = (float)curve->shininess;
+    block->counts[1] = columns ? (int32_t)columns->count : 0;
+    block->counts[2] = luminance(inks->ink) > luminance(inks->paper) ? INK_LIGHTENS : INK_DARKENS;
+    if (inks->two)
+        block->counts[2] = INK_BOTH;
+    for (uint32_t i = 0; columns && i < columns->count; i++) {
+        float begin = i ? columns->targets[i - 1] : 0.0f;
+        block->targets[i / 4][i % 4] = columns->targets[i];
+        if (i >= 6)
+            continue;
+        block->ramp_low[i / 3][i % 3] = begin;
+        block->ramp_scale[i / 3][i % 3] = 1.0f / fmaxf(columns->targets[i] - begin, 1e-6f);
+    }
+}
+
+void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
+                    double supersample)
+{
+    view_matrix(view, tile, block->clip_from_unit);
+    for (int k = 0; k < 3; k++)
+        block->eye[k] = (float)(view->orthographic ? view->back[k] : view->eye[k]);
+    block->eye[3] = view->orthographic ? 0.0f : 1.0f;
+    /* Finer sampling must not choose finer levels: strokes keep their width in pixels. */
+    block->curve[3] = (float)log2(supersample);
+}
+
+static double length_of(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static void set_directional(struct frame_light *light, const double to_light[3])
+{
+    double length = length_of(to_light);
+    *light = (struct frame_light){.direction = {0, 1, 0, 0}, .cone = {0, 1, 0, 0}};
+    for (int k = 0; k < 3 && length > 0 && isfinite(length); k++)
+        light->direction[k] = (float)(to_light[k] / length);
+}
+
+/* Beyond FAR_AWAY radii a lamp is a sun: floats would lose its falloff, and nobody would see it.
+ * Closer than 1/FAR_AWAY its strength stops growing. */
+#define FAR_AWAY 1e3
+
+/* Fills one light, all but its strength; returns that, and in *given what it gives to the part of the
+ * scene that is nearest to it. */
+static double set_scene_light(struct frame_light *light, const struct hatch_light *from,
+                              const double world[16], const struct bounds *bounds, double *given)
+{
+    double power = (double)from->intensity * (double)luminance(from->color);
+    double away[3] = {world[8], world[9], world[10]}, at[3];
+    *given = power;
+    if (from->type == HATCH_LIGHT_DIRECTIONAL) {
+        set_directional(light, away);
+        return power;
+    }
+    for (int k = 0; k < 3; k++)
+        at[k] = (world[12 + k] - bounds->center[k]) / bounds->radius;
+    power = power / bounds->radius / bounds->radius;
+    double distance = length_of(at), range = (double)from->range / bounds->radius;
+    if (!(distance < FAR_AWAY)) {
+        set_directional(light, at);
+        power = range > 0 && range <= distance ? 0.0 : power / distance / distance;
+        *given = power;
+        return power;
+    }
+    double near = fmax(distance - 0.6, 0.35), length = length_of(away);
+    *given = power / (near * near);
+    *light = (struct frame_light){.position = {(float)at[0], (float)at[1], (float)at[2], 1.0f},
+                                  .cone = {0.0f, 1.0f, 0.0f, (float)(1 / (FAR_AWAY * FAR_AWAY))}};
+    for (int k = 0; k < 3; k++)
+        light->direction[k] = length > 0 ? (float)(-away[k] / length) : 0.0f;
+    if (from->type == HATCH_LIGHT_SPOT) {
+        double outer = cos((double)from->outer_cone_rad), inner = cos((double)from->inner_cone_rad);
+        light->cone[0] = (float)(1.0 / fmax(inner - outer, 1e-3));
+        light->cone[1] = (float)(-outer / fmax(inner - outer, 1e-3));
+    }
+    light->cone[2] = range > 0 ? (float)(1.0 / (range * range)) : 0.0f;
+    return power;
+}
+
+static void set_own_light(struct frame_block *block, const struct view *view,
+                          const struct own_light *own)
+{
+    double level = cos(own->elevation_rad), to_light[3];
+    double x = level * sin(own->azimuth_rad), y = sin(own->elevation_rad);
+    double z = level * cos(own->azimuth_rad);
+    for (int k = 0; k < 3; k++)
+        to_light[k] = x * view->right[k] + y * view->up[k] + z * view->back[k];
+    set_directional(&block->lights[0], to_light);
+    block->counts[0] = 1;
+}
+
+uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
+                          const struct bounds *bounds, const struct view *view,
+                          const struct own_light *own, double exposure)
+{
+    const struct hatch_scene *scene = pose->scene;
+    uint32_t count = 0, left_out = 0;
+    double square = 0, power[LIGHTS_MAX] = {1.0};
+    for (uint32_t node = 0; node < scene->node_count && !own->wanted; node++) {
+        uint32_t index = scene->nodes[node].light;
+        if (index == HATCH_NONE)
+            continue;
+        if (count == LIGHTS_MAX) {
+            left_out++;
+            continue;
+        }
+        double world[16];
+        pose_matrix(pose, node, world);
+        double given;
+        power[count] = set_scene_light(&block->lights[count], &scene->lights[index], world, bounds,
+                                       &given);
+        square += given * given;
+        count++;
+    }
+    block->counts[0] = (int32_t)count;
+    if (count == 0)
+        set_own_light(block, view, own);
+    if (!(exposure > 0))
+        exposure = square > 0 && isfinite(square) ? 1.0 / sqrt(square) : 1.0;
+    /* Strengths of lamps and exposures may each be far outside the range of floats. */
+    for (int32_t i = 0; i < block->counts[0]; i++)
+        block->lights[i].direction[3] = (float)fmin(power[i] * exposure, 1e30);
+    return left_out;
+}

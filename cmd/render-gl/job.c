@@ -1,0 +1,135 @@
+#include "render-gl/job.h"
+
+#include "render-gl/load.h"
+#include "render-gl/material.h"
+#include "render-gl/picture.h"
+#include "render-gl/repeat.h"
+
+#define TWO_PI 6.28318530717958648
+#define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
+
+void job_read(struct job *job)
+{
+    const struct options *options = &job->options;
+    struct hatch_err err;
+    load_scene(&job->args, options->scene_path, &job->scene);
+    if (options->map_path)
+        load_map(&job->args, options->map_path, &job->map);
+    if (techniques[options->technique]->columns != COLUMNS_NONE)
+        load_check_texcoords(&job->scene, options->scene_path);
+    if (options->animation > 0 && options->animation >= job->scene.animation_count) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
+                   job->scene.animation_count);
+        cmd_die(cmd_input_name(options->scene_path), &err);
+    }
+}
+
+static double time_of(const struct job *job, uint32_t frame)
+{
+    return job->options.time_s + (double)frame / job->options.rate;
+}
+
+/* All frames share one unit scene and one framing, so that a framing camera stands still. */
+static void set_span(struct job *job)
+{
+    const struct options *options = &job->options;
+    bool moves = options->animated && job->scene.animation_count;
+    job->span = (struct pose_span){.animation = moves ? options->animation : HATCH_NONE,
+                                   .begin_s = options->time_s,
+                                   .end_s = time_of(job, options->frames - 1)};
+    if (moves && options->window)
+        job->span.end_s = (double)job->scene.animations[options->animation].duration_s;
+    moves = moves && job->span.end_s > job->span.begin_s;
+    job->span.moments = moves ? SPAN_MOMENTS : 1;
+}
+
+static void open_context(struct job *job)
+{
+    const struct options *options = &job->options;
+    struct hatch_err err;
+    enum hatch_status status =
+        options->window ? context_open_window(&job->context, options->width, options->height, &err)
+                        : context_open_headless(&job->context, &err);
+    cmd_check(status, NULL, &err);
+    cmd_note("%s", job->context.device);
+    if (options->style.anisotropy > job->context.anisotropy_max)
+        cmd_warn(NULL, "the driver filters with anisotropy %g at most",
+                 (double)job->context.anisotropy_max);
+}
+
+static void upload(struct job *job)
+{
+    const struct options *options = &job->options;
+    const char *name = cmd_input_name(options->scene_path);
+    struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
+    struct hatch_err err;
+    struct bounds bounds;
+    struct pose pose;
+    set_span(job);
+    cmd_check(pose_make(&job->scene, keep, &pose, &err), name, &err);
+    cmd_check(pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
+    if (bounds.empty)
+        cmd_warn(name, "the scene shows no faces");
+    cmd_check(view_make(&options->view, &pose, &job->span, &bounds,
+                        (double)options->width / options->height, scratch, &job->fixed_view, &err),
+              name, &err);
+    open_context(job);
+    cmd_check(scene_upload(&job->scene, &bounds, keep, scratch, &job->gpu, &err), name, &err);
+    material_upload(&job->args, name, options->style.base_tone, &job->gpu);
+}
+
+void job_prepare(struct job *job)
+{
+    const struct options *options = &job->options;
+    struct hatch_arena *scratch = &job->args.scratch;
+    struct hatch_err err;
+    upload(job);
+    job->renderer = (struct renderer){.shaders = {options->shader_folder, scratch},
+                                      .style = options->style,
+                                      .map = options->map_path ? &job->map : NULL,
+                                      .scene = &job->gpu,
+                                      .size_max_px = job->context.size_max_px};
+    if (options->map_path && !options->high_given)
+        job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
+    struct view view;
+    job_set_frame(job, 0, &view);
+    if (options->map_path)
+        cmd_check(repeat_set(&job->gpu, options->repeat, &view, options->height, job->map.size_px,
+                             job->map.levels, scratch, &err),
+                  cmd_input_name(options->scene_path), &err);
+    cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err),
+              options->map_path, &err);
+}
+
+void job_set_frame(struct job *job, uint32_t frame, struct view *view)
+{
+    const struct options *options = &job->options;
+    const char *name = cmd_input_name(options->scene_path);
+    struct hatch_arena *scratch = &job->args.scratch;
+    struct hatch_err err;
+    cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame), scratch, &err),
+              name, &err);
+    *view = job->fixed_view;
+    if (!view_is_fixed(&options->view, &job->scene))
+        cmd_check(view_make(&options->view, &job->gpu.pose, &job->span, &job->gpu.bounds,
+                            view->aspect, scratch, view, &err),
+                  name, &err);
+    if (options->turntable)
+        view_turn(view, -TWO_PI * frame / options->frames);
+}
+
+void job_make_target(struct job *job, struct target *target)
+{
+    struct hatch_err err;
+    cmd_check(picture_target(job->options.width, job->options.height, job->options.side,
+                             &job->renderer, target, &err),
+              NULL, &err);
+}
+
+void job_end(struct job *job)
+{
+    renderer_free(&job->renderer);
+    material_free(&job->gpu);
+    scene_free(&job->gpu);
+    context_close(&job->context);
+}

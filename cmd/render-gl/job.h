@@ -1,0 +1,46 @@
+/* Everything between the options and the drawing: the scene, the map, the context, the renderer. */
+#ifndef RENDER_JOB_H
+#define RENDER_JOB_H
+
+#include "render-gl/context.h"
+#include "render-gl/options.h"
+
+struct job {
+    struct cmd_args args;
+    struct options options;
+    struct hatch_scene scene;
+    struct hatch_tam map;
+    struct context context;
+    struct gpu_scene gpu;
+    struct renderer renderer;
+    struct cmd_output **outputs; /* one per frame, or one for a report; NULL with a window */
+    struct pose_span span;   /* all frames */
+    struct view fixed_view;  /* used when view_is_fixed */
+};
+
+/* Reads the files. Dies with one line on what is wrong. */
+void job_read(struct job *job);
+
+/* Opens the context and uploads. The scene is posed at the first frame then. */
+void job_prepare(struct job *job);
+
+/* Poses the scene for a frame and finds its view. */
+void job_set_frame(struct job *job, uint32_t frame, struct view *view);
+
+/* A target for the picture, or for its tiles. */
+void job_make_target(struct job *job, struct target *target);
+
+/* Releases what OpenGL holds. */
+void job_end(struct job *job);
+
+/* The bytes of a picture: EXR where the path ends so, else PNG. */
+void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
+                     struct hatch_buffer *file);
+
+/* The ways to end: pictures into files, times and probes as text, a window. */
+void pictures_write(struct job *job);
+void timing_report(struct job *job);
+void probe_report(struct job *job);
+void window_run(struct job *job);
+
+#endif

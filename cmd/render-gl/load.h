@@ -1,0 +1,17 @@
+/* Reads what a picture is made of from files. Each dies with one line on what is wrong. */
+#ifndef RENDER_LOAD_H
+#define RENDER_LOAD_H
+
+#include "cmd.h"
+#include "mesh/scene.h"
+#include "tam/tam.h"
+
+/* A glTF with its companions, or one mesh; path NULL is standard input. */
+void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene);
+
+void load_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
+
+/* Dies when a mesh has no texture coordinates, naming the way to some. */
+void load_check_texcoords(const struct hatch_scene *scene, const char *path);
+
+#endif

@@ -1,0 +1,92 @@
+#include "render-gl/material.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "io/foreign.h"
+
+static GLuint upload(const struct hatch_image *image, bool repeats)
+{
+    static const GLenum formats[5] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
+    static const GLint grey_alpha[4] = {GL_RED, GL_RED, GL_RED, GL_GREEN};
+    GLint wrap = repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    GLuint texture;
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+    glTextureStorage2D(texture, (GLsizei)hatch_mip_chain_length(image->width, image->height),
+                       GL_RGBA16F, (GLsizei)image->width, (GLsizei)image->height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height,
+                        formats[image->channel_count], GL_FLOAT, image->pixels);
+    if (image->channel_count <= 2)
+        glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA,
+                             image->channel_count == 2 ? grey_alpha : grey);
+    glGenerateTextureMipmap(texture);
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, wrap);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, wrap);
+    return texture;
+}
+
+static GLuint decode(struct cmd_args *args, const char *file, const char *plugin,
+                     const struct hatch_scene *scene, const struct hatch_material *material,
+                     float *side_px)
+{
+    const struct hatch_texture *texture = &scene->textures[material->base_texture];
+    struct hatch_bytes bytes = {texture->data, texture->size};
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_image image;
+    struct hatch_err err;
+    if (hatch_image_read_any(bytes, "", plugin, &args->keep, &args->scratch, &image, &err) !=
+        HATCH_OK) {
+        hatch_fail_at(&err, "texture %u: ", material->base_texture);
+        cmd_die(file, &err);
+    }
+    GLuint made = upload(&image, material->base_repeat);
+    *side_px = (float)(image.width > image.height ? image.width : image.height);
+    hatch_arena_rewind(&args->scratch, mark);
+    return made;
+}
+
+/* An earlier item with the same texture lends it. */
+static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item, uint32_t texture)
+{
+    for (uint32_t i = 0; i < item; i++) {
+        uint32_t material = gpu->scene->meshes[gpu->items[i].mesh].material;
+        if (gpu->items[i].base_texture && material != HATCH_NONE &&
+            gpu->scene->materials[material].base_texture == texture)
+            return &gpu->items[i];
+    }
+    return NULL;
+}
+
+void material_upload(struct cmd_args *args, const char *file, bool as_tone, struct gpu_scene *gpu)
+{
+    const struct hatch_scene *scene = gpu->scene;
+    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        struct gpu_item *item = &gpu->items[i];
+        const struct hatch_scene_mesh *mesh = &scene->meshes[item->mesh];
+        if (mesh->material == HATCH_NONE)
+            continue;
+        const struct hatch_material *material = &scene->materials[mesh->material];
+        const float *color = material->base_color;
+        item->base_lightness = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
+        if (material->base_texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0))
+            continue;
+        const struct gpu_item *other = lender(gpu, i, material->base_texture);
+        float side_px = 1;
+        item->base_texture =
+            other ? other->base_texture : decode(args, file, plugin, scene, material, &side_px);
+        item->base_side_px = other ? other->base_side_px : side_px;
+        /* Tone that is taken at vertices must not hold detail that lies between them. */
+        float vertices_side = sqrtf((float)mesh->mesh.vertex_count);
+        item->base_lod = fmaxf(0.0f, log2f(item->base_side_px / fmaxf(vertices_side, 1.0f)));
+    }
+}
+
+void material_free(struct gpu_scene *gpu)
+{
+    for (uint32_t i = 0; i < gpu->item_count; i++)
+        glDeleteTextures(1, &gpu->items[i].base_texture);
+}

@@ -1,0 +1,270 @@
+#include "render-gl/options.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render-gl/color.h"
+
+#define RADIANS (3.14159265358979324 / 180)
+
+/* What the table fills; options_read turns it into struct options. */
+static int technique;
+static const char *map_path, *paper = "white", *ink = "black", *light_ink;
+static const char *camera, *eye, *target, *uv_scale = "auto", *shader_folder;
+static double range[2] = {0, 1}, gamma_exponent = 1, ambient = 0.05, specular[2] = {0, 32};
+static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 1;
+static double size[2] = {1280, 720}, time_s, rate = 24;
+static int64_t samples = 4, frames = 1, animation, timed_frames;
+static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
+static bool time_given, animation_given, fov_given, frames_given, from_given;
+
+static struct cmd_option table[] = {
+    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
+     &technique, NULL, NULL},
+    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map, as tamgen writes it", &map_path, NULL,
+     NULL},
+    {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
+     NULL, NULL},
+    {0, "samples", CMD_INT, 1, 64, "N", "samples a pixel, a square number (default 4)", &samples,
+     NULL, NULL},
+    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
+     "darkness of the lit and of the unlit (default 0: the map's darkest)", range, NULL,
+     &range_given},
+    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "exponent of the darkness (default 1)",
+     &gamma_exponent, NULL, NULL},
+    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
+    {0, "ink", CMD_TEXT, 0, 0, "COLOUR", "lighter than the paper: the lit parts are drawn", &ink,
+     NULL, NULL},
+    {0, "light-ink", CMD_TEXT, 0, 0, "COLOUR", "a second ink, for what is lighter than the paper",
+     &light_ink, NULL, NULL},
+    {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
+     "one light, degrees from the camera, for the scene's (default -40:40)", light, NULL,
+     &light_given},
+    {0, "ambient", CMD_REAL, 0, 1, "L", "light from everywhere (default 0.05)", &ambient, NULL,
+     NULL},
+    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "highlight: strength, exponent (default none)",
+     specular, NULL, &specular_given},
+    {0, "exposure", CMD_REAL, 0, 1e30, "E", "factor for the scene's lights (default 0: chosen)",
+     &exposure, NULL, NULL},
+    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone",
+     &base_tone, NULL, NULL},
+    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
+     &uv_scale, NULL, NULL},
+    {0, "anisotropy", CMD_REAL, 1, 16, "N", "anisotropic filtering (default 1: none)", &anisotropy,
+     NULL, NULL},
+    {0, "camera", CMD_TEXT, 0, 0, "N|frame", "the scene's camera N, or frame the scene", &camera,
+     NULL, NULL},
+    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)",
+     from, NULL, &from_given},
+    {0, "eye", CMD_TEXT, 0, 0, "X,Y,Z", "the camera's place in the scene", &eye, NULL, NULL},
+    {0, "target", CMD_TEXT, 0, 0, "X,Y,Z", "what the eye looks at (default the middle)", &target,
+     NULL, NULL},
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "of framed and --eye views, vertical (default 30)",
+     &fov, NULL, &fov_given},
+    {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL,
+     &frames_given},
+    {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &turntable, NULL,
+     NULL},
+    {0, "animation", CMD_INT, 0, 65535, "N", "play animation N (default 0 with --frames)",
+     &animation, NULL, &animation_given},
+    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "the animation's time at the first frame", &time_s,
+     NULL, &time_given},
+    {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "frames a second (default 24)", &rate, NULL, NULL},
+    {0, "time", CMD_INT, 1, 10000, "N", "draw N frames and print their times", &timed_frames, NULL,
+     NULL},
+    {0, "probe", CMD_FLAG, 0, 0, NULL, "print what the picture uses of map and scene", &probe,
+     NULL, NULL},
+    {'w', "window", CMD_FLAG, 0, 0, NULL, "show it in a window; ? there lists the keys", &window,
+     NULL, NULL},
+    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "read the shaders from there", &shader_folder, NULL,
+     NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "meshgen teapot | render-gl - --tam ink.tam.exr -o teapot.png",
+    "render-gl scene.glb -T ink.tam.exr --frames 48 --turntable -o turn%03d.png",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "render-gl",
+    .operands = "[SCENE]",
+    .summary = "draw a 3D scene with strokes",
+    .examples = examples,
+    .options = table,
+    .operands_max = 1,
+    .reports = true,
+    .binary = true,
+};
+
+static void read_color(const char *option, const char *text, float rgb[3])
+{
+    if (!color_parse(text, rgb))
+        cmd_usage("--%s %s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
+                  text);
+}
+
+static void read_vector(const char *option, const char *text, double xyz[3])
+{
+    if (!vector_parse(text, xyz))
+        cmd_usage("--%s %s: want three numbers with commas between", option, text);
+}
+
+static bool read_whole(const char *text, uint32_t most, uint32_t *value)
+{
+    uint64_t number = 0;
+    for (const char *at = text; *at; at++) {
+        if (*at < '0' || *at > '9' || number > most)
+            return false;
+        number = 10 * number + (uint64_t)(*at - '0');
+    }
+    *value = (uint32_t)number;
+    return *text && number <= most;
+}
+
+static void read_view(struct view_choice *view)
+{
+    *view = (struct view_choice){.kind = VIEW_FIRST_CAMERA,
+                                 .azimuth_rad = from[0] * RADIANS,
+                                 .elevation_rad = from[1] * RADIANS,
+                                 .fov_rad = fov * RADIANS,
+                                 .turns = turntable};
+    if (camera && (eye || target))
+        cmd_usage("--camera and --eye or --target exclude each other");
+    if (target && !eye)
+        cmd_usage("--target needs --eye");
+    if (from_given || fov_given || (camera && strcmp(camera, "frame") == 0))
+        view->kind = VIEW_FRAMED;
+    else if (camera && read_whole(camera, 65535, &view->index))
+        view->kind = VIEW_CAMERA;
+    else if (camera)
+        cmd_usage("--camera %s: want a number or frame", camera);
+    if (eye) {
+        view->kind = VIEW_EYE;
+        read_vector("eye", eye, view->eye);
+    }
+    if (target) {
+        view->has_target = true;
+        read_vector("target", target, view->target);
+    }
+}
+
+static void read_style(struct style *style)
+{
+    *style = (struct style){.inks = {.two = light_ink != NULL},
+                            .curve = {.low = range[0],
+                                      .high = range[1],
+                                      .gamma = gamma_exponent,
+                                      .ambient = ambient,
+                                      .specular = specular[0],
+                                      .shininess = specular[1],
+                                      .exposure = exposure},
+                            .light = {.wanted = light_given,
+                                      .azimuth_rad = light[0] * RADIANS,
+                                      .elevation_rad = light[1] * RADIANS},
+                            .anisotropy = (float)anisotropy,
+                            .base_tone = base_tone};
+    read_color("paper", paper, style->inks.paper);
+    read_color("ink", ink, style->inks.ink);
+    if (light_ink)
+        read_color("light-ink", light_ink, style->inks.light_ink);
+    if (specular_given && specular[0] > 10)
+        cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
+}
+
+static double read_uv_scale(void)
+{
+    if (strcmp(uv_scale, "auto") == 0)
+        return 0;
+    char *end;
+    double value = strtod(uv_scale, &end);
+    if (end == uv_scale || *end || !(value > 0 && value <= 65536))
+        cmd_usage("--uv-scale %s: want auto or a number over 0 and up to 65536", uv_scale);
+    return value;
+}
+
+/* Frames need one place for their number: %d, %3d or %03d. */
+static const char *number_place(const char *pattern, int *width)
+{
+    const char *at = pattern ? strchr(pattern, '%') : NULL;
+    if (!at)
+        return NULL;
+    const char *end = at + 1 + strspn(at + 1, "0123456789");
+    *width = atoi(at + 1);
+    return *end == 'd' && end - at <= 3 && !strchr(end, '%') ? at : NULL;
+}
+
+void options_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes)
+{
+    int width = 0;
+    const char *at = number_place(pattern, &width);
+    char digits[32];
+    size_t count = 0, used = 0;
+    for (uint32_t rest = number; rest || !count; rest /= 10)
+        digits[count++] = (char)('0' + rest % 10);
+    while ((int)count < width && count < sizeof digits)
+        digits[count++] = '0';
+    for (const char *c = pattern; *c && used + 1 < size_bytes; c++) {
+        if (c != at) {
+            name[used++] = *c;
+            continue;
+        }
+        while (count && used + 1 < size_bytes)
+            name[used++] = digits[--count];
+        c = strchr(c, 'd');
+    }
+    name[used] = '\0';
+}
+
+static void check_frames(const struct cmd_args *args)
+{
+    int width;
+    if (turntable && !frames_given)
+        cmd_usage("--turntable needs --frames");
+    if (frames_given && !window && !timed_frames && !probe && !number_place(args->output, &width))
+        cmd_usage("--frames needs -o with one place for the number, like -o name%%03d.png");
+    if (args->json && !timed_frames && !probe)
+        cmd_usage("--json is for --time and --probe");
+    if ((timed_frames > 0) + probe + window > 1)
+        cmd_usage("--time, --probe and --window exclude each other");
+}
+
+void options_read(int argc, char **argv, struct cmd_args *args, struct options *options)
+{
+    table[0].choices = technique_names();
+    cmd_begin(&program, argc, argv, args);
+    uint32_t side = (uint32_t)lround(sqrt((double)samples));
+    if ((int64_t)side * side != samples)
+        cmd_usage("--samples %d: want 1, 4, 9, 16, 25, 36, 49 or 64", (int)samples);
+    if (size[0] != floor(size[0]) || size[1] != floor(size[1]))
+        cmd_usage("--size %gx%g: want whole numbers", size[0], size[1]);
+    if (!map_path && techniques[technique]->columns != COLUMNS_NONE)
+        cmd_usage("technique %s needs a tonal art map: --tam FILE (tamgen makes one)",
+                  techniques[technique]->name);
+    if (probe && !map_path)
+        cmd_usage("--probe needs a tonal art map: --tam FILE");
+    check_frames(args);
+    *options = (struct options){.technique = technique,
+                                .map_path = map_path,
+                                .scene_path = args->operand_count ? args->operands[0] : NULL,
+                                .shader_folder = shader_folder,
+                                .high_given = range_given,
+                                .repeat = read_uv_scale(),
+                                .width = (uint32_t)size[0],
+                                .height = (uint32_t)size[1],
+                                .side = side,
+                                .frames = (uint32_t)frames,
+                                .turntable = turntable,
+                                .time_s = time_s,
+                                .rate = rate,
+                                .animated = animation_given || time_given ||
+                                            (frames_given && !turntable) || window,
+                                .animation = (uint32_t)animation,
+                                .timed_frames = (uint32_t)timed_frames,
+                                .probe = probe,
+                                .window = window};
+    read_style(&options->style);
+    read_view(&options->view);
+}

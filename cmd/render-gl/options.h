@@ -1,0 +1,33 @@
+/* What the command line says. */
+#ifndef RENDER_OPTIONS_H
+#define RENDER_OPTIONS_H
+
+#include "cmd.h"
+#include "render-gl/renderer.h"
+
+struct options {
+    int technique;           /* index into techniques */
+    const char *map_path;    /* NULL: none */
+    const char *scene_path;  /* NULL: standard input */
+    const char *shader_folder;
+    struct style style;
+    struct view_choice view;
+    bool high_given;         /* the darkest tone; else the map's darkest column */
+    double repeat;           /* 0: chosen */
+    uint32_t width, height, side; /* side: samples along a pixel's side */
+    uint32_t frames;
+    bool turntable;
+    double time_s, rate;     /* of the first frame, frames a second */
+    bool animated;           /* false: the rest pose */
+    uint32_t animation;
+    uint32_t timed_frames;   /* 0: draw a picture */
+    bool probe, window;
+};
+
+/* Parses, checks and prints help as cmd_begin does; dies with two lines on what is wrong. */
+void options_read(int argc, char **argv, struct cmd_args *args, struct options *options);
+
+/* The name of a frame's file: `pattern` with its %0Nd replaced by the number. */
+void options_frame_name(const char *pattern, uint32_t number, char *name, size_t size);
+
+#endif

@@ -1,0 +1,63 @@
+/* Frames into PNG and EXR files. */
+#include <string.h>
+
+#include "io/exr.h"
+#include "io/png.h"
+#include "render-gl/job.h"
+#include "render-gl/picture.h"
+
+static bool wants_exr(const char *path)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
+}
+
+static enum hatch_status encode_exr(const struct hatch_image *image, struct hatch_arena *arena,
+                                    struct hatch_buffer *file, struct hatch_err *err)
+{
+    struct hatch_image level = *image;
+    struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
+    struct hatch_exr_writer *writer;
+    HATCH_TRY(hatch_exr_begin(&part, 1, arena, &writer, err));
+    enum hatch_status status = hatch_exr_add_part(writer, 0, &part, err);
+    if (status != HATCH_OK) {
+        hatch_exr_abandon(writer);
+        return status;
+    }
+    return hatch_exr_end(writer, file, err);
+}
+
+void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
+                     struct hatch_buffer *file)
+{
+    struct hatch_err err;
+    cmd_check(wants_exr(path)
+                  ? encode_exr(image, file->arena, file, &err)
+                  : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, &err),
+              path, &err);
+}
+
+void pictures_write(struct job *job)
+{
+    const struct options *options = &job->options;
+    struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
+    struct hatch_err err;
+    struct hatch_image image;
+    struct target target;
+    struct hatch_buffer *files = HATCH_NEW(keep, struct hatch_buffer, options->frames, &err);
+    cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL,
+              &err);
+    job_make_target(job, &target);
+    for (uint32_t frame = 0; frame < options->frames; frame++) {
+        struct view view;
+        cmd_progress("drawing", (double)frame / options->frames);
+        job_set_frame(job, frame, &view);
+        picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image);
+        files[frame].arena = keep;
+        pictures_encode(job->args.output, &image, scratch, &files[frame]);
+    }
+    for (uint32_t frame = 0; frame < options->frames; frame++)
+        cmd_write(job->outputs[frame], files[frame].data, files[frame].size);
+    target_free(&target);
+}

@@ -1,0 +1,63 @@
+/* A scene at a moment: node matrices, and the vertices that nodes and skins put into the world.
+ * World coordinates here are doubles, so that scenes of any scale and any distance from the origin
+ * keep their digits; the GPU sees the unit scene: (world - center) / radius. */
+#ifndef RENDER_POSE_H
+#define RENDER_POSE_H
+
+#include <stdbool.h>
+
+#include "mesh/scene.h"
+
+struct pose {
+    const struct hatch_scene *scene;
+    float *world;  /* 16 per node, column-major */
+    float *joints; /* 16 per joint of the largest skin */
+};
+
+/* Where the scene is: what the unit scene is made with. */
+struct bounds {
+    double center[3];
+    double radius; /* over 0; 1 for a scene without extent */
+    bool empty;    /* no face anywhere */
+};
+
+/* Makes room; pose_at fills it. */
+enum hatch_status pose_make(const struct hatch_scene *scene, struct hatch_arena *arena,
+                            struct pose *pose, struct hatch_err *err) HATCH_MUST_USE;
+
+/* animation: index or HATCH_NONE. */
+void pose_at(struct pose *pose, uint32_t animation, double time_s);
+
+/* World positions (3 per vertex) and unit normals (3 per vertex, or NULL) of one mesh at one node of
+ * the pose. A normal that cannot be told is 0 0 0. */
+void pose_vertices(struct pose *pose, uint32_t node, uint32_t mesh, double *positions,
+                   float *normals);
+
+/* The matrix that carries a node's mesh into the world, in doubles; not for skinned nodes. */
+void pose_matrix(const struct pose *pose, uint32_t node, double matrix[16]);
+
+/* The 3×3 cofactors of a 4×4 matrix, signed so that outward normals stay outward when it mirrors;
+ * column-major. Returns true when it mirrors. */
+bool pose_normal_matrix(const double matrix[16], double normal[9]);
+
+/* Moments evenly spaced in begin_s .. end_s of an animation (HATCH_NONE: the rest pose). */
+struct pose_span {
+    uint32_t animation;
+    double begin_s, end_s;
+    uint32_t moments; /* at least 1 */
+};
+
+typedef void (*pose_visit)(void *context, const double point[3]);
+
+/* Calls visit with the world position of every corner of every face, at every moment. The pose is at
+ * the last moment then. */
+enum hatch_status pose_each_corner(struct pose *pose, const struct pose_span *span,
+                                   struct hatch_arena *scratch, pose_visit visit, void *context,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* The box around all of it, as a centre and the radius around that. */
+enum hatch_status pose_bounds(struct pose *pose, const struct pose_span *span,
+                              struct hatch_arena *scratch, struct bounds *bounds,
+                              struct hatch_err *err) HATCH_MUST_USE;
+
+#endif

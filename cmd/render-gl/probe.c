@@ -1,0 +1,142 @@
+/* What the picture uses of scene and map, as TSV or JSON. */
+#include <math.h>
+
+#include "render-gl/job.h"
+#include "render-gl/picture.h"
+
+#define LEVELS_MAX 32
+
+struct probe {
+    uint64_t pixels, drawn;
+    uint64_t tones[HATCH_TAM_TONES_MAX]; /* pixels in which a column of the map has a weight */
+    uint64_t bare;                       /* pixels of the scene that ask for no ink */
+    uint64_t levels[LEVELS_MAX];         /* pixels that read a level */
+    uint64_t magnified;                  /* pixels finer than the finest level */
+};
+
+/* Marks the columns whose blend makes an amount of ink. */
+static void count_tones(const struct hatch_tam *map, float amount, uint64_t *tones)
+{
+    uint32_t above = 0;
+    while (above < map->tones - 1 && map->target[above] < amount)
+        above++;
+    float below = above ? map->target[above - 1] : 0.0f;
+    if (amount > below)
+        tones[above]++;
+    if (above && amount < map->target[above])
+        tones[above - 1]++;
+}
+
+static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct probe *probe)
+{
+    if (rgba[3] < 0.5f || rgba[2] < -LEVELS_MAX)
+        return;
+    probe->drawn++;
+    probe->bare += rgba[0] <= 0.0f && rgba[1] <= 0.0f;
+    for (int ink = 0; ink < 2; ink++)
+        if (rgba[ink] > 0.0f)
+            count_tones(map, rgba[ink], probe->tones);
+    uint32_t last = map->columns[0].level_count - 1;
+    float level = fminf(fmaxf(rgba[2], 0.0f), (float)last);
+    uint32_t fine = (uint32_t)level;
+    probe->levels[fine]++;
+    if (level > (float)fine)
+        probe->levels[fine + 1]++;
+    probe->magnified += rgba[2] < -0.5f;
+}
+
+static void measure(struct job *job, struct probe *probe)
+{
+    struct hatch_arena *scratch = &job->args.scratch;
+    static const float nothing[3] = {0, 0, 0};
+    struct hatch_err err;
+    struct target target;
+    struct view view;
+    cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_PROBE, scratch, &err), NULL, &err);
+    cmd_check(picture_target(job->options.width, job->options.height, 1, &job->renderer, &target,
+                             &err),
+              NULL, &err);
+    size_t count = (size_t)target.width * target.height;
+    float *rgba = HATCH_NEW(scratch, float, 4 * count, &err);
+    cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t frame = 0; frame < job->options.frames; frame++) {
+        struct tile tile = {0, 0, target.width, target.height, job->options.width,
+                            job->options.height};
+        job_set_frame(job, frame, &view);
+        renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target);
+        target_read_samples(&target, rgba);
+        for (size_t i = 0; i < count; i++)
+            count_pixel(&job->map, rgba + 4 * i, probe);
+        probe->pixels += count;
+    }
+    target_free(&target);
+}
+
+static enum hatch_status print_row(const struct job *job, const char *thing, uint32_t index,
+                                   double value, const char *unit, struct hatch_buffer *text,
+                                   struct hatch_err *err)
+{
+    if (!job->args.json)
+        return hatch_buffer_print(text, err, "%s\t%u\t%.10g\t%s\n", thing, index, value, unit);
+    return hatch_buffer_print(
+        text, err, "%s\n  {\"thing\": \"%s\", \"index\": %u, \"value\": %.10g, \"unit\": \"%s\"}",
+        text->size > 1 ? "," : "", thing, index, value, unit);
+}
+
+static enum hatch_status print_map(const struct job *job, const struct probe *probe,
+                                   struct hatch_buffer *text, struct hatch_err *err)
+{
+    const struct hatch_tam *map = &job->map;
+    double drawn = probe->drawn ? (double)probe->drawn : 1.0, used = 0, whole = 0;
+    uint32_t tones = 0;
+    for (uint32_t i = 0; i < map->tones; i++) {
+        tones += probe->tones[i] > 0;
+        HATCH_TRY(print_row(job, "tone", i, (double)probe->tones[i] / drawn, "of the scene's pixels",
+                            text, err));
+    }
+    for (uint32_t i = 0; i < map->columns[0].level_count; i++) {
+        double size = hatch_mip_size(map->size_px, i);
+        whole += size * size * map->tones;
+        used += probe->levels[i] ? size * size * tones : 0;
+        HATCH_TRY(print_row(job, "level", i, (double)probe->levels[i] / drawn,
+                            "of the scene's pixels", text, err));
+    }
+    HATCH_TRY(print_row(job, "bare", 0, (double)probe->bare / drawn, "of the scene's pixels", text,
+                        err));
+    HATCH_TRY(print_row(job, "magnified", 0, (double)probe->magnified / drawn,
+                        "of the scene's pixels", text, err));
+    HATCH_TRY(print_row(job, "used", 0, used, "texels", text, err));
+    return print_row(job, "map", 0, whole, "texels", text, err);
+}
+
+static enum hatch_status print(const struct job *job, const struct probe *probe,
+                               struct hatch_buffer *text, struct hatch_err *err)
+{
+    const struct gpu_scene *gpu = &job->gpu;
+    double faces = 0;
+    for (uint32_t i = 0; i < gpu->item_count; i++)
+        faces += gpu->meshes[gpu->items[i].mesh].index_count / 3;
+    HATCH_TRY(hatch_buffer_print(text, err, job->args.json ? "[" : "thing\tindex\tvalue\tunit\n"));
+    HATCH_TRY(print_row(job, "items", 0, gpu->item_count, "", text, err));
+    HATCH_TRY(print_row(job, "faces", 0, faces, "", text, err));
+    HATCH_TRY(print_row(job, "lights", 0, job->renderer.block.counts[0], "", text, err));
+    HATCH_TRY(print_row(job, "drawn", 0, (double)probe->drawn / (double)probe->pixels,
+                        "of the picture's pixels", text, err));
+    HATCH_TRY(print_map(job, probe, text, err));
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        HATCH_TRY(print_row(job, "repeat-u", i, (double)gpu->items[i].repeat[0], "tiles", text, err));
+        HATCH_TRY(print_row(job, "repeat-v", i, (double)gpu->items[i].repeat[1], "tiles", text, err));
+    }
+    return job->args.json ? hatch_buffer_print(text, err, "\n]\n") : HATCH_OK;
+}
+
+void probe_report(struct job *job)
+{
+    struct hatch_err err;
+    struct probe *probe = HATCH_NEW(&job->args.keep, struct probe, 1, &err);
+    cmd_check(probe ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    measure(job, probe);
+    struct hatch_buffer text = {.arena = &job->args.keep};
+    cmd_check(print(job, probe, &text, &err), NULL, &err);
+    cmd_write(job->outputs[0], text.data, text.size);
+}

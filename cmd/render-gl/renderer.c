@@ -1,0 +1,171 @@
+#include "render-gl/renderer.h"
+
+#include <assert.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum { VARIANT_TONE = 1, VARIANT_HOLES = 2 };
+
+static uint32_t variant_of(const struct renderer *renderer, const struct gpu_item *item)
+{
+    uint32_t variant = 0;
+    if (item->base_texture && renderer->style.base_tone)
+        variant |= VARIANT_TONE;
+    if (item->base_texture && item->alpha_cutoff > 0)
+        variant |= VARIANT_HOLES;
+    return variant;
+}
+
+static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
+                                 uint32_t variant, GLuint *program, struct hatch_err *err)
+{
+    char defines[256];
+    snprintf(defines, sizeof defines, "%s%s%s%s%s", technique->defines,
+             renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
+             variant ? "#define BASE_TEXTURE 1\n" : "",
+             variant & VARIANT_TONE ? "#define BASE_TONE 1\n" : "",
+             variant & VARIANT_HOLES ? "#define BASE_HOLES 1\n" : "");
+    return shader_program(&renderer->shaders, &technique->stages, defines, program, err);
+}
+
+static struct gpu_columns *columns_of(struct renderer *renderer, const struct technique *technique)
+{
+    return &renderer->columns[technique->columns];
+}
+
+enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
+{
+    const struct technique *chosen = techniques[technique];
+    struct gpu_columns *columns = columns_of(renderer, chosen);
+    assert(technique <= TECHNIQUE_PROBE && (renderer->map || chosen->columns == COLUMNS_NONE));
+    if (!renderer->block_buffer) {
+        glCreateBuffers(1, &renderer->block_buffer);
+        glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL,
+                             GL_DYNAMIC_STORAGE_BIT);
+    }
+    if (chosen->columns != COLUMNS_NONE && columns->form == COLUMNS_NONE)
+        HATCH_TRY(columns_upload(renderer->map, chosen->columns, renderer->style.anisotropy,
+                                 renderer->size_max_px, scratch, columns, err));
+    for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
+        uint32_t variant = variant_of(renderer, &renderer->scene->items[i]);
+        GLuint *program = &renderer->programs[technique][variant];
+        if (!*program)
+            HATCH_TRY(compile(renderer, chosen, variant, program, err));
+    }
+    return HATCH_OK;
+}
+
+/* Faces that may be seen from behind are drawn once for each side, because the light is per vertex
+ * and a vertex has no side. */
+static void draw_sides(const struct gpu_item *item, GLsizei count)
+{
+    for (int behind = 0; behind <= (item->double_sided ? 1 : 0); behind++) {
+        glCullFace(behind ? GL_FRONT : GL_BACK);
+        glUniform1f(3, behind ? -1.0f : 1.0f);
+        glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL);
+    }
+}
+
+static void draw_items(const struct renderer *renderer, uint32_t technique, uint32_t pass)
+{
+    const struct gpu_scene *scene = renderer->scene;
+    GLuint current = 0;
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct gpu_item *item = &scene->items[i];
+        GLuint program = renderer->programs[technique][variant_of(renderer, item)];
+        if (program != current)
+            glUseProgram(program);
+        current = program;
+        if (item->base_texture)
+            glBindTextureUnit(3, item->base_texture);
+        glUniformMatrix4fv(0, 1, GL_FALSE, item->to_unit);
+        glUniformMatrix3fv(1, 1, GL_FALSE, item->normal);
+        glUniform2fv(2, 1, item->repeat);
+        glUniform1i(4, (GLint)pass);
+        glUniform4f(5, renderer->style.base_tone ? item->base_lightness : 1.0f, item->base_lod,
+                    item->alpha_cutoff, 0.0f);
+        glFrontFace(item->mirrored ? GL_CW : GL_CCW);
+        glBindVertexArray(item->vertex_array);
+        draw_sides(item, (GLsizei)scene->meshes[item->mesh].index_count);
+    }
+}
+
+static void draw_passes(const struct renderer *renderer, uint32_t technique)
+{
+    const struct technique *chosen = techniques[technique];
+    for (uint32_t pass = 0; pass < chosen->pass_count; pass++) {
+        glDisable(GL_BLEND);
+        glDepthFunc(GL_GREATER);
+        glDepthMask(GL_TRUE);
+        if (chosen->begin_pass)
+            chosen->begin_pass(pass);
+        draw_items(renderer, technique, pass);
+        clock_end_pass(renderer->clock, chosen->pass_names[pass]);
+    }
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+}
+
+void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
+                        const struct view *view, const struct tile *tile,
+                        const struct target *target)
+{
+    const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
+    const struct style *style = &renderer->style;
+    frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
+    frame_set_view(&renderer->block, view, tile, (double)target->side);
+    frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
+                     &style->light, style->curve.exposure);
+    if (renderer->clock)
+        clock_begin_frame(renderer->clock);
+    glNamedBufferSubData(renderer->block_buffer, 0, sizeof renderer->block, &renderer->block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
+    target_begin(target, background);
+    clock_end_pass(renderer->clock, "clear");
+    for (GLuint i = 0; i < 2; i++) {
+        glBindTextureUnit(i, columns->textures[i]);
+        glBindSampler(i, columns->sampler);
+    }
+    glEnable(GL_CULL_FACE);
+    draw_passes(renderer, technique);
+    /* Feature lines come here: the target is bound, its depth holds the surfaces, blending and culling
+     * are off, and shaders read the frame's block at binding 0. */
+    target_resolve(target);
+    clock_end_pass(renderer->clock, "resolve");
+    if (renderer->clock)
+        clock_end_frame(renderer->clock);
+}
+
+void renderer_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
+                   const struct tile *tile, const struct target *target)
+{
+    renderer_draw_over(renderer, technique, renderer->style.inks.paper, view, tile, target);
+}
+
+enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *err)
+{
+    for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
+        for (uint32_t variant = 0; variant < VARIANTS; variant++) {
+            GLuint *program = &renderer->programs[technique][variant], fresh;
+            if (!*program)
+                continue;
+            HATCH_TRY(compile(renderer, techniques[technique], variant, &fresh, err));
+            glDeleteProgram(*program);
+            *program = fresh;
+        }
+    return HATCH_OK;
+}
+
+void renderer_free(struct renderer *renderer)
+{
+    for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
+        for (uint32_t variant = 0; variant < VARIANTS; variant++)
+            glDeleteProgram(renderer->programs[technique][variant]);
+    for (uint32_t form = 0; form < 3; form++)
+        columns_free(&renderer->columns[form]);
+    glDeleteBuffers(1, &renderer->block_buffer);
+    renderer->block_buffer = 0;
+}

@@ -1,0 +1,57 @@
+/* Draws frames: the programs and the columns of each technique that was asked for, and the loop over
+ * passes and items that all techniques share. */
+#ifndef RENDER_RENDERER_H
+#define RENDER_RENDERER_H
+
+#include "render-gl/clock.h"
+#include "render-gl/frame.h"
+#include "render-gl/scene.h"
+#include "render-gl/target.h"
+#include "render-gl/technique.h"
+
+#define VARIANTS 4u /* of a program: with the material's texture as tone, with its holes */
+
+/* What a user chose, apart from the view. */
+struct style {
+    struct inks inks;
+    struct tone_curve curve;
+    struct own_light light;
+    float anisotropy; /* 1 .. 16 */
+    bool base_tone;   /* the materials' colours and textures count as tone */
+};
+
+struct renderer {
+    struct shader_source shaders;
+    struct style style;
+    const struct hatch_tam *map; /* NULL: only techniques that draw tone alone */
+    struct gpu_scene *scene;
+    uint32_t size_max_px;
+    struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
+    GLuint programs[TECHNIQUE_PROBE + 1][VARIANTS];
+    GLuint block_buffer;
+    struct frame_block block;
+    struct clock *clock; /* NULL: nobody wants to know how long passes take */
+};
+
+/* Makes a technique ready to draw: uploads columns and compiles what its items need. Calling it again
+ * is cheap. technique: index into techniques. */
+enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Draws a tile of a frame into the target and averages its samples. The scene is posed. */
+void renderer_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
+                   const struct tile *tile, const struct target *target);
+
+/* The same over another background than paper; for measurements that are no picture. */
+void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
+                        const struct view *view, const struct tile *tile,
+                        const struct target *target);
+
+/* Compiles anew what has been compiled, when shaders are read from a folder that somebody edits. The
+ * old programs stay when the new ones have an error. */
+enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *err) HATCH_MUST_USE;
+
+void renderer_free(struct renderer *renderer);
+
+#endif

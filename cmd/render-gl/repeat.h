@@ -1,0 +1,16 @@
+/* How often the tonal art map repeats over a mesh's texture coordinates. */
+#ifndef RENDER_REPEAT_H
+#define RENDER_REPEAT_H
+
+#include "render-gl/scene.h"
+#include "render-gl/view.h"
+
+/* Sets every item's repeat. repeat > 0: that, for u and v. 0: powers of two of its own for each item
+ * and direction, so that in a picture height_px high, from where the view is, texels of the finest
+ * level are no larger than pixels, and the coarsest level that holds strokes is not passed. size_px,
+ * levels: of the map. The scene is posed. */
+enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct view *view,
+                             double height_px, uint32_t size_px, uint32_t levels,
+                             struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
+
+#endif

@@ -1,0 +1,213 @@
+#include "render-gl/scene.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+static void middle_of(const struct hatch_mesh *mesh, double middle[3])
+{
+    float low[3], high[3];
+    bool any = hatch_mesh_bounds(mesh, low, high);
+    for (int k = 0; k < 3; k++)
+        middle[k] = any ? 0.5 * (double)low[k] + 0.5 * (double)high[k] : 0.0;
+}
+
+static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
+                                    const double origin[3], struct hatch_arena *arena,
+                                    struct hatch_err *err)
+{
+    const struct hatch_scene_mesh *from = &scene->meshes[index];
+    const struct hatch_mesh *mesh = &from->mesh;
+    uint32_t second = from->material != HATCH_NONE && scene->materials[from->material].base_texcoord;
+    const float *position = hatch_mesh_find(mesh, "POSITION", 3);
+    const float *normal = hatch_mesh_find(mesh, "NORMAL", 3);
+    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    const float *base = hatch_mesh_find(mesh, second ? "TEXCOORD_1" : "TEXCOORD_0", 2);
+    struct vertex *vertices = HATCH_NEW(arena, struct vertex, mesh->vertex_count, err);
+    for (size_t v = 0; vertices && v < mesh->vertex_count; v++) {
+        for (size_t k = 0; k < 3; k++) {
+            vertices[v].position[k] = (float)((double)position[3 * v + k] - origin[k]);
+            vertices[v].normal[k] = normal ? normal[3 * v + k] : 0.0f;
+        }
+        for (size_t k = 0; k < 2; k++) {
+            vertices[v].texcoord[k] = texcoord ? texcoord[2 * v + k] : 0.0f;
+            vertices[v].base_texcoord[k] = base ? base[2 * v + k] : 0.0f;
+        }
+    }
+    return vertices;
+}
+
+static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t index,
+                                     struct hatch_arena *scratch, struct gpu_mesh *gpu,
+                                     struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = &scene->meshes[index].mesh;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    middle_of(mesh, gpu->origin);
+    struct vertex *vertices = make_vertices(scene, index, gpu->origin, scratch, err);
+    if (!vertices)
+        return HATCH_LIMIT;
+    gpu->index_count = 3 * mesh->face_count;
+    glCreateBuffers(1, &gpu->vertices);
+    glCreateBuffers(1, &gpu->indices);
+    glNamedBufferStorage(gpu->vertices, (GLsizeiptr)(sizeof *vertices * (mesh->vertex_count + 1u)),
+                         NULL, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(gpu->vertices, 0, (GLsizeiptr)(sizeof *vertices * mesh->vertex_count),
+                         vertices);
+    glNamedBufferStorage(gpu->indices, (GLsizeiptr)(sizeof(uint32_t) * (gpu->index_count + 1u)),
+                         NULL, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(gpu->indices, 0, (GLsizeiptr)(sizeof(uint32_t) * gpu->index_count),
+                         mesh->indices);
+    hatch_arena_rewind(scratch, mark);
+    return glGetError() == GL_OUT_OF_MEMORY
+               ? hatch_fail(err, HATCH_LIMIT, "mesh %u: the GPU has no memory for it", index)
+               : HATCH_OK;
+}
+
+static void make_vertex_array(struct gpu_item *item, const struct gpu_mesh *mesh)
+{
+    static const struct {
+        GLint size;
+        GLuint offset;
+    } attributes[] = {{3, offsetof(struct vertex, position)},
+                      {3, offsetof(struct vertex, normal)},
+                      {2, offsetof(struct vertex, texcoord)},
+                      {2, offsetof(struct vertex, base_texcoord)}};
+    glCreateVertexArrays(1, &item->vertex_array);
+    glVertexArrayVertexBuffer(item->vertex_array, 0, item->posed ? item->posed : mesh->vertices, 0,
+                              sizeof(struct vertex));
+    glVertexArrayElementBuffer(item->vertex_array, mesh->indices);
+    for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++) {
+        glEnableVertexArrayAttrib(item->vertex_array, i);
+        glVertexArrayAttribFormat(item->vertex_array, i, attributes[i].size, GL_FLOAT, GL_FALSE,
+                                  attributes[i].offset);
+        glVertexArrayAttribBinding(item->vertex_array, i, 0);
+    }
+}
+
+static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
+                      struct gpu_item *item)
+{
+    const struct hatch_scene *scene = gpu->scene;
+    const struct hatch_scene_mesh *from = &scene->meshes[mesh];
+    *item = (struct gpu_item){.mesh = mesh,
+                              .node = node,
+                              .repeat = {1.0f, 1.0f},
+                              .double_sided = true,
+                              .base_lightness = 1.0f};
+    if (from->material != HATCH_NONE) {
+        const struct hatch_material *material = &scene->materials[from->material];
+        item->double_sided = material->double_sided;
+        item->alpha_cutoff = material->alpha_cutoff;
+    }
+    if (scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(&from->mesh, "JOINTS_0", 4) &&
+        hatch_mesh_find(&from->mesh, "WEIGHTS_0", 4)) {
+        glCreateBuffers(1, &item->posed);
+        glNamedBufferData(item->posed,
+                          (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
+                          GL_DYNAMIC_DRAW);
+    }
+    make_vertex_array(item, &gpu->meshes[mesh]);
+}
+
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bounds *bounds,
+                               struct hatch_arena *arena, struct hatch_arena *scratch,
+                               struct gpu_scene *gpu, struct hatch_err *err)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->node_count; i++)
+        count += scene->nodes[i].mesh_count;
+    struct gpu_scene made = {.scene = scene, .bounds = *bounds};
+    HATCH_TRY(pose_make(scene, arena, &made.pose, err));
+    made.meshes = HATCH_NEW(arena, struct gpu_mesh, scene->mesh_count, err);
+    made.items = made.meshes ? HATCH_NEW(arena, struct gpu_item, count, err) : NULL;
+    if (!made.items)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        HATCH_TRY(upload_mesh(scene, i, scratch, &made.meshes[i], err));
+    for (uint32_t node = 0; node < scene->node_count; node++)
+        for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
+            make_item(&made, node, scene->nodes[node].first_mesh + i,
+                      &made.items[made.item_count++]);
+    *gpu = made;
+    return HATCH_OK;
+}
+
+/* The vertices of the buffer are relative to the mesh's origin, the picture is of the unit scene:
+ * both shifts join in doubles, where they cancel without loss. */
+static void place_item(const struct gpu_scene *gpu, struct gpu_item *item)
+{
+    const double *origin = gpu->meshes[item->mesh].origin;
+    double world[16], normal[9], largest = 0;
+    pose_matrix(&gpu->pose, item->node, world);
+    item->mirrored = pose_normal_matrix(world, normal);
+    for (int c = 0; c < 3; c++)
+        for (int r = 0; r < 3; r++) {
+            item->to_unit[4 * c + r] = (float)(world[4 * c + r] / gpu->bounds.radius);
+            largest = fmax(largest, fabs(normal[3 * c + r]));
+        }
+    for (int i = 0; i < 9; i++)
+        item->normal[i] = largest > 0 ? (float)(normal[i] / largest) : 0.0f;
+    for (int r = 0; r < 3; r++) {
+        double at = world[12 + r] - gpu->bounds.center[r];
+        for (int c = 0; c < 3; c++)
+            at += world[4 * c + r] * origin[c];
+        item->to_unit[12 + r] = (float)(at / gpu->bounds.radius);
+        item->to_unit[4 * r + 3] = 0.0f;
+    }
+    item->to_unit[15] = 1.0f;
+}
+
+static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
+{
+    static const float unit[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const float straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double zero[3] = {0, 0, 0};
+    size_t count = gpu->scene->meshes[item->mesh].mesh.vertex_count;
+    struct vertex *vertices = make_vertices(gpu->scene, item->mesh, zero, scratch, err);
+    double *positions = vertices ? HATCH_NEW(scratch, double, 3 * count, err) : NULL;
+    float *normals = positions ? HATCH_NEW(scratch, float, 3 * count, err) : NULL;
+    if (!normals)
+        return HATCH_LIMIT;
+    pose_vertices(&gpu->pose, item->node, item->mesh, positions, normals);
+    for (size_t v = 0; v < count; v++)
+        for (size_t k = 0; k < 3; k++) {
+            vertices[v].position[k] =
+                (float)((positions[3 * v + k] - gpu->bounds.center[k]) / gpu->bounds.radius);
+            vertices[v].normal[k] = normals[3 * v + k];
+        }
+    glNamedBufferSubData(item->posed, 0, (GLsizeiptr)(sizeof *vertices * count), vertices);
+    memcpy(item->to_unit, unit, sizeof unit);
+    memcpy(item->normal, straight, sizeof straight);
+    return HATCH_OK;
+}
+
+enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
+                                 struct hatch_arena *scratch, struct hatch_err *err)
+{
+    pose_at(&gpu->pose, animation, time_s);
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        struct gpu_item *item = &gpu->items[i];
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        if (item->posed)
+            HATCH_TRY(pose_item(gpu, item, scratch, err));
+        else
+            place_item(gpu, item);
+        hatch_arena_rewind(scratch, mark);
+    }
+    return HATCH_OK;
+}
+
+void scene_free(struct gpu_scene *gpu)
+{
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        glDeleteVertexArrays(1, &gpu->items[i].vertex_array);
+        glDeleteBuffers(1, &gpu->items[i].posed);
+    }
+    for (uint32_t i = 0; gpu->meshes && i < gpu->scene->mesh_count; i++) {
+        glDeleteBuffers(1, &gpu->meshes[i].vertices);
+        glDeleteBuffers(1, &gpu->meshes[i].indices);
+    }
+    *gpu = (struct gpu_scene){0};
+}

@@ -1,0 +1,62 @@
+/* The scene on the GPU: one vertex and index buffer per mesh, one item per place where a node shows
+ * a mesh. */
+#ifndef RENDER_SCENE_H
+#define RENDER_SCENE_H
+
+#include <epoxy/gl.h>
+
+#include "render-gl/pose.h"
+
+/* What the vertex stage reads; 40 bytes. */
+struct vertex {
+    float position[3]; /* minus the mesh's origin; of a skinned item: in the unit scene */
+    float normal[3];
+    float texcoord[2];
+    float base_texcoord[2];
+};
+
+struct gpu_mesh {
+    GLuint vertices, indices;
+    uint32_t index_count;
+    double origin[3]; /* the middle of its box: digits that floats need not carry */
+};
+
+struct gpu_item {
+    uint32_t mesh, node;
+    GLuint vertex_array;
+    GLuint posed;         /* a skinned item's own vertices, renewed with the pose; else 0 */
+    float to_unit[16];    /* what the buffer holds, to the unit scene; column-major */
+    float normal[9];
+    float repeat[2];      /* tiles of the tonal art map per unit of u and of v */
+    bool mirrored;        /* the node turns the faces' winding round */
+    bool double_sided;
+    float alpha_cutoff;   /* 0: no holes */
+    GLuint base_texture;  /* 0: none */
+    float base_side_px;   /* its longer side */
+    float base_lod;       /* the level of it that is as coarse as the vertices are */
+    float base_lightness; /* luminance of the material's colour, 1 when it does not count */
+};
+
+struct gpu_scene {
+    const struct hatch_scene *scene;
+    struct bounds bounds;
+    struct pose pose;
+    uint32_t item_count;
+    struct gpu_mesh *meshes; /* scene->mesh_count */
+    struct gpu_item *items;
+};
+
+/* Uploads every mesh and lists the items; pose must hold room. Nothing is drawn with: call
+ * scene_set_pose. */
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bounds *bounds,
+                               struct hatch_arena *arena, struct hatch_arena *scratch,
+                               struct gpu_scene *gpu, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Moves the items to a moment of an animation (HATCH_NONE: the rest pose). */
+enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
+                                 struct hatch_arena *scratch, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+void scene_free(struct gpu_scene *gpu);
+
+#endif

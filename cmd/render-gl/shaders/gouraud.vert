@@ -1,0 +1,24 @@
+// The tone alone.
+#include "vertex.glsl"
+
+#ifdef BASE_TEXTURE
+out vec2 v_base_texcoord;
+#endif
+#ifdef BASE_TONE
+out float v_light;
+#else
+out vec2 v_amounts;
+#endif
+
+void main()
+{
+    float light = place();
+#ifdef BASE_TEXTURE
+    v_base_texcoord = a_base_texcoord;
+#endif
+#ifdef BASE_TONE
+    v_light = light;
+#else
+    v_amounts = ink_amounts(light);
+#endif
+}

@@ -1,0 +1,40 @@
+#include "frame.glsl"
+
+// Diffuse light and highlight at a point, 0 and up; lit per vertex, as in the paper's section 3.
+float light_at(vec3 point, vec3 normal)
+{
+    vec3 to_eye = normalize(eye.xyz - eye.w * point);
+    float sum = shade.y;
+    for (int i = 0; i < counts.x; i++) {
+        vec3 to_light = lights[i].direction.xyz;
+        float strength = lights[i].direction.w;
+        if (lights[i].position.w > 0.0) {
+            vec3 from = lights[i].position.xyz - point;
+            float square = max(dot(from, from), lights[i].cone.w);
+            to_light = from * inversesqrt(square);
+            float spot = clamp(dot(lights[i].direction.xyz, -to_light) * lights[i].cone.x +
+                               lights[i].cone.y, 0.0, 1.0);
+            float far = square * lights[i].cone.z;
+            strength *= spot * spot * clamp(1.0 - far * far, 0.0, 1.0) / square;
+        }
+        float facing = max(dot(normal, to_light), 0.0);
+        sum += strength * facing;
+        if (shade.z > 0.0 && facing > 0.0) {
+            float mirror = max(dot(normal, normalize(to_light + to_eye)), 0.0);
+            sum += strength * shade.z * pow(mirror, shade.w);
+        }
+    }
+    return sum;
+}
+
+// How much of the dark and of the light ink a lightness asks for.
+vec2 ink_amounts(float lightness)
+{
+    float dark = pow(1.0 - clamp(lightness, 0.0, 1.0), curve.z);
+    vec2 amounts = vec2(dark, 0.0);
+    if (counts.z == 1)
+        amounts.x = 1.0 - dark;
+    if (counts.z == 2)
+        amounts = vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0));
+    return mix(curve.xx, curve.yy, amounts);
+}

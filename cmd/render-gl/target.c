@@ -1,0 +1,132 @@
+#include "render-gl/target.h"
+
+#include <assert.h>
+
+static enum hatch_status make_buffers(struct target *target, struct hatch_err *err)
+{
+    GLsizei width = (GLsizei)target->width, height = (GLsizei)target->height;
+    GLsizei side = (GLsizei)target->side;
+    glCreateTextures(GL_TEXTURE_2D, 1, &target->color);
+    glTextureStorage2D(target->color, 1, GL_RGBA16F, side * width, side * height);
+    glCreateRenderbuffers(1, &target->depth);
+    glNamedRenderbufferStorage(target->depth, GL_DEPTH_COMPONENT32F, side * width, side * height);
+    glCreateFramebuffers(1, &target->framebuffer);
+    glNamedFramebufferTexture(target->framebuffer, GL_COLOR_ATTACHMENT0, target->color, 0);
+    glNamedFramebufferRenderbuffer(target->framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                   target->depth);
+    target->resolved_framebuffer = target->framebuffer;
+    if (side > 1) {
+        glCreateTextures(GL_TEXTURE_2D, 1, &target->resolved);
+        glTextureStorage2D(target->resolved, 1, GL_RGBA16F, width, height);
+        glCreateFramebuffers(1, &target->resolved_framebuffer);
+        glNamedFramebufferTexture(target->resolved_framebuffer, GL_COLOR_ATTACHMENT0,
+                                  target->resolved, 0);
+    }
+    if (glGetError() == GL_OUT_OF_MEMORY ||
+        glCheckNamedFramebufferStatus(target->framebuffer, GL_FRAMEBUFFER) !=
+            GL_FRAMEBUFFER_COMPLETE)
+        return hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for a picture of %u by %u samples",
+                          target->side * target->width, target->side * target->height);
+    return HATCH_OK;
+}
+
+enum hatch_status target_make(uint32_t width, uint32_t height, uint32_t side,
+                              const struct shader_source *shaders, struct target *target,
+                              struct hatch_err *err)
+{
+    static const struct shader_stages stages = {.vertex = "screen.vert", .fragment = "resolve.frag"};
+    struct target made = {.width = width, .height = height, .side = side};
+    enum hatch_status status = shader_program(shaders, &stages, "", &made.program, err);
+    glCreateVertexArrays(1, &made.no_vertices);
+    if (status == HATCH_OK)
+        status = make_buffers(&made, err);
+    if (status == HATCH_OK)
+        *target = made;
+    else
+        target_free(&made);
+    return status;
+}
+
+void target_begin(const struct target *target, const float rgb[3])
+{
+    const GLfloat clear[4] = {rgb[0], rgb[1], rgb[2], 0.0f}, far = 0.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glViewport(0, 0, (GLsizei)(target->side * target->width),
+               (GLsizei)(target->side * target->height));
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glClearBufferfv(GL_COLOR, 0, clear);
+    glClearBufferfv(GL_DEPTH, 0, &far);
+}
+
+static void draw_samples(const struct target *target, GLuint framebuffer, bool encode)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glUseProgram(target->program);
+    glBindTextureUnit(0, target->color);
+    glBindSampler(0, 0);
+    glUniform1i(0, (GLint)target->side);
+    glUniform1i(1, encode);
+    glBindVertexArray(target->no_vertices);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void target_resolve(const struct target *target)
+{
+    if (target->side > 1)
+        draw_samples(target, target->resolved_framebuffer, false);
+}
+
+void target_present(const struct target *target)
+{
+    draw_samples(target, 0, true);
+}
+
+void target_read(const struct target *target, uint32_t width, uint32_t height,
+                 struct hatch_image *image, uint32_t x, uint32_t y)
+{
+    assert(image->channel_count == 3 && x + width <= image->width && y + height <= image->height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target->resolved_framebuffer);
+    float *corner = image->pixels +
+                    3 * ((size_t)(image->height - y - height) * image->width + x);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)image->width);
+    glReadPixels(0, 0, (GLsizei)width, (GLsizei)height, GL_RGB, GL_FLOAT, corner);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    /* OpenGL's first row is the lowest. */
+    for (size_t low = 0, high = height - 1; low < high; low++, high--)
+        for (size_t i = 0; i < 3 * (size_t)width; i++) {
+            float *a = corner + 3 * low * image->width + i, *b = corner + 3 * high * image->width + i;
+            float swap = *a;
+            *a = *b;
+            *b = swap;
+        }
+}
+
+void target_read_samples(const struct target *target, float *rgba)
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, (GLsizei)(target->side * target->width),
+                 (GLsizei)(target->side * target->height), GL_RGBA, GL_FLOAT, rgba);
+}
+
+void target_free(struct target *target)
+{
+    if (target->resolved_framebuffer != target->framebuffer)
+        glDeleteFramebuffers(1, &target->resolved_framebuffer);
+    glDeleteFramebuffers(1, &target->framebuffer);
+    glDeleteRenderbuffers(1, &target->depth);
+    glDeleteTextures(1, &target->color);
+    glDeleteTextures(1, &target->resolved);
+    glDeleteVertexArrays(1, &target->no_vertices);
+    glDeleteProgram(target->program);
+    *target = (struct target){0};
+}

@@ -1,0 +1,19 @@
+#include "render-gl/technique.h"
+
+#include <stddef.h>
+
+extern const struct technique technique_tam, technique_tam_flat, technique_tam_face,
+    technique_tam_gouraud, technique_tam_triple, technique_tam_threshold, technique_gouraud,
+    technique_probe;
+
+const struct technique *const techniques[TECHNIQUE_PROBE + 1] = {
+    &technique_tam,        &technique_tam_flat,      &technique_tam_face, &technique_tam_gouraud,
+    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,  &technique_probe};
+
+const char *const *technique_names(void)
+{
+    static const char *names[TECHNIQUE_PROBE + 1];
+    for (size_t i = 0; i < TECHNIQUE_PROBE; i++)
+        names[i] = techniques[i]->name;
+    return names;
+}

@@ -1,0 +1,29 @@
+/* A technique: how tone becomes strokes. One file technique_NAME.c with one table entry, listed in
+ * technique.c; adding one touches its file, the list and its section of render-gl(1). */
+#ifndef RENDER_TECHNIQUE_H
+#define RENDER_TECHNIQUE_H
+
+#include "render-gl/columns.h"
+#include "render-gl/shader.h"
+
+#define TECHNIQUE_PASSES_MAX 4u
+#define TECHNIQUE_PROBE 7u /* the last in the list, and no choice of --technique */
+
+struct technique {
+    const char *name;
+    const char *summary;          /* one line for the window's terminal help */
+    enum columns_form columns;    /* the form of the tonal art map that it draws with */
+    struct shader_stages stages;
+    const char *defines;          /* lines before each stage, "" for none */
+    uint32_t pass_count;          /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
+    const char *pass_names[TECHNIQUE_PASSES_MAX];
+    void (*begin_pass)(uint32_t pass); /* sets blending and depth other than the usual; or NULL */
+};
+
+/* In the order of --technique's choices. */
+extern const struct technique *const techniques[TECHNIQUE_PROBE + 1];
+
+/* Their names, for the option table; the last entry is NULL. */
+const char *const *technique_names(void);
+
+#endif

@@ -1,0 +1,237 @@
+#include "render-gl/view.h"
+
+#include <math.h>
+#include <string.h>
+
+#define TURNS 24
+#define MARGIN 0.92 /* share of the picture that a framed scene fills */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static bool make_unit(double v[3])
+{
+    double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3 && length > 0; k++)
+        v[k] /= length;
+    return length > 0 && isfinite(length);
+}
+
+void view_set_back(struct view *view, const double back[3])
+{
+    static const double vertical[3] = {0, 1, 0}, depth[3] = {0, 0, 1};
+    memcpy(view->back, back, sizeof view->back);
+    if (!make_unit(view->back))
+        memcpy(view->back, depth, sizeof depth);
+    cross(vertical, view->back, view->right);
+    if (dot(view->right, view->right) < 1e-12)
+        cross(view->back[1] > 0 ? (const double[3]){0, 0, -1} : depth, view->back, view->right);
+    make_unit(view->right);
+    cross(view->back, view->right, view->up);
+}
+
+struct fit {
+    const struct view *view;
+    const struct bounds *bounds;
+    int turns;
+    double left, right, down, up; /* how far the sides must move out: max(±x + z·tan) */
+    double nearest;
+    bool any;
+};
+
+static void fit_point(void *context, const double point[3])
+{
+    struct fit *fit = context;
+    const struct view *view = fit->view;
+    double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
+    double p[3];
+    for (int k = 0; k < 3; k++)
+        p[k] = (point[k] - fit->bounds->center[k]) / fit->bounds->radius;
+    for (int turn = 0; turn < fit->turns; turn++) {
+        double angle = 2.0 * 3.14159265358979324 * turn / fit->turns, c = cos(angle), s = sin(angle);
+        double q[3] = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0]};
+        double x = dot(q, view->right), y = dot(q, view->up), z = dot(q, view->back);
+        fit->right = fit->any ? fmax(fit->right, x + z * tan_x) : x + z * tan_x;
+        fit->left = fit->any ? fmax(fit->left, z * tan_x - x) : z * tan_x - x;
+        fit->up = fit->any ? fmax(fit->up, y + z * tan_y) : y + z * tan_y;
+        fit->down = fit->any ? fmax(fit->down, z * tan_y - y) : z * tan_y - y;
+        fit->nearest = fit->any ? fmax(fit->nearest, z) : z;
+        fit->any = true;
+    }
+}
+
+/* The closest eye from which every corner is inside the picture: for each side of the frustum the
+ * corner that is furthest out decides, which gives the distance and the sideways shift at once. */
+static enum hatch_status frame_scene(const struct view_choice *choice, struct pose *pose,
+                                     const struct pose_span *span, const struct bounds *bounds,
+                                     struct hatch_arena *scratch, struct view *view,
+                                     struct hatch_err *err)
+{
+    double level = cos(choice->elevation_rad);
+    view_set_back(view, (const double[3]){level * sin(choice->azimuth_rad),
+                                          sin(choice->elevation_rad),
+                                          level * cos(choice->azimuth_rad)});
+    view->half_height = tan(0.5 * choice->fov_rad);
+    struct fit fit = {.view = view, .bounds = bounds, .turns = choice->turns ? TURNS : 1};
+    HATCH_TRY(pose_each_corner(pose, span, scratch, fit_point, &fit, err));
+    double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
+    double x = 0.5 * (fit.right - fit.left), y = 0.5 * (fit.up - fit.down);
+    double distance = fmax(0.5 * (fit.right + fit.left) / tan_x, 0.5 * (fit.up + fit.down) / tan_y);
+    if (!fit.any)
+        distance = 1.0 / tan_y;
+    distance = fmax(distance, fit.nearest + 0.02);
+    for (int k = 0; k < 3; k++)
+        view->eye[k] = distance * view->back[k] + x * view->right[k] + y * view->up[k];
+    view->near = 1e-4;
+    view->pivot = distance;
+    return HATCH_OK;
+}
+
+/* A camera that asks for its own shape keeps all that it sees inside a picture of another shape. */
+static void set_lens(const struct hatch_camera *camera, double radius, double aspect,
+                     struct view *view)
+{
+    double half = camera->orthographic ? (double)camera->ymag / radius
+                                       : tan(0.5 * (double)camera->yfov_rad);
+    double wanted = camera->aspect > 0 ? (double)camera->aspect : aspect;
+    view->orthographic = camera->orthographic;
+    view->half_height = wanted > aspect ? half * wanted / aspect : half;
+    view->near = (double)camera->znear / radius;
+    view->far = camera->zfar > camera->znear ? (double)camera->zfar / radius : view->near + 1e4;
+    if (!camera->orthographic)
+        view->near = fmax(view->near, 1e-7);
+}
+
+static enum hatch_status look_through(uint32_t index, const struct pose *pose,
+                                      const struct bounds *bounds, double aspect,
+                                      struct view *view, struct hatch_err *err)
+{
+    const struct hatch_scene *scene = pose->scene;
+    uint32_t node = 0;
+    while (node < scene->node_count && scene->nodes[node].camera != index)
+        node++;
+    if (index >= scene->camera_count || node == scene->node_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: the scene shows %u cameras", index,
+                          scene->camera_count);
+    double world[16];
+    pose_matrix(pose, node, world);
+    double back[3] = {world[8], world[9], world[10]}, up[3] = {world[4], world[5], world[6]};
+    if (!make_unit(back) || !make_unit(up))
+        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: its node has no size", index);
+    memcpy(view->back, back, sizeof back);
+    cross(up, back, view->right);
+    make_unit(view->right);
+    cross(back, view->right, view->up);
+    for (int k = 0; k < 3; k++)
+        view->eye[k] = (world[12 + k] - bounds->center[k]) / bounds->radius;
+    view->pivot = fmax(dot(view->eye, view->back), 0.05);
+    set_lens(&scene->cameras[index], bounds->radius, aspect, view);
+    return HATCH_OK;
+}
+
+static void look_from(const struct view_choice *choice, const struct bounds *bounds,
+                      struct view *view)
+{
+    double back[3];
+    for (int k = 0; k < 3; k++) {
+        double target =
+            choice->has_target ? (choice->target[k] - bounds->center[k]) / bounds->radius : 0.0;
+        view->eye[k] = (choice->eye[k] - bounds->center[k]) / bounds->radius;
+        back[k] = view->eye[k] - target;
+    }
+    view->half_height = tan(0.5 * choice->fov_rad);
+    view->near = 1e-4;
+    view->pivot = fmax(sqrt(dot(back, back)), 1e-3);
+    view_set_back(view, back);
+}
+
+/* The first camera that a node shows, or HATCH_NONE. */
+static uint32_t first_camera(const struct hatch_scene *scene)
+{
+    for (uint32_t node = 0; node < scene->node_count; node++)
+        if (scene->nodes[node].camera != HATCH_NONE)
+            return scene->nodes[node].camera;
+    return HATCH_NONE;
+}
+
+bool view_is_fixed(const struct view_choice *choice, const struct hatch_scene *scene)
+{
+    bool through_camera = choice->kind == VIEW_CAMERA || (choice->kind == VIEW_FIRST_CAMERA &&
+                                                          first_camera(scene) != HATCH_NONE);
+    return !through_camera;
+}
+
+enum hatch_status view_make(const struct view_choice *choice, struct pose *pose,
+                            const struct pose_span *span, const struct bounds *bounds,
+                            double aspect, struct hatch_arena *scratch, struct view *view,
+                            struct hatch_err *err)
+{
+    struct view made = {.aspect = aspect};
+    uint32_t camera =
+        choice->kind == VIEW_FIRST_CAMERA ? first_camera(pose->scene) : choice->index;
+    if (!view_is_fixed(choice, pose->scene))
+        HATCH_TRY(look_through(camera, pose, bounds, aspect, &made, err));
+    else if (choice->kind == VIEW_EYE)
+        look_from(choice, bounds, &made);
+    else
+        HATCH_TRY(frame_scene(choice, pose, span, bounds, scratch, &made, err));
+    *view = made;
+    return HATCH_OK;
+}
+
+static void turn(double v[3], double c, double s)
+{
+    double x = c * v[0] + s * v[2];
+    v[2] = c * v[2] - s * v[0];
+    v[0] = x;
+}
+
+void view_turn(struct view *view, double angle_rad)
+{
+    double c = cos(angle_rad), s = sin(angle_rad);
+    turn(view->eye, c, s);
+    turn(view->right, c, s);
+    turn(view->up, c, s);
+    turn(view->back, c, s);
+}
+
+void view_matrix(const struct view *view, const struct tile *tile, float clip_from_unit[16])
+{
+    double scale[2] = {tile->full_width / tile->width, tile->full_height / tile->height};
+    double shift[2] = {(tile->full_width - 2 * tile->x) / tile->width - 1,
+                       (tile->full_height - 2 * tile->y) / tile->height - 1};
+    double lens[2] = {1 / (view->half_height * view->aspect), 1 / view->half_height};
+    const double *axes[3] = {view->right, view->up, view->back};
+    double camera[3][4]; /* rows: x, y, z of the camera's coordinates */
+    for (int row = 0; row < 3; row++) {
+        for (int k = 0; k < 3; k++)
+            camera[row][k] = axes[row][k];
+        camera[row][3] = -dot(axes[row], view->eye);
+    }
+    for (int column = 0; column < 4; column++) {
+        double one = column == 3 ? 1.0 : 0.0, z = camera[2][column];
+        double w = view->orthographic ? one : -z;
+        for (int row = 0; row < 2; row++)
+            clip_from_unit[4 * column + row] =
+                (float)(scale[row] * lens[row] * camera[row][column] + shift[row] * w);
+        double depth = view->orthographic ? (z + view->far * one) / (view->far - view->near)
+                                          : view->near * one;
+        clip_from_unit[4 * column + 2] = (float)depth;
+        clip_from_unit[4 * column + 3] = (float)w;
+    }
+}
+
+double view_pixels_per_unit(const struct view *view, const double point[3], double height_px)
+{
+    double from[3] = {view->eye[0] - point[0], view->eye[1] - point[1], view->eye[2] - point[2]};
+    double distance = view->orthographic ? 1.0 : fmax(dot(from, view->back), view->near);
+    return height_px / (2 * view->half_height * distance);
+}
