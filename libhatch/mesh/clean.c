@@ -178,8 +178,12 @@ enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena
     hatch_arena_rewind(scratch, mark);
     if (status != HATCH_OK)
         return status;
-    w.notes.polygons_split = notes->polygons_split;
+    notes->degenerate_dropped += w.notes.degenerate_dropped;
+    notes->duplicates_dropped += w.notes.duplicates_dropped;
+    notes->unreferenced_dropped += w.notes.unreferenced_dropped;
+    notes->faces_flipped += w.notes.faces_flipped;
+    notes->non_manifold_edges += w.notes.non_manifold_edges;
+    notes->contrary_edges += w.notes.contrary_edges;
     *mesh = out;
-    *notes = w.notes;
     return HATCH_OK;
 }

@@ -85,8 +85,8 @@ enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatc
 
 /* Drops faces with a repeated corner or without area, faces given twice and unreferenced vertices;
  * turns faces so that neighbours agree (a component keeps the side that most of its faces had; a
- * closed one whose faces disagreed takes the side of positive volume); counts what it did in notes,
- * whose polygons_split stays. Vertices keep their order. HATCH_BAD_INPUT when no face is left. */
+ * closed one whose faces disagreed takes the side of positive volume); adds what it did to notes.
+ * Vertices keep their order. HATCH_BAD_INPUT when no face is left. */
 enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch,
                                    struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                    struct hatch_err *err) HATCH_MUST_USE;

@@ -1,0 +1,110 @@
+#include "io/mesh_file.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "io/mesh_polygon.h"
+
+static bool starts_with(struct hatch_bytes file, const char *magic)
+{
+    size_t length = strlen(magic);
+    return file.size >= length && memcmp(file.data, magic, length) == 0;
+}
+
+/* Endings are compared without regard to case; C's tolower would follow the locale. */
+static bool ends_with(const char *name, const char *ending)
+{
+    size_t length = strlen(name), want = strlen(ending);
+    if (length < want)
+        return false;
+    for (size_t i = 0; i < want; i++) {
+        char c = name[length - want + i];
+        if (c >= 'A' && c <= 'Z')
+            c = (char)(c - 'A' + 'a');
+        if (c != ending[i])
+            return false;
+    }
+    return true;
+}
+
+static uint8_t first_visible(struct hatch_bytes file)
+{
+    for (size_t i = 0; i < file.size; i++)
+        if (file.data[i] > ' ')
+            return file.data[i];
+    return 0;
+}
+
+/* OBJ has no magic word: a text whose first line is one of its commonest. */
+static bool looks_like_obj(struct hatch_bytes file)
+{
+    size_t i = 0;
+    while (i < file.size && (file.data[i] == '#' || file.data[i] <= ' ')) {
+        const uint8_t *newline = memchr(file.data + i, '\n', file.size - i);
+        if (!newline)
+            return false;
+        i = (size_t)(newline - file.data) + 1;
+    }
+    struct hatch_bytes rest = {file.data + i, file.size - i};
+    static const char *const words[] = {"v ", "vt ", "vn ", "o ", "g ", "mtllib ", "usemtl ", NULL};
+    for (const char *const *w = words; *w; w++)
+        if (starts_with(rest, *w))
+            return true;
+    return false;
+}
+
+static enum hatch_mesh_format by_content(struct hatch_bytes file)
+{
+    if (starts_with(file, "glTF") || first_visible(file) == '{')
+        return HATCH_MESH_GLTF;
+    if (starts_with(file, "ply"))
+        return HATCH_MESH_PLY;
+    if (starts_with(file, "OFF") || starts_with(file, "COFF") || starts_with(file, "NOFF") ||
+        starts_with(file, "CNOFF"))
+        return HATCH_MESH_OFF;
+    return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
+}
+
+enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name)
+{
+    static const struct {
+        const char *ending;
+        enum hatch_mesh_format format;
+    } endings[] = {
+        {".glb", HATCH_MESH_GLTF}, {".gltf", HATCH_MESH_GLTF}, {".ply", HATCH_MESH_PLY},
+        {".obj", HATCH_MESH_OBJ},  {".off", HATCH_MESH_OFF},   {".stl", HATCH_MESH_STL},
+    };
+    enum hatch_mesh_format format = by_content(file);
+    for (size_t i = 0; !format && name && i < sizeof endings / sizeof *endings; i++)
+        if (ends_with(name, endings[i].ending))
+            format = endings[i].format;
+    return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
+}
+
+enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err)
+{
+    static const hatch_mesh_reader readers[] = {[HATCH_MESH_PLY] = hatch_ply_read,
+                                                [HATCH_MESH_OBJ] = hatch_obj_read,
+                                                [HATCH_MESH_OFF] = hatch_off_read,
+                                                [HATCH_MESH_STL] = hatch_stl_read};
+    assert(format != HATCH_MESH_GLTF);
+    if (file.size == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "empty");
+    if (format == HATCH_MESH_UNKNOWN)
+        return hatch_fail(err, HATCH_BAD_INPUT, "not a GLB, glTF, PLY, OBJ, OFF or STL file");
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_mesh_notes said = *notes;
+    struct hatch_mesh made;
+    enum hatch_status status = readers[format](file, arena, scratch, &made, &said, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        status = hatch_mesh_check(&made, err);
+    if (status != HATCH_OK)
+        return status;
+    *mesh = made;
+    *notes = said;
+    return HATCH_OK;
+}

@@ -1,0 +1,108 @@
+/* STL, binary and text. Triangles come one by one, each with corners of its own; the normals of the
+ * file are not read: many are wrong or zero, and the corners say the same. */
+#include <math.h>
+#include <string.h>
+
+#include "io/mesh_polygon.h"
+#include "io/mesh_text.h"
+
+enum { HEADER = 80, TRIANGLE = 50 };
+
+static bool is_binary(struct hatch_bytes file)
+{
+    if (file.size < HEADER + 4)
+        return false;
+    struct hatch_reader reader = hatch_reader_of(file);
+    hatch_read_bytes(&reader, HEADER);
+    uint64_t count = hatch_read_u32(&reader);
+    return file.size == HEADER + 4 + count * TRIANGLE || memcmp(file.data, "solid", 5) != 0;
+}
+
+static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh,
+                              struct hatch_err *err)
+{
+    if (faces == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
+    if (faces > UINT32_MAX / 3 - 1)
+        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces,
+                          UINT32_MAX / 3 - 1);
+    uint32_t corners = (uint32_t)faces * 3;
+    HATCH_TRY(hatch_mesh_make(arena, corners, (uint32_t)faces, mesh, err));
+    for (uint32_t i = 0; i < corners; i++)
+        mesh->indices[i] = i;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_binary(struct hatch_bytes file, struct hatch_arena *arena,
+                                     struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    struct hatch_reader reader = hatch_reader_of(file);
+    hatch_read_bytes(&reader, HEADER);
+    uint32_t count = hatch_read_u32(&reader);
+    if (hatch_reader_left(&reader) / TRIANGLE < count)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "offset %d: %u triangles, there are bytes for %zu (or text that does not "
+                          "start with solid)",
+                          HEADER, count, hatch_reader_left(&reader) / TRIANGLE);
+    struct hatch_mesh made;
+    HATCH_TRY(make(count, arena, &made, err));
+    float *to = made.attributes[0].data;
+    for (uint32_t f = 0; f < count; f++) {
+        hatch_read_bytes(&reader, 12);
+        for (int i = 0; i < 9; i++) {
+            *to = hatch_read_f32(&reader);
+            if (!isfinite(*to++))
+                return hatch_fail(err, HATCH_BAD_INPUT, "triangle %u: a position is not finite", f);
+        }
+        hatch_read_u16(&reader);
+    }
+    *mesh = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_err *err)
+{
+    struct hatch_text text = hatch_text_of(file);
+    struct hatch_buffer positions = {.arena = scratch};
+    uint32_t corners = 0; /* of the facet being read */
+    bool ended = false;
+    do {
+        struct hatch_word word = hatch_text_word(&text);
+        if (hatch_word_is(word, "vertex")) {
+            float p[3];
+            for (int k = 0; k < 3; k++)
+                HATCH_TRY(hatch_text_float(&text, "vertex", &p[k], err));
+            HATCH_TRY(hatch_buffer_add(&positions, p, sizeof p, err));
+            corners++;
+        } else if (hatch_word_is(word, "endfacet")) {
+            if (corners != 3)
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corners, want 3",
+                                  text.line, corners);
+            corners = 0;
+        } else if (word.length && !hatch_word_is(word, "solid") && !hatch_word_is(word, "facet") &&
+                   !hatch_word_is(word, "outer") && !hatch_word_is(word, "endloop") &&
+                   !hatch_word_is(word, "endsolid")) {
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text.line,
+                              hatch_word_shown(word), word.start);
+        }
+        ended = word.length ? hatch_word_is(word, "endsolid") : ended;
+    } while (hatch_text_next_line(&text));
+    if (!ended || corners)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", text.line);
+    struct hatch_mesh made;
+    HATCH_TRY(make(positions.size / (9 * sizeof(float)), arena, &made, err));
+    memcpy(made.attributes[0].data, positions.data, positions.size);
+    *mesh = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_stl_read(struct hatch_bytes file, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    (void)notes;
+    return is_binary(file) ? read_binary(file, arena, mesh, err)
+                           : read_text(file, arena, scratch, mesh, err);
+}

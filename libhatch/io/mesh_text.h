@@ -1,0 +1,50 @@
+/* Private to the mesh readers: words and numbers of a text that need not end with a zero. */
+#ifndef HATCH_IO_MESH_TEXT_H
+#define HATCH_IO_MESH_TEXT_H
+
+#include <stdbool.h>
+
+#include "base/bytes.h"
+
+struct hatch_text {
+    const char *at, *end;
+    uint32_t line;  /* of at, from 1 */
+    bool continues; /* a backslash before a line's end joins it with the next (OBJ) */
+    char comment;   /* starts a comment that runs to the line's end; 0: none does */
+};
+
+struct hatch_word {
+    const char *start;
+    size_t length; /* 0: the line has no further word */
+};
+
+struct hatch_text hatch_text_of(struct hatch_bytes bytes);
+
+/* The next word of this line: what stands between blanks. */
+struct hatch_word hatch_text_word(struct hatch_text *text);
+
+/* Goes to the start of the next line; false at the end of the text. */
+bool hatch_text_next_line(struct hatch_text *text);
+
+/* The next word, on this or a later line; length 0 at the end of the text. */
+struct hatch_word hatch_text_any_word(struct hatch_text *text);
+
+size_t hatch_text_left(const struct hatch_text *text);
+
+bool hatch_word_is(struct hatch_word word, const char *name);
+
+/* How much of a word a message shows: for "%.*s". */
+int hatch_word_shown(struct hatch_word word);
+
+/* Decimal numbers as C writes them, in any locale; no nan, no inf, nothing after the number. Right to
+ * the last bits of a double (all of a float's), the same on every machine. */
+bool hatch_word_number(struct hatch_word word, double *number);
+
+/* Digits with an optional sign, below 2^62 in size. */
+bool hatch_word_integer(struct hatch_word word, int64_t *number);
+
+/* The next word of the line as a float, finite. what: "vertex"; HATCH_BAD_INPUT with the line. */
+enum hatch_status hatch_text_float(struct hatch_text *text, const char *what, float *number,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
