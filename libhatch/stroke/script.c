@@ -1,5 +1,7 @@
 #include "stroke/script.h"
 
+#include <math.h>
+
 #include "base/text.h"
 
 enum { X, Y, LENGTH, ANGLE, WIDTH, TONE, RED, GREEN, BLUE, REQUIRED, ID = REQUIRED, COLUMN, LEVEL, GRAIN, KEYS };
@@ -79,6 +81,9 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
         if (!(values[key] >= keys[key].low && values[key] <= keys[key].high))
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %g, want %g to %g", row,
                               keys[key].name, values[key], keys[key].low, keys[key].high);
+        if (key >= REQUIRED && values[key] != floor(values[key]))
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %g, want a whole number", row,
+                              keys[key].name, values[key]);
     }
     if (column != header->columns)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %u fields, want %u", row, column,
@@ -86,10 +91,17 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     return HATCH_OK;
 }
 
+/* A centre outside the tile is the same place inside it. */
+static float wrap_unit(double x)
+{
+    float wrapped = (float)(x - floor(x));
+    return wrapped < 1 ? wrapped : 0;
+}
+
 static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
 {
-    return (struct hatch_stroke){.x = (float)v[X],
-                                 .y = (float)v[Y],
+    return (struct hatch_stroke){.x = wrap_unit(v[X]),
+                                 .y = wrap_unit(v[Y]),
                                  .length = (float)v[LENGTH],
                                  .angle_rad = (float)v[ANGLE],
                                  .width_px = (float)(v[WIDTH] * size_px),

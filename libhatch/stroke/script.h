@@ -1,6 +1,6 @@
 /* Stroke scripts: strokes as text, TSV with a header line: x y length angle width tone r g b, and
- * optionally id column level grain (the seed of its texture); fractions of the tile and radians; width as a fraction of the tile at
- * its finest size. In drawing order. */
+ * optionally id column level grain (the seed of its texture); fractions of the tile and radians; width
+ * as a fraction of the tile at its finest size. In drawing order. What is printed reads back exactly. */
 #ifndef HATCH_STROKE_SCRIPT_H
 #define HATCH_STROKE_SCRIPT_H
 
@@ -13,8 +13,9 @@ enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_
                                      struct hatch_buffer *text, struct hatch_err *err)
     HATCH_MUST_USE;
 
-/* Columns may come in any order; missing optional ones are 0. HATCH_BAD_INPUT with the row for a
- * missing column, a field that is no number or not finite, or a value out of range. */
+/* Columns may come in any order, unknown ones are passed over, missing optional ones are 0; centres are
+ * wrapped into the tile. HATCH_BAD_INPUT for a missing or doubled column, and with the line for a wrong
+ * number of fields, a field that is no number or not finite, or a value out of range. */
 enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
                                      struct hatch_arena *arena, struct hatch_stroke_list *strokes,
                                      struct hatch_err *err) HATCH_MUST_USE;
