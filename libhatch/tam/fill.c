@@ -262,6 +262,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
                                  struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
                                  struct hatch_stroke_list *list, struct hatch_err *err)
 {
+    assert((options->size_px & (options->size_px - 1)) == 0);
     assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX);
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};

@@ -13,7 +13,7 @@ enum hatch_fill_method {
 };
 
 struct hatch_fill_options {
-    uint32_t size_px;       /* HATCH_TAM_SIZE_MIN .. MAX */
+    uint32_t size_px;       /* HATCH_TAM_SIZE_MIN .. MAX, a power of two */
     uint32_t tones;         /* 1 .. HATCH_TAM_TONES_MAX */
     uint32_t levels;        /* 1 .. ; size_px >> (levels - 1) at least 32 */
     enum hatch_fill_method method;

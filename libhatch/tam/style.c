@@ -92,6 +92,17 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
     return HATCH_OK;
 }
 
+static struct hatch_text trimmed(struct hatch_text text)
+{
+    while (text.length && (*text.at == ' ' || *text.at == '\t')) {
+        text.at++;
+        text.length--;
+    }
+    while (text.length && (text.at[text.length - 1] == ' ' || text.at[text.length - 1] == '\t'))
+        text.length--;
+    return text;
+}
+
 static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     struct hatch_text word, rest_of_line;
@@ -106,11 +117,7 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple or image FILE",
                           (int)(word.length < 40 ? word.length : 40), word.at);
-    rest_of_line = *rest; /* a file's name may hold spaces */
-    while (rest_of_line.length && (*rest_of_line.at == ' ' || *rest_of_line.at == '\t')) {
-        rest_of_line.at++;
-        rest_of_line.length--;
-    }
+    rest_of_line = trimmed(*rest); /* a file's name may hold spaces */
     if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
         return hatch_fail(err, HATCH_BAD_INPUT, "brush: image wants a file name of up to %zu bytes",
                           sizeof r->style.brush_file - 1);
@@ -137,6 +144,8 @@ static enum hatch_status read_candidates(struct hatch_text *rest, struct reading
     double light, dark;
     HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &light, err));
     HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &dark, err));
+    if (light != floor(light) || dark != floor(dark))
+        return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %g %g, want whole numbers", light, dark);
     r->style.candidates_light = (uint32_t)light;
     r->style.candidates_dark = (uint32_t)dark;
     return HATCH_OK;
@@ -208,10 +217,11 @@ enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style 
             line.length = (size_t)(comment - line.at);
         if (read_line(line, &r, err) != HATCH_OK)
             return hatch_fail_at(err, "line %u: ", number);
+        if (r.style.length_min > r.style.length_max)
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "line %u: length: the shortest, %g, is above the longest, %g", number,
+                              (double)r.style.length_min, (double)r.style.length_max);
     }
-    if (r.style.length_min > r.style.length_max)
-        return hatch_fail(err, HATCH_BAD_INPUT, "length: the shortest, %g, is above the longest, %g",
-                          (double)r.style.length_min, (double)r.style.length_max);
     *style = r.style;
     return HATCH_OK;
 }

@@ -64,6 +64,8 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
     if (tone && !((float)target->number >= tam->target[tone - 1]))
         return hatch_fail(err, HATCH_BAD_INPUT, "tone %g is lighter than the column before it, %g",
                           target->number, (double)tam->target[tone - 1]);
+    if (levels && levels->type != HATCH_ATTRIBUTE_INT)
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " is no whole number");
     if (levels && !(levels->number >= 1 && levels->number <= part->level_count))
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %g, want 1 to %u", levels->number,
                           part->level_count);
