@@ -1,10 +1,6 @@
 /* tamgen: fills a tonal art map with strokes of a style. */
-#include <string.h>
-#include <unistd.h>
-
-#include "cmd.h"
+#include "cmd_style.h"
 #include "columns.h"
-#include "io/foreign.h"
 #include "io/png.h"
 #include "stroke/script.h"
 #include "tam/fill.h"
@@ -62,70 +58,6 @@ static const struct cmd_program program = {
     .seeded = true,
     .binary = true,
 };
-
-/* The style's text: a file where the name is a path or such a file stands here, else a style that comes
- * with the commands. */
-static const char *style_path(struct cmd_args *args)
-{
-    struct hatch_err err;
-    if (strchr(style_name, '/') || strchr(style_name, '.') || access(style_name, R_OK) == 0)
-        return style_name;
-    struct hatch_buffer path = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&path, &err, "share/hatch/styles/%s.style%c", style_name, '\0'), NULL, &err);
-    return cmd_own_file(args, (const char *)path.data);
-}
-
-static void read_style(struct cmd_args *args, const char *path, struct hatch_style *style)
-{
-    struct hatch_err err;
-    hatch_style_default(style);
-    if (access(path, F_OK) != 0 && path != style_name)
-        cmd_usage("no style '%s': it is neither a file nor a style that comes with tamgen", style_name);
-    cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), path, &err);
-    if (settings) {
-        char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
-        if (!lines)
-            cmd_die(NULL, &err);
-        for (char *c = lines; (c = strchr(c, ';'));)
-            *c = '\n';
-        struct hatch_bytes text = {(const uint8_t *)lines, strlen(lines)};
-        if (hatch_style_parse(text, style, &err) != HATCH_OK)
-            cmd_usage("--set: %s", err.text);
-    }
-    if (candidates_given) {
-        style->candidates_light = (uint32_t)candidates[0];
-        style->candidates_dark = (uint32_t)candidates[1];
-    }
-}
-
-/* A brush image named in a style stands beside the style's file. */
-static const char *brush_beside(struct cmd_args *args, const char *path, const char *brush)
-{
-    struct hatch_err err;
-    const char *slash = strrchr(path, '/');
-    struct hatch_buffer joined = {.arena = &args->keep};
-    if (brush[0] == '/' || !slash)
-        return brush;
-    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, brush, '\0'), NULL,
-              &err);
-    return (const char *)joined.data;
-}
-
-static void make_brush(struct cmd_args *args, const struct hatch_style *style, const char *image_path,
-                       struct hatch_brush *brush)
-{
-    struct hatch_err err;
-    if (!image_path) {
-        cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
-        return;
-    }
-    struct hatch_image image;
-    cmd_check(hatch_image_read_any(cmd_read(args, image_path), image_path,
-                                   cmd_own_file(args, "lib/hatch/hatch-oiio.so"), &args->keep,
-                                   &args->scratch, &image, &err),
-              image_path, &err);
-    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), image_path, &err);
-}
 
 static void check_sizes(void)
 {
@@ -207,11 +139,11 @@ int main(int argc, char **argv)
 
     struct hatch_style style;
     struct hatch_brush brush;
-    const char *path = style_path(&args);
-    read_style(&args, path, &style);
-    if (!brush_path && style.brush == HATCH_BRUSH_IMAGE)
-        brush_path = brush_beside(&args, path, style.brush_file);
-    make_brush(&args, &style, brush_path, &brush);
+    cmd_read_style(&args, style_name, settings, brush_path, &style, &brush);
+    if (candidates_given) {
+        style.candidates_light = (uint32_t)candidates[0];
+        style.candidates_dark = (uint32_t)candidates[1];
+    }
 
     struct hatch_tam_sheet sheet;
     struct columns columns = {.arena = &args.keep,

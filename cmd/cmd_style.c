@@ -1,0 +1,89 @@
+#include "cmd_style.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "io/foreign.h"
+
+/* A bare name is a style that comes with the commands before it is a file here, so that a folder's
+ * content does not change what "ink" means. */
+static const char *find_style(struct cmd_args *args, const char *name)
+{
+    struct hatch_err err;
+    if (strcmp(name, "-") == 0 || strchr(name, '/') || strchr(name, '.'))
+        return name;
+    struct hatch_buffer relative = {.arena = &args->keep};
+    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.style%c", name, '\0'), NULL, &err);
+    const char *path = cmd_own_file(args, (const char *)relative.data);
+    if (access(path, F_OK) == 0)
+        return path;
+    if (access(name, F_OK) != 0)
+        cmd_usage("no style '%s': it is neither a style that comes with the commands nor a file", name);
+    return name;
+}
+
+/* The file's name without folders and ending; "custom" where nothing is left of it. */
+static void call_after(const char *path, struct hatch_style *style)
+{
+    const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path;
+    const char *dot = strchr(stem, '.');
+    int length = (int)(dot ? (size_t)(dot - stem) : strlen(stem));
+    bool named = length > 0 && strcmp(path, "-") != 0;
+    snprintf(style->name, sizeof style->name, "%.*s", named ? length : 6, named ? stem : "custom");
+}
+
+static void apply_settings(struct cmd_args *args, const char *settings, struct hatch_style *style)
+{
+    struct hatch_err err;
+    char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
+    cmd_check(lines ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (char *c = lines; (c = strchr(c, ';'));)
+        *c = '\n';
+    struct hatch_bytes text = {(const uint8_t *)lines, strlen(lines)};
+    if (hatch_style_parse(text, style, &err) != HATCH_OK)
+        cmd_usage("--set: %s", err.text);
+}
+
+/* A brush image that a style names stands beside the style's file. */
+static const char *brush_beside(struct cmd_args *args, const char *style_path, const char *brush)
+{
+    struct hatch_err err;
+    const char *slash = strrchr(style_path, '/');
+    if (brush[0] == '/' || !slash)
+        return brush;
+    struct hatch_buffer joined = {.arena = &args->keep};
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - style_path), style_path, brush,
+                                 '\0'),
+              NULL, &err);
+    return (const char *)joined.data;
+}
+
+static void read_brush_image(struct cmd_args *args, const char *path, struct hatch_brush *brush)
+{
+    struct hatch_err err;
+    struct hatch_image image;
+    const char *name = cmd_input_name(path), *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    cmd_check(hatch_image_read_any(cmd_read(args, path), path, plugin, &args->keep, &args->scratch, &image,
+                                   &err),
+              name, &err);
+    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), name, &err);
+}
+
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
+                    struct hatch_style *style, struct hatch_brush *brush)
+{
+    struct hatch_err err;
+    const char *path = find_style(args, name);
+    hatch_style_default(style);
+    call_after(path, style);
+    cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
+    if (settings)
+        apply_settings(args, settings, style);
+    if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
+        brush_path = brush_beside(args, path, style->brush_file);
+    if (brush_path)
+        read_brush_image(args, brush_path, brush);
+    else
+        cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
+}
