@@ -19,7 +19,8 @@ struct hatch_field {
     uint32_t octaves;
     float *potential;   /* size² cells */
     float *octave[HATCH_FIELD_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
-    float *row;         /* work: one row */
+    bool *used;         /* rows of octave[0] that hold something */
+    float *row;         /* work: one row and a cell on either side */
     uint32_t canvas_size_px, levels;
     float *darkness[HATCH_MIP_LEVELS_MAX];  /* of each canvas level, averaged over cells */
     uint32_t grid[HATCH_MIP_LEVELS_MAX];    /* its size: the field's, or the level's if smaller */
