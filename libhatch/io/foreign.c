@@ -89,7 +89,8 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     if (hatch_foreign_header_read(file, &header)) {
         HATCH_TRY(check_size(arena, header.width, header.height, 1, err));
         if (!header.whole)
-            return hatch_fail(err, HATCH_BAD_INPUT, "cut: the %s file has no end", header.format);
+            return hatch_fail(err, HATCH_BAD_INPUT, "cut: the image has no end");
+        name = header.ending; /* the content knows better than the name */
     }
     const struct hatch_oiio_plugin *plugin = NULL;
     HATCH_TRY(open_plugin(path, &plugin, err));

@@ -106,19 +106,19 @@ static bool read_bmp(struct hatch_bytes file, struct hatch_foreign_header *heade
 bool hatch_foreign_header_read(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     static const struct {
-        const char *format, *magic;
+        const char *ending, *magic;
         size_t size;
         bool (*read)(struct hatch_bytes file, struct hatch_foreign_header *header);
     } formats[] = {
-        {"JPEG", "\xff\xd8\xff", 3, read_jpeg},
-        {"TIFF", "II*\0", 4, read_tiff},
-        {"TIFF", "MM\0*", 4, read_tiff},
-        {"GIF", "GIF8", 4, read_gif},
-        {"BMP", "BM", 2, read_bmp},
+        {".jpeg", "\xff\xd8\xff", 3, read_jpeg},
+        {".tiff", "II*\0", 4, read_tiff},
+        {".tiff", "MM\0*", 4, read_tiff},
+        {".gif", "GIF8", 4, read_gif},
+        {".bmp", "BM", 2, read_bmp},
     };
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (begins(file, formats[i].magic, formats[i].size)) {
-            *header = (struct hatch_foreign_header){.format = formats[i].format, .whole = true};
+            *header = (struct hatch_foreign_header){.ending = formats[i].ending, .whole = true};
             return formats[i].read(file, header);
         }
     return false;

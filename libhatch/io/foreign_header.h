@@ -8,7 +8,7 @@
 #include "base/bytes.h"
 
 struct hatch_foreign_header {
-    const char *format;     /* "JPEG" */
+    const char *ending;     /* of the names of such files: ".jpeg" */
     uint32_t width, height; /* as the file claims */
     bool whole;             /* false: the file is known to end too early */
 };

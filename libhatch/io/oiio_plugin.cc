@@ -23,16 +23,16 @@ struct Image {
 void say(const std::string &text, char *message, size_t size)
 {
     std::string line = text.substr(0, text.find('\n'));
-    std::snprintf(message, size, "%s", line.empty() ? "no reader takes it" : line.c_str());
+    std::snprintf(message, size, "%s", line.empty() ? "the image cannot be decoded" : line.c_str());
 }
 
-/* Only the ending of the name is passed on: a reader that cannot read from memory would open it. */
-std::string hint(const char *name)
+/* What stands behind the last dot: the name of a format. */
+std::string ending(const char *name)
 {
     std::string whole = name ? name : "";
     size_t dot = whole.find_last_of("./");
     bool has_ending = dot != std::string::npos && whole[dot] == '.';
-    return "/nonexistent/memory" + (has_ending ? whole.substr(dot) : std::string());
+    return has_ending ? OIIO::Strutil::lower(whole.substr(dot + 1)) : std::string();
 }
 
 bool is_encoded(const OIIO::ImageSpec &spec)
@@ -52,9 +52,24 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         auto image = std::make_unique<Image>(data, data_size);
-        image->reader = OIIO::ImageInput::open(hint(name), &config, &image->memory);
+        std::string format = ending(name);
+        image->reader = format.empty() ? nullptr : OIIO::ImageInput::create(format);
         if (!image->reader) {
-            say(OIIO::geterror(), message, size);
+            OIIO::geterror(); /* it speaks of files that this has nothing to do with */
+            say("not an image of a known format, by its content and its name", message, size);
+            return nullptr;
+        }
+        if (!image->reader->supports("ioproxy")) {
+            say(std::string(image->reader->format_name()) + " files are not read; convert to PNG",
+                message, size);
+            return nullptr;
+        }
+        OIIO::Filesystem::IOProxy *proxy = &image->memory;
+        config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+        image->reader->set_ioproxy(proxy);
+        OIIO::ImageSpec opened;
+        if (!image->reader->open("memory." + format, opened, config)) {
+            say(image->reader->geterror(), message, size);
             return nullptr;
         }
         const OIIO::ImageSpec &spec = image->reader->spec();

@@ -1,0 +1,37 @@
+/* hatchstat diff A B: how far two pictures are from each other. */
+#include "filter/difference.h"
+#include "subject.h"
+
+static const char *const columns[] = {"max",       "mean",     "bias",      "rmse", "psnr_db",
+                                      "differing", "max_box8", "max_box16", NULL};
+
+enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options,
+                            struct cmd_output *output)
+{
+    struct hatch_image a, b;
+    const char *const *paths = (const char *const *)args->operands + 1;
+    stat_read_picture(args, paths[0], options->srgb, NULL, &a);
+    stat_read_picture(args, paths[1], options->srgb, NULL, &b);
+    stat_make_alike(&args->keep, paths[1], &a, &b);
+
+    struct hatch_err err;
+    struct hatch_difference difference;
+    double low8, low16;
+    hatch_image_difference(&a, &b, &difference);
+    cmd_check(hatch_image_low_difference(&a, &b, 8, &args->scratch, &low8, &err), NULL, &err);
+    cmd_check(hatch_image_low_difference(&a, &b, 16, &args->scratch, &low16, &err), NULL, &err);
+
+    struct cmd_report report;
+    cmd_report_begin(&report, args, columns);
+    cmd_report_number(&report, difference.max);
+    cmd_report_number(&report, difference.mean);
+    cmd_report_number(&report, difference.bias);
+    cmd_report_number(&report, difference.rmse);
+    cmd_report_number(&report, difference.psnr_db);
+    cmd_report_number(&report, difference.differing);
+    cmd_report_number(&report, low8);
+    cmd_report_number(&report, low16);
+    cmd_report_write(&report, output);
+    bool passed = options->max_difference < 0 || difference.max <= options->max_difference;
+    return passed ? HATCH_OK : HATCH_DIFFERS;
+}

@@ -1,0 +1,59 @@
+/* hatchstat: measures what the other commands make. */
+#include <string.h>
+
+#include "subject.h"
+
+static struct stat_options values = {.max_difference = -1};
+
+static const struct cmd_option options[] = {
+    {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
+     "diff: exit 1 when the largest difference is over X (default: any)", &values.max_difference,
+     NULL, NULL},
+    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames: measure sRGB numbers in place of linear light",
+     &values.srgb, NULL, NULL},
+    {0},
+};
+
+static const struct {
+    const char *name;
+    int files_min, files_max; /* max -1: any number */
+    stat_measure measure;
+} subjects[] = {
+    {"diff", 2, 2, stat_diff},
+    {"frames", 2, -1, stat_frames},
+};
+
+static const char *const examples[] = {
+    "hatchstat diff a.png b.png --max-difference 0.004",
+    "hatchstat frames turn.*.png --json",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "hatchstat",
+    .operands = "SUBJECT FILE ...",
+    .summary = "measure pictures (diff A B, frames A B ...)",
+    .examples = examples,
+    .options = options,
+    .operands_min = 2,
+    .operands_max = -1,
+    .reports = true,
+};
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    int files = args.operand_count - 1;
+    for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
+        if (strcmp(subjects[i].name, args.operands[0]) != 0)
+            continue;
+        if (files < subjects[i].files_min ||
+            (subjects[i].files_max >= 0 && files > subjects[i].files_max))
+            cmd_usage("%s: %d files, want %d%s", subjects[i].name, files, subjects[i].files_min,
+                      subjects[i].files_max < 0 ? " or more" : "");
+        struct cmd_output *output = cmd_open_output(args.output, false);
+        return cmd_end(&args, subjects[i].measure(&args, &values, output));
+    }
+    cmd_usage("%s: no such subject", args.operands[0]);
+}

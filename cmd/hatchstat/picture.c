@@ -1,0 +1,80 @@
+#include <math.h>
+
+#include "io/foreign.h"
+#include "subject.h"
+
+static void encode_srgb(struct hatch_image *image)
+{
+    size_t texels = (size_t)image->width * image->height;
+    uint32_t channels = image->channel_count, colors = channels - (channels % 2 == 0);
+    for (size_t i = 0; i < texels; i++)
+        for (uint32_t c = 0; c < colors; c++) {
+            float *value = &image->pixels[i * channels + c];
+            *value = hatch_linear_to_srgb(*value);
+        }
+}
+
+/* What is not finite would spoil every sum; it counts as 0, and the user hears of it. */
+static void replace_non_finite(const char *name, struct hatch_image *image)
+{
+    size_t count = (size_t)image->width * image->height * image->channel_count, replaced = 0;
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(image->pixels[i])) {
+            image->pixels[i] = 0;
+            replaced++;
+        }
+    if (replaced)
+        cmd_warn(name, "%zu numbers that are not finite count as 0", replaced);
+}
+
+void stat_read_picture(struct cmd_args *args, const char *path, bool srgb,
+                       struct hatch_arena *arena, struct hatch_image *image)
+{
+    struct hatch_err err;
+    struct hatch_arena *to = arena ? arena : &args->keep;
+    struct hatch_bytes file = {0};
+    const char *name = cmd_input_name(path),
+               *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    cmd_check(cmd_try_read(to, path, &file, &err), name, &err);
+    cmd_check(hatch_image_read_any(file, path, plugin, to, &args->scratch, image, &err), name,
+              &err);
+    replace_non_finite(name, image);
+    if (srgb)
+        encode_srgb(image);
+}
+
+/* The value of a picture at a texel as red, green, blue, alpha. */
+static void as_rgba(const struct hatch_image *image, size_t texel, float *rgba)
+{
+    uint32_t channels = image->channel_count, colors = channels - (channels % 2 == 0);
+    const float *from = image->pixels + texel * channels;
+    for (uint32_t c = 0; c < 3; c++)
+        rgba[c] = from[colors == 1 ? 0 : c];
+    rgba[3] = channels % 2 == 0 ? from[channels - 1] : 1;
+}
+
+static void widen(struct hatch_arena *arena, struct hatch_image *image)
+{
+    struct hatch_err err;
+    struct hatch_image wide;
+    cmd_check(hatch_image_make(arena, image->width, image->height, "RGBA", &wide, &err), NULL,
+              &err);
+    for (size_t i = 0; i < (size_t)image->width * image->height; i++)
+        as_rgba(image, i, wide.pixels + 4 * i);
+    *image = wide;
+}
+
+void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first,
+                     struct hatch_image *image)
+{
+    struct hatch_err err;
+    if (first->width != image->width || first->height != image->height) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels, the first picture has %ux%u", image->width,
+                   image->height, first->width, first->height);
+        cmd_die(cmd_input_name(path), &err);
+    }
+    if (first->channel_count == image->channel_count)
+        return;
+    widen(arena, first);
+    widen(arena, image);
+}

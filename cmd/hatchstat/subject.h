@@ -1,0 +1,35 @@
+/* What hatchstat measures: one file of this folder each, one line in main.c's table. */
+#ifndef HATCHSTAT_SUBJECT_H
+#define HATCHSTAT_SUBJECT_H
+
+#include "cmd.h"
+#include "cmd_report.h"
+#include "image/image.h"
+
+/* The options of all subjects; each looks at its own. */
+struct stat_options {
+    double max_difference; /* diff: negative when not given */
+    bool srgb;             /* diff, frames: sRGB numbers in place of linear light */
+};
+
+/* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
+ * HATCH_DIFFERS when a limit that the user gave is passed. */
+typedef enum hatch_status (*stat_measure)(struct cmd_args *args, const struct stat_options *options,
+                                          struct cmd_output *output);
+
+enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options,
+                            struct cmd_output *output);
+enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options,
+                              struct cmd_output *output);
+
+/* Reads a picture of any format; dies on failure. Warns when pixels are not finite. srgb: its
+ * colours as sRGB numbers. Memory: args->keep, or arena where it is not NULL. */
+void stat_read_picture(struct cmd_args *args, const char *path, bool srgb,
+                       struct hatch_arena *arena, struct hatch_image *image);
+
+/* Dies when path's image has not the size of the first; where their channels differ, both become
+ * RGBA in arena: grey is equal red, green and blue, and no alpha is 1. */
+void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first,
+                     struct hatch_image *image);
+
+#endif
