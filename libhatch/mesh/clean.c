@@ -2,9 +2,8 @@
  * are, and changes vertices only by leaving out those that no face uses. */
 #include <string.h>
 
-#include "base/random.h"
-#include "mesh/edges.h"
-#include "mesh/mesh.h"
+#include "mesh/duplicates.h"
+#include "mesh/fans.h"
 #include "mesh/orient.h"
 
 struct work {
@@ -29,52 +28,6 @@ static void drop_degenerate(struct work *w)
     }
 }
 
-static void sorted_points(const struct work *w, uint32_t face, uint32_t out[3])
-{
-    memcpy(out, &w->point[(size_t)face * 3], 3 * sizeof *out);
-    for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k + 1 < 3; k++)
-            if (out[k] > out[k + 1]) {
-                uint32_t swap = out[k];
-                out[k] = out[k + 1];
-                out[k + 1] = swap;
-            }
-}
-
-/* The first of several faces on the same three points stays, whichever way round they go. */
-static enum hatch_status drop_duplicates(struct work *w, struct hatch_arena *scratch,
-                                         struct hatch_err *err)
-{
-    size_t capacity = 16;
-    while (capacity < (size_t)w->mesh->face_count * 2)
-        capacity *= 2;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* face + 1 */
-    if (!slots)
-        return HATCH_LIMIT;
-    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
-        if (w->dropped[f])
-            continue;
-        uint32_t mine[3], other[3];
-        sorted_points(w, f, mine);
-        uint64_t hash = hatch_random_mix((uint64_t)mine[0] << 32 | mine[1]);
-        size_t slot = hatch_random_mix(hash ^ mine[2]) & (capacity - 1);
-        for (; slots[slot]; slot = (slot + 1) & (capacity - 1)) {
-            sorted_points(w, slots[slot] - 1, other);
-            if (memcmp(mine, other, sizeof mine) == 0)
-                break;
-        }
-        if (slots[slot]) {
-            w->dropped[f] = 1;
-            w->notes.duplicates_dropped++;
-        } else {
-            slots[slot] = f + 1;
-        }
-    }
-    hatch_arena_rewind(scratch, mark);
-    return HATCH_OK;
-}
-
 static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_edges edges;
@@ -87,7 +40,8 @@ static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, str
     w->notes.contrary_edges = result.contrary_edges;
     for (uint32_t e = 0; e < edges.count; e++)
         w->notes.non_manifold_edges += edges.first[e + 1] - edges.first[e] > 2;
-    return HATCH_OK;
+    return hatch_mesh_count_pinched(w->point, w->mesh->face_count, w->point_count, &edges,
+                                    w->dropped, scratch, &w->notes.non_manifold_points, err);
 }
 
 static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex)
@@ -160,9 +114,11 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
     if (!w->flipped)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &w->point_count, err));
+    w->notes.vertices_apart = mesh->vertex_count - w->point_count;
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     drop_degenerate(w);
-    HATCH_TRY(drop_duplicates(w, scratch, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,
+                                         &w->notes.duplicates_dropped, err));
     HATCH_TRY(orient(w, scratch, err));
     return build(w, arena, scratch, out, err);
 }
@@ -182,6 +138,8 @@ enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena
     notes->duplicates_dropped += w.notes.duplicates_dropped;
     notes->unreferenced_dropped += w.notes.unreferenced_dropped;
     notes->faces_flipped += w.notes.faces_flipped;
+    notes->vertices_apart += w.notes.vertices_apart;
+    notes->non_manifold_points += w.notes.non_manifold_points;
     notes->non_manifold_edges += w.notes.non_manifold_edges;
     notes->contrary_edges += w.notes.contrary_edges;
     *mesh = out;

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "mesh/edges.h"
+#include "mesh/fans.h"
 #include "mesh/mesh.h"
 
 /* Corners that share one normal form a class. Without a crease angle the class is the point; with
@@ -14,25 +14,6 @@ struct work {
     uint32_t class_count;
     double *sum;        /* 3 per class */
 };
-
-static uint32_t root(uint32_t *parent, uint32_t i)
-{
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
-static void join(uint32_t *parent, uint32_t a, uint32_t b)
-{
-    a = root(parent, a);
-    b = root(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
-}
 
 static bool is_smooth(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
 {
@@ -51,8 +32,7 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
     struct hatch_edges edges;
     HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch,
                                &edges, err));
-    for (uint32_t i = 0; i < corner_count; i++)
-        parent[i] = i;
+    hatch_sets_init(parent, corner_count);
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
         if (edges.first[e + 1] - edges.first[e] != 2 ||
@@ -60,13 +40,13 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
             continue;
         uint32_t end0 = hatch_side_end(sides[0]), end1 = hatch_side_end(sides[1]);
         bool same_way = w->point[sides[0]] == w->point[sides[1]];
-        join(parent, sides[0], same_way ? sides[1] : end1);
-        join(parent, end0, same_way ? end1 : sides[1]);
+        hatch_sets_join(parent, sides[0], same_way ? sides[1] : end1);
+        hatch_sets_join(parent, end0, same_way ? end1 : sides[1]);
     }
     /* A root is the lowest corner of its class, so its number is known before its members ask. */
     w->class_count = 0;
     for (uint32_t i = 0; i < corner_count; i++)
-        parent[i] = root(parent, i);
+        parent[i] = hatch_sets_find(parent, i);
     for (uint32_t i = 0; i < corner_count; i++)
         parent[i] = parent[i] == i ? w->class_count++ : parent[parent[i]];
     return HATCH_OK;

@@ -1,0 +1,267 @@
+#include "measure/mesh_figures.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "math/vector.h"
+#include "mesh/duplicates.h"
+#include "mesh/fans.h"
+
+struct work {
+    const struct hatch_mesh *mesh;
+    struct hatch_arena *scratch;
+    struct hatch_mesh_figures *out;
+    uint32_t *point;      /* per corner */
+    uint8_t *dropped;     /* per face: degenerate */
+    uint8_t *point_used;  /* per point: by a face with an area */
+    uint32_t *sets;       /* per point */
+    struct hatch_edges edges;
+};
+
+static void find_used(struct work *w, uint8_t *vertex_used)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    double corners[3][3], normal[3];
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *p = &w->point[(size_t)f * 3];
+        bool has_area = hatch_mesh_corners(mesh, f, corners);
+        for (int c = 0; c < 3; c++)
+            vertex_used[mesh->indices[(size_t)f * 3 + (size_t)c]] = 1;
+        if (!has_area || p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
+            w->dropped[f] = 1;
+            w->out->degenerate_faces++;
+            continue;
+        }
+        for (int c = 0; c < 3; c++)
+            w->point_used[p[c]] = 1;
+        hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+        w->out->area += hatch_vec_length(normal) / 2;
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        w->out->unused_vertices += !vertex_used[v];
+}
+
+static uint32_t count_sets(const struct work *w, const uint8_t *member)
+{
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < w->out->points; p++)
+        count += member[p] && w->sets[p] == p;
+    return count;
+}
+
+static void side_ends(const struct work *w, uint32_t edge, uint32_t *a, uint32_t *b)
+{
+    uint32_t side = w->edges.sides[w->edges.first[edge]];
+    *a = w->point[side];
+    *b = w->point[hatch_side_end(side)];
+}
+
+static void find_components(struct work *w)
+{
+    uint32_t a, b;
+    hatch_sets_init(w->sets, w->out->points);
+    for (uint32_t e = 0; e < w->edges.count; e++) {
+        side_ends(w, e, &a, &b);
+        hatch_sets_join(w->sets, a, b);
+    }
+    w->out->components = count_sets(w, w->point_used);
+}
+
+/* on_boundary: one zero per point. */
+static void find_boundary(struct work *w, uint8_t *on_boundary)
+{
+    uint32_t a, b;
+    hatch_sets_init(w->sets, w->out->points);
+    for (uint32_t e = 0; e < w->edges.count; e++) {
+        uint32_t faces = w->edges.first[e + 1] - w->edges.first[e];
+        const uint32_t *sides = &w->edges.sides[w->edges.first[e]];
+        w->out->non_manifold_edges += faces > 2;
+        w->out->contrary_edges += faces == 2 && w->point[sides[0]] == w->point[sides[1]];
+        if (faces != 1)
+            continue;
+        side_ends(w, e, &a, &b);
+        on_boundary[a] = on_boundary[b] = 1;
+        hatch_sets_join(w->sets, a, b);
+    }
+    w->out->boundary_loops = count_sets(w, on_boundary);
+}
+
+static void find_genus(struct work *w)
+{
+    struct hatch_mesh_figures *out = w->out;
+    int64_t used = 0;
+    for (uint32_t p = 0; p < out->points; p++)
+        used += w->point_used[p];
+    int64_t faces = (int64_t)out->faces - out->degenerate_faces;
+    out->euler = used - (int64_t)w->edges.count + faces;
+    bool surface = out->non_manifold_edges == 0 && out->non_manifold_points == 0 &&
+                   out->contrary_edges == 0;
+    out->genus =
+        surface ? (2 * (int64_t)out->components - out->euler - (int64_t)out->boundary_loops) / 2
+                : -1;
+}
+
+static void measure_edges(struct work *w)
+{
+    const float *positions = w->mesh->attributes[0].data;
+    double sum = 0, a[3], b[3];
+    for (uint32_t e = 0; e < w->edges.count; e++) {
+        uint32_t side = w->edges.sides[w->edges.first[e]];
+        hatch_vec_of(&positions[(size_t)w->mesh->indices[side] * 3], a);
+        hatch_vec_of(&positions[(size_t)w->mesh->indices[hatch_side_end(side)] * 3], b);
+        double length = hatch_vec_distance(a, b);
+        sum += length;
+        if (e == 0 || length < w->out->edge_min)
+            w->out->edge_min = length;
+        if (length > w->out->edge_max)
+            w->out->edge_max = length;
+    }
+    w->out->edge_mean = w->edges.count ? sum / w->edges.count : 0;
+}
+
+/* One triangle's map to texture space. */
+struct stretch {
+    double weight; /* its area */
+    double uv_area; /* signed */
+    double angle, area;
+};
+
+/* The singular values of the map from the triangle's plane to texture space, from its metric: with
+ * E = u·u + v·v and |det|, (s1 ± s2)² = E ± 2 |det|. */
+static bool measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
+                            struct stretch *s)
+{
+    double p[3][3], normal[3], x[3], ab[3], ac[3], t[3][2];
+    const uint32_t *index = &mesh->indices[(size_t)face * 3];
+    if (!hatch_mesh_corners(mesh, face, p))
+        return false;
+    hatch_vec_triangle(p[0], p[1], p[2], normal);
+    hatch_vec_sub(p[1], p[0], ab);
+    hatch_vec_sub(p[2], p[0], ac);
+    for (int c = 0; c < 3; c++)
+        for (size_t k = 0; k < 2; k++)
+            t[c][k] = (double)uv[(size_t)index[c] * 2 + k] - (double)uv[(size_t)index[0] * 2 + k];
+    double doubled = hatch_vec_length(normal), length = hatch_vec_length(ab);
+    hatch_vec_copy(ab, x);
+    hatch_vec_normalize(x);
+    /* Corners (0, 0), (length, 0), (cx, cy) in the plane; derivatives of u and v along both axes. */
+    double cx = hatch_vec_dot(ac, x), cy = doubled / length, e = 0, d[2][2];
+    for (int k = 0; k < 2; k++) {
+        d[k][0] = t[1][k] / length;
+        d[k][1] = (t[2][k] - d[k][0] * cx) / cy;
+        e += d[k][0] * d[k][0] + d[k][1] * d[k][1];
+    }
+    double det = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+    double plus = sqrt(e + 2 * fabs(det)), minus = sqrt(fmax(0, e - 2 * fabs(det)));
+    s->weight = doubled / 2;
+    s->uv_area = det * s->weight;
+    s->angle = (plus + minus) / (plus - minus);
+    return true;
+}
+
+static int by_angle(const void *a, const void *b)
+{
+    const struct stretch *x = a, *y = b;
+    return (x->angle > y->angle) - (x->angle < y->angle);
+}
+
+static int by_area(const void *a, const void *b)
+{
+    const struct stretch *x = a, *y = b;
+    return (x->area > y->area) - (x->area < y->area);
+}
+
+static void percentiles(const struct stretch *list, uint32_t count, bool angle, double total,
+                        double out[3])
+{
+    static const double shares[3] = {0.05, 0.5, 0.95};
+    double sum = 0;
+    int next = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sum += list[i].weight;
+        while (next < 3 && (sum >= shares[next] * total || i + 1 == count))
+            out[next++] = angle ? list[i].angle : list[i].area;
+    }
+}
+
+static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
+{
+    const float *uv = hatch_mesh_find(w->mesh, "TEXCOORD_0", 2);
+    struct hatch_uv_figures *out = &w->out->uv;
+    w->out->has_uv = uv != NULL;
+    if (!uv)
+        return HATCH_OK;
+    struct stretch *list =
+        hatch_arena_array(w->scratch, w->mesh->face_count, sizeof(struct stretch), err);
+    if (!list)
+        return HATCH_LIMIT;
+    double kept = 0, degenerate = 0, mirrored = 0, uv_area = 0;
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        struct stretch *s = &list[count];
+        if (!measure_stretch(w->mesh, uv, f, s))
+            continue;
+        if (!(fabs(s->uv_area) > 0) || !isfinite(s->angle)) {
+            degenerate += s->weight;
+            continue;
+        }
+        kept += s->weight;
+        /* v runs down the texture: its own right way round is the other one in u and v. */
+        mirrored += s->uv_area > 0 ? s->weight : 0;
+        uv_area += fabs(s->uv_area);
+        count++;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        list[i].area = fabs(list[i].uv_area) / list[i].weight * (kept / uv_area);
+    out->degenerate_share = kept + degenerate > 0 ? degenerate / (kept + degenerate) : 0;
+    out->mirrored_share = kept > 0 ? mirrored / kept : 0;
+    qsort(list, count, sizeof *list, by_angle);
+    percentiles(list, count, true, kept, out->angle);
+    qsort(list, count, sizeof *list, by_area);
+    percentiles(list, count, false, kept, out->area);
+    return HATCH_OK;
+}
+
+static enum hatch_status measure(struct work *w, struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    struct hatch_mesh_figures *out = w->out;
+    struct hatch_arena *scratch = w->scratch;
+    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    uint8_t *flags = vertex_to_point ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
+    w->point = flags ? HATCH_NEW(scratch, uint32_t, (size_t)mesh->face_count * 3, err) : NULL;
+    w->dropped = w->point ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
+    w->point_used = w->dropped ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
+    w->sets = w->point_used ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL;
+    if (!w->sets)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &out->points, err));
+    hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
+    find_used(w, flags);
+    HATCH_TRY(hatch_edges_find(w->point, mesh->face_count, out->points, w->dropped, scratch, scratch,
+                               &w->edges, err));
+    HATCH_TRY(hatch_mesh_count_pinched(w->point, mesh->face_count, out->points, &w->edges,
+                                       w->dropped, scratch, &out->non_manifold_points, err));
+    find_components(w);
+    memset(flags, 0, mesh->vertex_count);
+    find_boundary(w, flags);
+    find_genus(w);
+    measure_edges(w);
+    hatch_mesh_bounds(mesh, out->low, out->high);
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,
+                                         &out->duplicate_faces, err));
+    return measure_uv(w, err);
+}
+
+enum hatch_status hatch_measure_mesh(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                     struct hatch_mesh_figures *figures, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_mesh_figures made = {.vertices = mesh->vertex_count, .faces = mesh->face_count};
+    struct work w = {.mesh = mesh, .scratch = scratch, .out = &made};
+    enum hatch_status status = measure(&w, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *figures = made;
+    return status;
+}

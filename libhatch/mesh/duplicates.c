@@ -1,0 +1,53 @@
+#include "mesh/duplicates.h"
+
+#include <string.h>
+
+#include "base/random.h"
+
+static void sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
+{
+    memcpy(out, &point[(size_t)face * 3], 3 * sizeof *out);
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k + 1 < 3; k++)
+            if (out[k] > out[k + 1]) {
+                uint32_t swap = out[k];
+                out[k] = out[k + 1];
+                out[k + 1] = swap;
+            }
+}
+
+enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count,
+                                             uint8_t *dropped, struct hatch_arena *scratch,
+                                             uint32_t *count, struct hatch_err *err)
+{
+    size_t capacity = 16;
+    while (capacity < (size_t)face_count * 2)
+        capacity *= 2;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* face + 1 */
+    if (!slots)
+        return HATCH_LIMIT;
+    uint32_t found = 0;
+    for (uint32_t f = 0; f < face_count; f++) {
+        if (dropped[f])
+            continue;
+        uint32_t mine[3], other[3];
+        sorted_points(point, f, mine);
+        uint64_t hash = hatch_random_mix((uint64_t)mine[0] << 32 | mine[1]);
+        size_t slot = hatch_random_mix(hash ^ mine[2]) & (capacity - 1);
+        for (; slots[slot]; slot = (slot + 1) & (capacity - 1)) {
+            sorted_points(point, slots[slot] - 1, other);
+            if (memcmp(mine, other, sizeof mine) == 0)
+                break;
+        }
+        if (slots[slot]) {
+            dropped[f] = 1;
+            found++;
+        } else {
+            slots[slot] = f + 1;
+        }
+    }
+    *count = found;
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}

@@ -1,0 +1,19 @@
+/* How the faces around a point hang together. */
+#ifndef HATCH_MESH_FANS_H
+#define HATCH_MESH_FANS_H
+
+#include "mesh/edges.h"
+
+/* Counts the points where faces meet that share no edge there: two tetrahedra joined at a tip. A point
+ * of a book's back is none: its pages share an edge. point, edges, dropped: as for hatch_edges_find. */
+enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_count,
+                                           uint32_t point_count, const struct hatch_edges *edges,
+                                           const uint8_t *dropped, struct hatch_arena *scratch,
+                                           uint32_t *count, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Disjoint sets over 0 .. count-1, each known by its lowest member. */
+void hatch_sets_init(uint32_t *parent, uint32_t count);
+uint32_t hatch_sets_find(uint32_t *parent, uint32_t member);
+void hatch_sets_join(uint32_t *parent, uint32_t a, uint32_t b);
+
+#endif
