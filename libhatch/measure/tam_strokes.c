@@ -52,8 +52,9 @@ enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
     for (uint32_t i = 0; status == HATCH_OK && i < strokes->list->count; i++) {
         const struct hatch_stroke *stroke = &strokes->list->items[i];
         if (!belongs(tam, stroke)) {
-            status = hatch_fail(err, HATCH_BAD_INPUT, "stroke %u: column %u, level %u, but the map has %u, %u",
-                                i + 1, stroke->column, stroke->level, tam->tones, tam->levels);
+            status = hatch_fail(err, HATCH_BAD_INPUT,
+                                "stroke %u: column %u, level %u, but the map has %u, %u", i + 1,
+                                stroke->column, stroke->level, tam->tones, tam->levels);
             break;
         }
         for (uint32_t level = 0; level <= stroke->level; level++) {

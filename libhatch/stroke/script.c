@@ -4,7 +4,8 @@
 
 #include "base/text.h"
 
-enum { X, Y, LENGTH, ANGLE, WIDTH, TONE, RED, GREEN, BLUE, REQUIRED, ID = REQUIRED, COLUMN, LEVEL, GRAIN, KEYS };
+enum { X, Y, LENGTH, ANGLE, WIDTH, TONE, RED, GREEN, BLUE, REQUIRED };
+enum { ID = REQUIRED, COLUMN, LEVEL, GRAIN, KEYS };
 
 static const struct {
     const char *name;

@@ -15,7 +15,8 @@ static float added_darkness(const struct line *line, const struct hatch_brush *b
                             const float *paper, uint32_t size)
 {
     float length = line->length * (float)size;
-    uint32_t along = length < 1 ? 1 : (uint32_t)length, across = width_px < 1 ? 1 : (uint32_t)(width_px + 0.5f);
+    uint32_t along = length < 1 ? 1 : (uint32_t)length;
+    uint32_t across = width_px < 1 ? 1 : (uint32_t)(width_px + 0.5f);
     float step_along = length / (float)along, step_across = width_px / (float)across;
     float back = ((float)along - 1) * 0.5f * step_along, aside = ((float)across - 1) * 0.5f * step_across;
     uint32_t mask = size - 1;
@@ -26,10 +27,11 @@ static float added_darkness(const struct line *line, const struct hatch_brush *b
         float at = (float)i * step_along - back, left = 0;
         for (uint32_t j = 0; j < across; j++) {
             float off = (float)j * step_across - aside;
+            float place_x = (line->x + 8) * (float)size + at * line->cosine - off * line->sine;
+            float place_y = (line->y + 8) * (float)size + at * line->sine + off * line->cosine;
             /* sizes are powers of two and places lie within a few tiles: the mask wraps them */
-            uint32_t x = (uint32_t)(int32_t)((line->x + 8) * (float)size + at * line->cosine - off * line->sine);
-            uint32_t y = (uint32_t)(int32_t)((line->y + 8) * (float)size + at * line->sine + off * line->cosine);
-            left += paper[(y & mask) * size + (x & mask)];
+            uint32_t x = (uint32_t)(int32_t)place_x & mask, y = (uint32_t)(int32_t)place_y & mask;
+            left += paper[y * size + x];
         }
         sum += alpha * left;
     }
