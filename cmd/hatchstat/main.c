@@ -21,21 +21,23 @@ static const struct {
 } subjects[] = {
     {"diff", 2, 2, stat_diff},
     {"frames", 2, -1, stat_frames},
+    {"mesh", 0, -1, stat_mesh},
 };
 
 static const char *const examples[] = {
     "hatchstat diff a.png b.png --max-difference 0.004",
     "hatchstat frames turn.*.png --json",
+    "meshgen torus | hatchstat mesh",
     NULL,
 };
 
 static const struct cmd_program program = {
     .name = "hatchstat",
-    .operands = "SUBJECT FILE ...",
-    .summary = "measure pictures (diff A B, frames A B ...)",
+    .operands = "SUBJECT [FILE ...]",
+    .summary = "measure pictures (diff A B, frames A B ...) and meshes (mesh FILE ...)",
     .examples = examples,
     .options = options,
-    .operands_min = 2,
+    .operands_min = 1,
     .operands_max = -1,
     .reports = true,
 };

@@ -21,6 +21,8 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
                             struct cmd_output *output);
 enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options,
                               struct cmd_output *output);
+enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
+                            struct cmd_output *output);
 
 /* Reads a picture of any format; dies on failure. Warns when pixels are not finite. srgb: its
  * colours as sRGB numbers. Memory: args->keep, or arena where it is not NULL. */

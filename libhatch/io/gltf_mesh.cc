@@ -138,6 +138,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     hatch_arena_rewind(r.scratch, mark);
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
+    out->file_vertices = mesh.vertex_count;
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
     if (!out->had_normals && mesh.face_count > 0)

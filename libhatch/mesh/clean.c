@@ -114,7 +114,8 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
     if (!w->flipped)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &w->point_count, err));
-    w->notes.vertices_apart = mesh->vertex_count - w->point_count;
+    if (mesh->attribute_count == 1) /* else they may differ in what they carry */
+        w->notes.vertices_apart = mesh->vertex_count - w->point_count;
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     drop_degenerate(w);
     HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,

@@ -37,7 +37,8 @@ struct hatch_mesh_notes {
     uint32_t duplicates_dropped;   /* faces given twice */
     uint32_t unreferenced_dropped; /* vertices that no face uses */
     uint32_t faces_flipped;        /* faces turned to agree with their neighbours */
-    uint32_t vertices_apart;       /* vertices at the position of an earlier one */
+    uint32_t vertices_apart;       /* where vertices have positions alone: those at the
+                                      position of an earlier one */
     uint32_t non_manifold_edges;   /* edges of more than two faces */
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */

@@ -19,6 +19,7 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
     made.meshes[0] = (struct hatch_scene_mesh){
         .mesh = *mesh,
         .material = HATCH_NONE,
+        .file_vertices = mesh->vertex_count,
         .had_texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2) != NULL,
         .had_normals = hatch_mesh_find(mesh, "NORMAL", 3) != NULL,
     };

@@ -25,6 +25,7 @@ struct hatch_texture {
 struct hatch_scene_mesh {
     struct hatch_mesh mesh; /* one glTF primitive */
     uint32_t material;      /* or HATCH_NONE */
+    uint32_t file_vertices; /* vertices in the file: flat normals may have doubled some */
     bool had_texcoords;     /* TEXCOORD_0 stood in the file */
     bool had_normals;
 };
@@ -111,5 +112,13 @@ void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, doubl
  * instead of the node's own matrix. joints: 16 * joint_count floats. */
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world,
                       float *joints);
+
+/* Everything that the nodes draw at rest as one mesh in world space: POSITION, and NORMAL and
+ * TEXCOORD_0 where all meshes have them; skinned meshes as they were bound. Under a matrix that mirrors
+ * faces are turned round, so that they stay counter-clockwise. HATCH_BAD_INPUT for a scene without
+ * faces; HATCH_LIMIT when its instances are too many. */
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -1,0 +1,71 @@
+#include "cmd_scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "io/gltf.h"
+#include "io/mesh_file.h"
+
+/* A glTF's companions lie beside it; context is the glTF's path. */
+static enum hatch_status read_companion(void *context, const char *uri, struct hatch_arena *arena,
+                                        struct hatch_bytes *bytes, struct hatch_err *err)
+{
+    const char *path = context, *slash = strrchr(path, '/');
+    char joined[4096];
+    int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path,
+                          uri);
+    if (length < 0 || (size_t)length >= sizeof joined)
+        return hatch_fail(err, HATCH_BAD_INPUT, "companion file: name too long");
+    enum hatch_status status = cmd_try_read(arena, joined, bytes, err);
+    return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
+}
+
+static void warn(const char *name, uint32_t count, const char *what)
+{
+    if (count)
+        cmd_warn(name, "%u %s", count, what);
+}
+
+void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
+{
+    warn(name, notes->degenerate_dropped, "faces without an area are left out");
+    warn(name, notes->duplicates_dropped, "faces given twice are left out");
+    warn(name, notes->unreferenced_dropped, "vertices that no face uses are left out");
+    warn(name, notes->vertices_apart, "vertices stand where others do and count as one with them");
+    warn(name, notes->faces_flipped, "faces look the other way than their neighbours");
+    warn(name, notes->non_manifold_edges, "edges have more than two faces");
+    warn(name, notes->non_manifold_points, "points join faces that share no edge there");
+    warn(name, notes->contrary_edges,
+         "edges between faces that cannot agree which side is out: the surface has but one side");
+    warn(name, notes->primitives_skipped, "sets of points or lines are skipped");
+    warn(name, notes->morphs_ignored, "meshes have morph targets, which are not applied");
+    warn(name, notes->images_missing, "images could not be read");
+}
+
+static bool is_file(const char *path)
+{
+    return path && strcmp(path, "-") != 0;
+}
+
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                    struct hatch_scene *scene)
+{
+    const char *name = cmd_input_name(path);
+    struct hatch_bytes file = cmd_read(args, path);
+    struct hatch_mesh_notes notes = {0};
+    struct hatch_mesh mesh;
+    struct hatch_err err;
+    enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
+    if (format == HATCH_MESH_GLTF) {
+        cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path,
+                                  &args->keep, &args->scratch, scene, &notes, &err),
+                  name, &err);
+    } else {
+        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, &notes, &err),
+                  name, &err);
+        if (care == CMD_SCENE_CLEANED)
+            cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
+        cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
+    }
+    cmd_warn_mesh(name, &notes);
+}

@@ -1,0 +1,22 @@
+/* Scenes and meshes as input of a command: any format, any dirt. For commands that link gltf. */
+#ifndef HATCH_CMD_SCENE_H
+#define HATCH_CMD_SCENE_H
+
+#include "cmd.h"
+#include "mesh/scene.h"
+
+enum cmd_scene_care {
+    CMD_SCENE_AS_IS,  /* what the file holds, without a word but of what was skipped */
+    CMD_SCENE_CLEANED /* PLY, OBJ, OFF and STL cleaned (hatch_mesh_clean), with warnings */
+};
+
+/* Reads a scene: glTF with its companions (those of standard input cannot be found), or a mesh file as
+ * a scene of one node. Normals are those of the file, or glTF's flat ones. Memory: args->keep. Dies on
+ * failure. */
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                    struct hatch_scene *scene);
+
+/* A warning for each thing that a mesh's user should know, repaired or not. */
+void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes);
+
+#endif

@@ -1,0 +1,83 @@
+/* hatchstat mesh FILE ...: the figures of meshes and scenes, a row each. */
+#include "cmd_scene.h"
+#include "measure/mesh_figures.h"
+#include "subject.h"
+
+static const char *const columns[] = {
+    "file",           "vertices",        "faces",           "points",
+    "unused",         "components",      "boundary_loops",  "euler",
+    "genus",          "nonmanifold_edges", "nonmanifold_points", "degenerate",
+    "duplicates",     "contrary_edges",  "area",            "low_x",
+    "low_y",          "low_z",           "high_x",          "high_y",
+    "high_z",         "edge_min",        "edge_mean",       "edge_max",
+    "uv",             "uv_degenerate",   "uv_mirrored",     "angle_p5",
+    "angle_p50",      "angle_p95",       "texels_p5",       "texels_p50",
+    "texels_p95",     NULL};
+
+static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices,
+                       const struct hatch_mesh_figures *f)
+{
+    const uint32_t counts[] = {file_vertices, f->faces, f->points, f->unused_vertices,
+                               f->components, f->boundary_loops};
+    const uint32_t faults[] = {f->non_manifold_edges, f->non_manifold_points, f->degenerate_faces,
+                               f->duplicate_faces, f->contrary_edges};
+    cmd_report_text(report, name);
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+        cmd_report_whole(report, counts[i]);
+    cmd_report_number(report, (double)f->euler);
+    cmd_report_number(report, (double)f->genus);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        cmd_report_whole(report, faults[i]);
+    cmd_report_number(report, f->area);
+    for (int k = 0; k < 3; k++)
+        cmd_report_number(report, (double)f->low[k]);
+    for (int k = 0; k < 3; k++)
+        cmd_report_number(report, (double)f->high[k]);
+    cmd_report_number(report, f->edge_min);
+    cmd_report_number(report, f->edge_mean);
+    cmd_report_number(report, f->edge_max);
+    cmd_report_whole(report, f->has_uv);
+    cmd_report_number(report, f->uv.degenerate_share);
+    cmd_report_number(report, f->uv.mirrored_share);
+    for (int k = 0; k < 3; k++)
+        cmd_report_number(report, f->uv.angle[k]);
+    for (int k = 0; k < 3; k++)
+        cmd_report_number(report, f->uv.area[k]);
+}
+
+static void measure(struct cmd_args *args, const char *path, struct cmd_report *report)
+{
+    const char *name = cmd_input_name(path);
+    struct hatch_scene scene;
+    struct hatch_mesh mesh;
+    struct hatch_mesh_figures figures;
+    struct hatch_mesh_notes notes = {0};
+    struct hatch_err err;
+    cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
+    cmd_check(hatch_scene_flatten(&scene, &args->keep, &args->scratch, &mesh, &err), name, &err);
+    cmd_check(hatch_measure_mesh(&mesh, &args->scratch, &figures, &err), name, &err);
+    uint32_t doubled = 0;
+    for (uint32_t n = 0; n < scene.node_count; n++)
+        for (uint32_t m = 0; m < scene.nodes[n].mesh_count; m++) {
+            const struct hatch_scene_mesh *part = &scene.meshes[scene.nodes[n].first_mesh + m];
+            doubled += part->mesh.vertex_count - part->file_vertices;
+        }
+    report_row(report, name, figures.vertices - doubled, &figures);
+    /* What a command that cleans its input would say of this one. */
+    cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
+    cmd_warn_mesh(name, &notes);
+}
+
+enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
+                            struct cmd_output *output)
+{
+    (void)options;
+    struct cmd_report report;
+    cmd_report_begin(&report, args, columns);
+    if (args->operand_count == 1)
+        measure(args, NULL, &report);
+    for (int i = 1; i < args->operand_count; i++)
+        measure(args, args->operands[i], &report);
+    cmd_report_write(&report, output);
+    return HATCH_OK;
+}
