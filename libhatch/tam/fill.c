@@ -21,6 +21,7 @@ struct filler {
     float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
     float targets[HATCH_TAM_TONES_MAX];
     struct hatch_arena *arena;
+    const char *seed; /* in arena: a sink may keep a column's attributes longer than its pixels */
     struct hatch_stroke_list strokes;
     uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
     float *scale;          /* of each stroke: the share of its full size that it is drawn at */
@@ -246,9 +247,7 @@ static enum hatch_status deliver(const struct filler *f, uint32_t tone, struct h
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
     struct hatch_mipmap column = {.levels = levels};
-    char seed[24];
-    snprintf(seed, sizeof seed, "%" PRIu64, f->options->seed);
-    struct hatch_tam_label label = {f->options->levels, seed, f->style->name, f->options->growth};
+    struct hatch_tam_label label = {f->options->levels, f->seed, f->style->name, f->options->growth};
     hatch_tam_label_column(&label, tone, f->targets[tone], &column);
     enum hatch_status status = column_of(f, scratch, &column, err);
     if (status == HATCH_OK)
@@ -267,6 +266,11 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
+    char seed[24];
+    int digits = snprintf(seed, sizeof seed, "%" PRIu64, options->seed);
+    f.seed = hatch_arena_text(arena, seed, (size_t)digits, err);
+    if (!f.seed)
+        return HATCH_LIMIT;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px,
                                                  options->levels, options->ids, &f.canvas, err);
