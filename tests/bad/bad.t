@@ -18,7 +18,9 @@ tail -n +2 "$bad/MANIFEST.tsv" | cut -f1,3 | while read -r file expect; do
 done >all.list
 while read -r line; do
     set -- $line
-    [ -x "$BIN/$4" ] && echo "$line"
+    [ -x "$BIN/$4" ] || continue
+    [ "$4" != hatchstat ] || hatchstat --help | grep -qw "$5" || continue
+    echo "$line"
 done <all.list >runs.list
 if [ -s runs.list ]; then
     xargs -P 2 -L 1 sh "$TOP/tests/bad/one.sh" <runs.list >results

@@ -30,9 +30,9 @@ timeout "$seconds" "$@" >"$work/said" 2>"$work/words" </dev/null
 status=$?
 
 complaint() {
-    echo "not ok - $name"
-    printf '# %s (exit %s)\n' "$1" "$status"
-    head -n 5 "$work/words" | sed 's/^/# /'
+    # in one write: another runs beside this one
+    printf 'not ok - %s\n# %s (exit %s)\n%s\n' "$name" "$1" "$status" \
+        "$(head -n 3 "$work/words" | sed 's/^/# /')"
     exit 0
 }
 refused() {
@@ -43,8 +43,9 @@ refused() {
 }
 accepted() {
     [ -s "$work/said" ] || ls "$work"/out* >/dev/null 2>&1 || complaint "no output"
-    if cat "$work"/out.tsv "$work/said" 2>/dev/null | LC_ALL=C grep -aqiwE 'nan|inf'; then
-        complaint "the output is not finite"
+    # an infinite ratio of two equal pictures is right, a NaN never is
+    if cat "$work"/out.tsv "$work/said" 2>/dev/null | LC_ALL=C grep -aqiw nan; then
+        complaint "the output is NaN"
     fi
 }
 case $expect.$status in
