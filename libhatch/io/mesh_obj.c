@@ -16,7 +16,7 @@ struct corner {
 };
 
 struct obj {
-    struct hatch_text text;
+    struct hatch_mesh_text text;
     struct hatch_arena *scratch;
     struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 each */
     bool plain;                        /* faces name positions alone */
@@ -46,11 +46,11 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
     if (o->values[kind].size / sizeof value >= INT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "line %u: too many %s", o->text.line, names[kind]);
     for (uint32_t k = 0; k < widths[kind]; k++) {
-        struct hatch_text before = o->text;
-        if (kind == VT && k == 1 && hatch_text_word(&before).length == 0)
+        struct hatch_mesh_text before = o->text;
+        if (kind == VT && k == 1 && hatch_mesh_text_word(&before).length == 0)
             value[k] = 0; /* one-dimensional texture */
         else
-            HATCH_TRY(hatch_text_float(&o->text, names[kind], &value[k], err));
+            HATCH_TRY(hatch_mesh_text_float(&o->text, names[kind], &value[k], err));
     }
     if (kind == VT)
         value[1] = 1 - value[1]; /* OBJ's v rises upwards, glTF's downwards */
@@ -141,15 +141,15 @@ static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, 
 /* Whether some face names more than positions. Continued lines start with a number. */
 static bool names_more(struct hatch_bytes file)
 {
-    struct hatch_text text = hatch_text_of(file);
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
     do {
-        struct hatch_word word = hatch_text_word(&text);
+        struct hatch_word word = hatch_mesh_text_word(&text);
         if (word.length == 0 || !strchr("f-0123456789", *word.start))
             continue;
         const char *newline = memchr(word.start, '\n', (size_t)(text.end - word.start));
         if (memchr(word.start, '/', (size_t)((newline ? newline : text.end) - word.start)))
             return true;
-    } while (hatch_text_next_line(&text));
+    } while (hatch_mesh_text_next_line(&text));
     return false;
 }
 
@@ -158,7 +158,7 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
     o->points.size = o->used.size = 0;
     uint32_t count = 0;
     for (;;) {
-        struct hatch_word word = hatch_text_word(&o->text);
+        struct hatch_word word = hatch_mesh_text_word(&o->text);
         struct corner corner;
         if (word.length == 0)
             break;
@@ -191,7 +191,7 @@ static bool is_ignored(struct hatch_word word)
 
 static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_text_word(&o->text);
+    struct hatch_word word = hatch_mesh_text_word(&o->text);
     if (word.length == 0)
         return HATCH_OK;
     if (hatch_word_is(word, "v"))
@@ -268,7 +268,7 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, struct hatch_arena *ar
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    struct obj o = {.text = hatch_text_of(file), .scratch = scratch, .plain = !names_more(file)};
+    struct obj o = {.text = hatch_mesh_text_of(file), .scratch = scratch, .plain = !names_more(file)};
     o.text.comment = '#';
     o.text.continues = true;
     for (int kind = 0; kind < KINDS; kind++)
@@ -277,6 +277,6 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, struct hatch_arena *ar
     o.faces = hatch_faces_in(scratch);
     do
         HATCH_TRY(read_line(&o, err));
-    while (hatch_text_next_line(&o.text));
+    while (hatch_mesh_text_next_line(&o.text));
     return finish(&o, arena, mesh, notes, err);
 }

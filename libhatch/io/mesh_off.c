@@ -3,9 +3,9 @@
 #include "io/mesh_polygon.h"
 #include "io/mesh_text.h"
 
-static enum hatch_status read_header(struct hatch_text *text, struct hatch_err *err)
+static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_text_any_word(text);
+    struct hatch_word word = hatch_mesh_text_any_word(text);
     if (!hatch_word_is(word, "OFF") && !hatch_word_is(word, "COFF") &&
         !hatch_word_is(word, "NOFF") && !hatch_word_is(word, "CNOFF"))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line,
@@ -14,30 +14,30 @@ static enum hatch_status read_header(struct hatch_text *text, struct hatch_err *
 }
 
 /* Every vertex takes at least six bytes ("0 0 0\n"), every face at least eight ("3 0 0 0\n"). */
-static enum hatch_status read_counts(struct hatch_text *text, int64_t counts[2],
+static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t counts[2],
                                      struct hatch_err *err)
 {
     static const char *const names[] = {"vertices", "faces"};
     static const int64_t bytes[] = {6, 8};
     for (int i = 0; i < 2; i++) {
-        struct hatch_word word = hatch_text_any_word(text);
+        struct hatch_word word = hatch_mesh_text_any_word(text);
         if (!hatch_word_integer(word, &counts[i]) || counts[i] < 0)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s is no number of %s", text->line,
                               hatch_word_shown(word), word.start, names[i]);
-        if (counts[i] > (int64_t)hatch_text_left(text) / bytes[i] + 1)
+        if (counts[i] > (int64_t)hatch_mesh_text_left(text) / bytes[i] + 1)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s %s do not fit into %zu bytes",
                               text->line, hatch_word_shown(word), word.start, names[i],
-                              hatch_text_left(text));
+                              hatch_mesh_text_left(text));
     }
-    hatch_text_next_line(text);
+    hatch_mesh_text_next_line(text);
     return HATCH_OK;
 }
 
 /* Leaves the text at the first word of the next line that has one. */
-static bool find_line(struct hatch_text *text)
+static bool find_line(struct hatch_mesh_text *text)
 {
-    struct hatch_text ahead = *text;
-    struct hatch_word word = hatch_text_any_word(&ahead);
+    struct hatch_mesh_text ahead = *text;
+    struct hatch_word word = hatch_mesh_text_any_word(&ahead);
     if (word.length == 0)
         return false;
     text->at = word.start;
@@ -45,17 +45,17 @@ static bool find_line(struct hatch_text *text)
     return true;
 }
 
-static enum hatch_status read_face(struct hatch_text *text, int64_t vertex_count,
+static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_count,
                                    struct hatch_buffer *corners, struct hatch_err *err)
 {
     int64_t count, index;
-    struct hatch_word word = hatch_text_word(text);
+    struct hatch_word word = hatch_mesh_text_word(text);
     if (!hatch_word_integer(word, &count) || count < 3)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %.*s corners", text->line,
                           hatch_word_shown(word), word.start);
     corners->size = 0;
     for (int64_t i = 0; i < count; i++) {
-        word = hatch_text_word(text);
+        word = hatch_mesh_text_word(text);
         if (!hatch_word_integer(word, &index) || index < 0 || index >= vertex_count)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s, there are %lld vertices",
                               text->line, hatch_word_shown(word), word.start,
@@ -70,7 +70,7 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *ar
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    struct hatch_text text = hatch_text_of(file);
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
     text.comment = '#';
     int64_t counts[2];
     HATCH_TRY(read_header(&text, err));
@@ -83,8 +83,8 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *ar
             return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld vertices", (long long)v,
                               (long long)counts[0]);
         for (int k = 0; k < 3; k++)
-            HATCH_TRY(hatch_text_float(&text, "vertex", &positions[v * 3 + k], err));
-        hatch_text_next_line(&text);
+            HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &positions[v * 3 + k], err));
+        hatch_mesh_text_next_line(&text);
     }
     struct hatch_faces faces = hatch_faces_in(scratch);
     struct hatch_buffer corners = {.arena = scratch};
@@ -96,7 +96,7 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *ar
         const uint32_t *corner = (const uint32_t *)(const void *)corners.data;
         HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner,
                                   (uint32_t)(corners.size / sizeof *corner), err));
-        hatch_text_next_line(&text);
+        hatch_mesh_text_next_line(&text);
     }
     return hatch_faces_finish(&faces, positions, (uint32_t)counts[0], arena, mesh, notes, err);
 }

@@ -10,7 +10,7 @@
 
 struct ply {
     struct hatch_ply_header header;
-    struct hatch_text text;     /* ascii */
+    struct hatch_mesh_text text;     /* ascii */
     struct hatch_reader reader; /* binary */
     const struct hatch_ply_element *element; /* being read, and which of it: for messages */
     uint64_t item;
@@ -57,7 +57,7 @@ static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, do
                                      struct hatch_err *err)
 {
     if (p->header.ascii) {
-        struct hatch_word word = hatch_text_any_word(&p->text);
+        struct hatch_word word = hatch_mesh_text_any_word(&p->text);
         if (word.length == 0)
             return fail(p, err, "the file is cut");
         return hatch_word_number(word, number) ? HATCH_OK : fail(p, err, "not a number");
@@ -80,7 +80,7 @@ static size_t least_size(const struct ply *p, const struct hatch_ply_element *el
 
 static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
 {
-    size_t left = p->header.ascii ? hatch_text_left(&p->text) : hatch_reader_left(&p->reader);
+    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) : hatch_reader_left(&p->reader);
     size_t least = least_size(p, p->element);
     if (least && p->element->count > left / least + 1)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu",
@@ -94,7 +94,7 @@ static enum hatch_status read_length(struct ply *p, const struct hatch_ply_prope
 {
     double number;
     HATCH_TRY(read_number(p, property->count_type, &number, err));
-    size_t left = p->header.ascii ? hatch_text_left(&p->text) / 2 + 1
+    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) / 2 + 1
                                   : hatch_reader_left(&p->reader) / hatch_ply_size(property->type);
     if (!(number >= 0 && number <= (double)left && number < (double)INT32_MAX))
         return fail(p, err, "a list longer than the file");
@@ -270,7 +270,7 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, struct hatch_arena *ar
         return HATCH_LIMIT;
     p->scratch = p->corners.arena = scratch;
     p->faces = hatch_faces_in(scratch);
-    p->text = hatch_text_of(file);
+    p->text = hatch_mesh_text_of(file);
     HATCH_TRY(hatch_ply_read_header(&p->text, &p->header, err));
     p->reader = hatch_reader_of(file);
     p->reader.big_endian = p->header.big_endian;

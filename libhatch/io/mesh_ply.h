@@ -60,7 +60,7 @@ struct hatch_ply_header {
 size_t hatch_ply_size(enum hatch_ply_type type);
 
 /* Reads up to and with the end_header line; text is then at the body's first byte. */
-enum hatch_status hatch_ply_read_header(struct hatch_text *text, struct hatch_ply_header *header,
+enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -48,10 +48,10 @@ static enum hatch_ply_use use_of(enum hatch_ply_kind kind, bool list, struct hat
     return HATCH_PLY_SKIP;
 }
 
-static enum hatch_status read_format(struct hatch_text *text, struct hatch_ply_header *header,
+static enum hatch_status read_format(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                      struct hatch_err *err)
 {
-    struct hatch_word format = hatch_text_word(text), version = hatch_text_word(text);
+    struct hatch_word format = hatch_mesh_text_word(text), version = hatch_mesh_text_word(text);
     header->ascii = hatch_word_is(format, "ascii");
     header->big_endian = hatch_word_is(format, "binary_big_endian");
     if ((!header->ascii && !header->big_endian && !hatch_word_is(format, "binary_little_endian")) ||
@@ -61,13 +61,13 @@ static enum hatch_status read_format(struct hatch_text *text, struct hatch_ply_h
     return HATCH_OK;
 }
 
-static enum hatch_status read_element(struct hatch_text *text, struct hatch_ply_header *header,
+static enum hatch_status read_element(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                       struct hatch_err *err)
 {
     if (header->element_count == HATCH_PLY_ELEMENTS_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u elements", text->line,
                           HATCH_PLY_ELEMENTS_MAX);
-    struct hatch_word name = hatch_text_word(text), number = hatch_text_word(text);
+    struct hatch_word name = hatch_mesh_text_word(text), number = hatch_mesh_text_word(text);
     struct hatch_ply_element *element = &header->elements[header->element_count];
     int64_t count;
     if (name.length >= sizeof element->name || !hatch_word_integer(number, &count) || count < 0)
@@ -84,7 +84,7 @@ static enum hatch_status read_element(struct hatch_text *text, struct hatch_ply_
     return HATCH_OK;
 }
 
-static enum hatch_status read_property(struct hatch_text *text, struct hatch_ply_header *header,
+static enum hatch_status read_property(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                        struct hatch_err *err)
 {
     if (header->element_count == 0)
@@ -95,14 +95,14 @@ static enum hatch_status read_property(struct hatch_text *text, struct hatch_ply
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u properties", text->line,
                           HATCH_PLY_PROPERTIES_MAX);
     struct hatch_ply_property property = {HATCH_PLY_NONE, HATCH_PLY_NONE, HATCH_PLY_SKIP};
-    struct hatch_word word = hatch_text_word(text);
+    struct hatch_word word = hatch_mesh_text_word(text);
     bool list = hatch_word_is(word, "list");
     if (list) {
-        property.count_type = type_of(hatch_text_word(text));
-        word = hatch_text_word(text);
+        property.count_type = type_of(hatch_mesh_text_word(text));
+        word = hatch_mesh_text_word(text);
     }
     property.type = type_of(word);
-    struct hatch_word name = hatch_text_word(text);
+    struct hatch_word name = hatch_mesh_text_word(text);
     bool whole = property.count_type != HATCH_PLY_FLOAT32 && property.count_type != HATCH_PLY_FLOAT64;
     if (property.type == HATCH_PLY_NONE || (list && property.count_type == HATCH_PLY_NONE) ||
         !whole || name.length == 0)
@@ -113,10 +113,10 @@ static enum hatch_status read_property(struct hatch_text *text, struct hatch_ply
     return HATCH_OK;
 }
 
-static enum hatch_status read_line(struct hatch_text *text, struct hatch_ply_header *header,
+static enum hatch_status read_line(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                    bool *format_seen, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_text_word(text);
+    struct hatch_word word = hatch_mesh_text_word(text);
     if (hatch_word_is(word, "format")) {
         *format_seen = true;
         return read_format(text, header, err);
@@ -131,22 +131,22 @@ static enum hatch_status read_line(struct hatch_text *text, struct hatch_ply_hea
                       hatch_word_shown(word), word.start);
 }
 
-enum hatch_status hatch_ply_read_header(struct hatch_text *text, struct hatch_ply_header *header,
+enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                         struct hatch_err *err)
 {
     bool format_seen = false;
-    if (!hatch_word_is(hatch_text_word(text), "ply"))
+    if (!hatch_word_is(hatch_mesh_text_word(text), "ply"))
         return hatch_fail(err, HATCH_BAD_INPUT, "does not start with ply");
     *header = (struct hatch_ply_header){.ascii = false};
     for (;;) {
-        if (!hatch_text_next_line(text))
+        if (!hatch_mesh_text_next_line(text))
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before end_header", text->line);
-        struct hatch_text ahead = *text;
-        if (hatch_word_is(hatch_text_word(&ahead), "end_header"))
+        struct hatch_mesh_text ahead = *text;
+        if (hatch_word_is(hatch_mesh_text_word(&ahead), "end_header"))
             break;
         HATCH_TRY(read_line(text, header, &format_seen, err));
     }
-    hatch_text_next_line(text);
+    hatch_mesh_text_next_line(text);
     if (!format_seen)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the header has no format", text->line);
     return HATCH_OK;

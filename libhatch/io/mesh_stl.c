@@ -64,16 +64,16 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
                                    struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                    struct hatch_err *err)
 {
-    struct hatch_text text = hatch_text_of(file);
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
     struct hatch_buffer positions = {.arena = scratch};
     uint32_t corners = 0; /* of the facet being read */
     bool ended = false;
     do {
-        struct hatch_word word = hatch_text_word(&text);
+        struct hatch_word word = hatch_mesh_text_word(&text);
         if (hatch_word_is(word, "vertex")) {
             float p[3];
             for (int k = 0; k < 3; k++)
-                HATCH_TRY(hatch_text_float(&text, "vertex", &p[k], err));
+                HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &p[k], err));
             HATCH_TRY(hatch_buffer_add(&positions, p, sizeof p, err));
             corners++;
         } else if (hatch_word_is(word, "endfacet")) {
@@ -88,7 +88,7 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
                               hatch_word_shown(word), word.start);
         }
         ended = word.length ? hatch_word_is(word, "endsolid") : ended;
-    } while (hatch_text_next_line(&text));
+    } while (hatch_mesh_text_next_line(&text));
     if (!ended || corners)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", text.line);
     struct hatch_mesh made;

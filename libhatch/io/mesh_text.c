@@ -3,13 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-struct hatch_text hatch_text_of(struct hatch_bytes bytes)
+struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes)
 {
     const char *start = (const char *)bytes.data;
-    return (struct hatch_text){.at = start, .end = start + bytes.size, .line = 1};
+    return (struct hatch_mesh_text){.at = start, .end = start + bytes.size, .line = 1};
 }
 
-size_t hatch_text_left(const struct hatch_text *text)
+size_t hatch_mesh_text_left(const struct hatch_mesh_text *text)
 {
     return (size_t)(text->end - text->at);
 }
@@ -20,9 +20,9 @@ static bool is_blank(char c)
 }
 
 /* The length of a backslash with the line's end behind it, or 0. */
-static size_t continuation(const struct hatch_text *text)
+static size_t continuation(const struct hatch_mesh_text *text)
 {
-    size_t left = hatch_text_left(text);
+    size_t left = hatch_mesh_text_left(text);
     if (!text->continues || left < 2 || text->at[0] != '\\')
         return 0;
     if (text->at[1] == '\n')
@@ -30,7 +30,7 @@ static size_t continuation(const struct hatch_text *text)
     return left > 2 && text->at[1] == '\r' && text->at[2] == '\n' ? 3 : 0;
 }
 
-static void skip_blanks(struct hatch_text *text)
+static void skip_blanks(struct hatch_mesh_text *text)
 {
     while (text->at < text->end) {
         size_t joined = continuation(text);
@@ -48,7 +48,7 @@ static void skip_blanks(struct hatch_text *text)
             text->at++;
 }
 
-struct hatch_word hatch_text_word(struct hatch_text *text)
+struct hatch_word hatch_mesh_text_word(struct hatch_mesh_text *text)
 {
     skip_blanks(text);
     const char *start = text->at;
@@ -58,9 +58,9 @@ struct hatch_word hatch_text_word(struct hatch_text *text)
     return (struct hatch_word){start, (size_t)(text->at - start)};
 }
 
-bool hatch_text_next_line(struct hatch_text *text)
+bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
 {
-    const char *newline = memchr(text->at, '\n', hatch_text_left(text));
+    const char *newline = memchr(text->at, '\n', hatch_mesh_text_left(text));
     if (!newline) {
         text->at = text->end;
         return false;
@@ -70,11 +70,11 @@ bool hatch_text_next_line(struct hatch_text *text)
     return text->at < text->end;
 }
 
-struct hatch_word hatch_text_any_word(struct hatch_text *text)
+struct hatch_word hatch_mesh_text_any_word(struct hatch_mesh_text *text)
 {
     for (;;) {
-        struct hatch_word word = hatch_text_word(text);
-        if (word.length || !hatch_text_next_line(text))
+        struct hatch_word word = hatch_mesh_text_word(text);
+        if (word.length || !hatch_mesh_text_next_line(text))
             return word;
     }
 }
@@ -183,10 +183,10 @@ bool hatch_word_integer(struct hatch_word word, int64_t *number)
     return true;
 }
 
-enum hatch_status hatch_text_float(struct hatch_text *text, const char *what, float *number,
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
                                    struct hatch_err *err)
 {
-    struct hatch_word word = hatch_text_word(text);
+    struct hatch_word word = hatch_mesh_text_word(text);
     double value;
     if (word.length == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line, what);

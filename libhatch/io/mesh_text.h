@@ -6,7 +6,7 @@
 
 #include "base/bytes.h"
 
-struct hatch_text {
+struct hatch_mesh_text {
     const char *at, *end;
     uint32_t line;  /* of at, from 1 */
     bool continues; /* a backslash before a line's end joins it with the next (OBJ) */
@@ -18,18 +18,18 @@ struct hatch_word {
     size_t length; /* 0: the line has no further word */
 };
 
-struct hatch_text hatch_text_of(struct hatch_bytes bytes);
+struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes);
 
 /* The next word of this line: what stands between blanks. */
-struct hatch_word hatch_text_word(struct hatch_text *text);
+struct hatch_word hatch_mesh_text_word(struct hatch_mesh_text *text);
 
 /* Goes to the start of the next line; false at the end of the text. */
-bool hatch_text_next_line(struct hatch_text *text);
+bool hatch_mesh_text_next_line(struct hatch_mesh_text *text);
 
 /* The next word, on this or a later line; length 0 at the end of the text. */
-struct hatch_word hatch_text_any_word(struct hatch_text *text);
+struct hatch_word hatch_mesh_text_any_word(struct hatch_mesh_text *text);
 
-size_t hatch_text_left(const struct hatch_text *text);
+size_t hatch_mesh_text_left(const struct hatch_mesh_text *text);
 
 bool hatch_word_is(struct hatch_word word, const char *name);
 
@@ -44,7 +44,7 @@ bool hatch_word_number(struct hatch_word word, double *number);
 bool hatch_word_integer(struct hatch_word word, int64_t *number);
 
 /* The next word of the line as a float, finite. what: "vertex"; HATCH_BAD_INPUT with the line. */
-enum hatch_status hatch_text_float(struct hatch_text *text, const char *what, float *number,
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 #endif
