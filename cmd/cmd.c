@@ -143,6 +143,16 @@ void cmd_note(const char *format, ...)
         say(NULL, "", sentence.text);
 }
 
+void cmd_say(const char *format, ...)
+{
+    struct hatch_err sentence;
+    va_list args;
+    va_start(args, format);
+    format_sentence(&sentence, format, args);
+    va_end(args);
+    say(NULL, "", sentence.text);
+}
+
 static double seconds_between(struct timespec from, struct timespec to)
 {
     return (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);

@@ -124,6 +124,9 @@ void cmd_warn(const char *file, const char *format, ...) HATCH_PRINTF(2, 3);
 /* "tamgen: sentence", only with --verbose. */
 void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);
 
+/* "render-gl: sentence": what somebody in front of a window asked for. */
+void cmd_say(const char *format, ...) HATCH_PRINTF(1, 2);
+
 /* A progress line on standard error, only on a terminal and only after a second. share: 0 .. 1. */
 void cmd_progress(const char *what, double share);
 

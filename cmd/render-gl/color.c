@@ -1,9 +1,8 @@
 #include "render-gl/color.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "image/image.h"
 
 static int digit(char c)
@@ -37,11 +36,13 @@ bool color_parse(const char *text, float rgb[3])
 bool vector_parse(const char *text, double xyz[3])
 {
     for (int k = 0; k < 3; k++) {
-        char *end;
-        xyz[k] = strtod(text, &end);
-        if (end == text || !isfinite(xyz[k]) || *end != (k < 2 ? ',' : '\0'))
+        size_t length = strcspn(text, ",");
+        if (!hatch_text_number((struct hatch_text){text, length}, &xyz[k]))
             return false;
-        text = end + 1;
+        text += length;
+        if (*text != (k < 2 ? ',' : '\0'))
+            return false;
+        text += k < 2;
     }
     return true;
 }

@@ -36,10 +36,10 @@ static enum hatch_status upload_six(const struct hatch_tam *map, struct hatch_ar
                                     struct gpu_columns *columns, struct hatch_err *err)
 {
     GLsizei chain = (GLsizei)map->columns[0].level_count;
-    glCreateTextures(GL_TEXTURE_2D, 2, columns->textures);
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &columns->texture);
+    glTextureStorage3D(columns->texture, chain, GL_RGBA8, (GLsizei)map->size_px,
+                       (GLsizei)map->size_px, 2);
     for (uint32_t half = 0; half < 2; half++) {
-        glTextureStorage2D(columns->textures[half], chain, GL_RGBA8, (GLsizei)map->size_px,
-                           (GLsizei)map->size_px);
         for (GLsizei level = 0; level < chain; level++) {
             struct hatch_arena_mark mark = hatch_arena_mark(scratch);
             uint32_t size = hatch_mip_size(map->size_px, (uint32_t)level);
@@ -53,8 +53,8 @@ static enum hatch_status upload_six(const struct hatch_tam *map, struct hatch_ar
                 for (size_t i = 0; i < count; i++)
                     texels[4 * i + c] = ink_of(image, i, 3, map->color);
             }
-            glTextureSubImage2D(columns->textures[half], level, 0, 0, (GLsizei)size, (GLsizei)size,
-                                GL_RGBA, GL_UNSIGNED_BYTE, texels);
+            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)half, (GLsizei)size,
+                                (GLsizei)size, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
             hatch_arena_rewind(scratch, mark);
         }
     }
@@ -67,11 +67,11 @@ static enum hatch_status upload_array(const struct hatch_tam *map, struct hatch_
     static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
     GLsizei chain = (GLsizei)map->columns[0].level_count;
     uint32_t channels = map->color ? 4 : 1;
-    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, columns->textures);
-    glTextureStorage3D(columns->textures[0], chain, map->color ? GL_RGBA8 : GL_R8,
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &columns->texture);
+    glTextureStorage3D(columns->texture, chain, map->color ? GL_RGBA8 : GL_R8,
                        (GLsizei)map->size_px, (GLsizei)map->size_px, (GLsizei)map->tones);
     if (!map->color)
-        glTextureParameteriv(columns->textures[0], GL_TEXTURE_SWIZZLE_RGBA, grey);
+        glTextureParameteriv(columns->texture, GL_TEXTURE_SWIZZLE_RGBA, grey);
     for (uint32_t tone = 0; tone < map->tones; tone++)
         for (GLsizei level = 0; level < chain; level++) {
             struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -83,7 +83,7 @@ static enum hatch_status upload_array(const struct hatch_tam *map, struct hatch_
             for (size_t i = 0; i < channels * count; i++)
                 texels[i] = ink_of(&map->columns[tone].levels[level], i / channels,
                                    (uint32_t)(i % channels), map->color);
-            glTextureSubImage3D(columns->textures[0], level, 0, 0, (GLint)tone, (GLsizei)size,
+            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)tone, (GLsizei)size,
                                 (GLsizei)size, 1, map->color ? GL_RGBA : GL_RED, GL_UNSIGNED_BYTE,
                                 texels);
             hatch_arena_rewind(scratch, mark);
@@ -128,7 +128,7 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
 
 void columns_free(struct gpu_columns *columns)
 {
-    glDeleteTextures(2, columns->textures);
+    glDeleteTextures(1, &columns->texture);
     glDeleteSamplers(1, &columns->sampler);
     *columns = (struct gpu_columns){0};
 }

@@ -9,13 +9,13 @@
 
 enum columns_form {
     COLUMNS_NONE,  /* the technique draws tone alone */
-    COLUMNS_SIX,   /* six grey columns in the red, green and blue of two textures */
+    COLUMNS_SIX,   /* six grey columns in the red, green and blue of two layers */
     COLUMNS_ARRAY  /* every column a layer, grey or coloured */
 };
 
 struct gpu_columns {
     enum columns_form form;
-    GLuint textures[2]; /* SIX: both; ARRAY: the first */
+    GLuint texture;     /* 2D array */
     GLuint sampler;
     uint32_t size_px;
     uint32_t levels;     /* levels that hold strokes */

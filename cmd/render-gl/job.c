@@ -1,6 +1,5 @@
 #include "render-gl/job.h"
 
-#include "render-gl/load.h"
 #include "render-gl/material.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
@@ -101,19 +100,24 @@ void job_prepare(struct job *job)
               options->map_path, &err);
 }
 
+void job_view(struct job *job, struct view *view)
+{
+    struct hatch_err err;
+    *view = job->fixed_view;
+    if (!view_is_fixed(&job->options.view, &job->scene))
+        cmd_check(view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
+                            view->aspect, &job->args.scratch, view, &err),
+                  cmd_input_name(job->options.scene_path), &err);
+}
+
 void job_set_frame(struct job *job, uint32_t frame, struct view *view)
 {
     const struct options *options = &job->options;
-    const char *name = cmd_input_name(options->scene_path);
-    struct hatch_arena *scratch = &job->args.scratch;
     struct hatch_err err;
-    cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame), scratch, &err),
-              name, &err);
-    *view = job->fixed_view;
-    if (!view_is_fixed(&options->view, &job->scene))
-        cmd_check(view_make(&options->view, &job->gpu.pose, &job->span, &job->gpu.bounds,
-                            view->aspect, scratch, view, &err),
-                  name, &err);
+    cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame),
+                             &job->args.scratch, &err),
+              cmd_input_name(options->scene_path), &err);
+    job_view(job, view);
     if (options->turntable)
         view_turn(view, -TWO_PI * frame / options->frames);
 }

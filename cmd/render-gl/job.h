@@ -3,6 +3,7 @@
 #define RENDER_JOB_H
 
 #include "render-gl/context.h"
+#include "render-gl/load.h"
 #include "render-gl/options.h"
 
 struct job {
@@ -26,6 +27,9 @@ void job_prepare(struct job *job);
 
 /* Poses the scene for a frame and finds its view. */
 void job_set_frame(struct job *job, uint32_t frame, struct view *view);
+
+/* The view that the options ask for at the current pose. */
+void job_view(struct job *job, struct view *view);
 
 /* A target for the picture, or for its tiles. */
 void job_make_target(struct job *job, struct target *target);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "render-gl/color.h"
 
 #define RADIANS (3.14159265358979324 / 180)
@@ -178,9 +179,9 @@ static double read_uv_scale(void)
 {
     if (strcmp(uv_scale, "auto") == 0)
         return 0;
-    char *end;
-    double value = strtod(uv_scale, &end);
-    if (end == uv_scale || *end || !(value > 0 && value <= 65536))
+    double value;
+    if (!hatch_text_number((struct hatch_text){uv_scale, strlen(uv_scale)}, &value) ||
+        !(value > 0 && value <= 65536))
         cmd_usage("--uv-scale %s: want auto or a number over 0 and up to 65536", uv_scale);
     return value;
 }

@@ -125,10 +125,8 @@ void renderer_draw_over(struct renderer *renderer, uint32_t technique, const flo
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
     target_begin(target, background);
     clock_end_pass(renderer->clock, "clear");
-    for (GLuint i = 0; i < 2; i++) {
-        glBindTextureUnit(i, columns->textures[i]);
-        glBindSampler(i, columns->sampler);
-    }
+    glBindTextureUnit(0, columns->texture);
+    glBindSampler(0, columns->sampler);
     glEnable(GL_CULL_FACE);
     draw_passes(renderer, technique);
     /* Feature lines come here: the target is bound, its depth holds the surfaces, blending and culling

@@ -11,8 +11,7 @@ in vec3 v_dark_first, v_dark_second;
 in vec3 v_light_first, v_light_second;
 #endif
 #endif
-layout(binding = 0) uniform sampler2D columns_first;
-layout(binding = 1) uniform sampler2D columns_second;
+layout(binding = 0) uniform sampler2DArray columns;
 out vec4 o_color;
 
 float finish(float coverage)
@@ -26,8 +25,8 @@ float finish(float coverage)
 
 void main()
 {
-    vec3 first = texture(columns_first, v_texcoord, curve.w).rgb;
-    vec3 second = texture(columns_second, v_texcoord, curve.w).rgb;
+    vec3 first = texture(columns, vec3(v_texcoord, 0.0), curve.w).rgb;
+    vec3 second = texture(columns, vec3(v_texcoord, 1.0), curve.w).rgb;
 #ifdef BASE_TONE
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
     vec2 amounts = ink_amounts(v_light * base_light());

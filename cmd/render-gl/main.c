@@ -1,0 +1,39 @@
+/* render-gl: draws a 3D scene with strokes. */
+#include "render-gl/job.h"
+
+/* Opened before the work, so that a folder that is missing or may not be written fails at once. */
+static void open_outputs(struct job *job)
+{
+    const struct options *options = &job->options;
+    bool report = options->timed_frames || options->probe;
+    struct hatch_err err;
+    if (options->window)
+        return;
+    uint32_t count = report ? 1 : options->frames;
+    job->outputs = HATCH_NEW(&job->args.keep, struct cmd_output *, count, &err);
+    cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t frame = 0; frame < count; frame++) {
+        char name[4096];
+        options_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
+        job->outputs[frame] = cmd_open_output(name, !report);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static struct job job;
+    options_read(argc, argv, &job.args, &job.options);
+    open_outputs(&job);
+    job_read(&job);
+    job_prepare(&job);
+    if (job.options.window)
+        window_run(&job);
+    else if (job.options.timed_frames)
+        timing_report(&job);
+    else if (job.options.probe)
+        probe_report(&job);
+    else
+        pictures_write(&job);
+    job_end(&job);
+    return cmd_end(&job.args, HATCH_OK);
+}

@@ -1,0 +1,25 @@
+/* A view that a hand moves: around a point, nearer and further, sideways. */
+#ifndef RENDER_ORBIT_H
+#define RENDER_ORBIT_H
+
+#include "render-gl/view.h"
+
+struct orbit {
+    struct view view;
+    double middle[3]; /* in the unit scene */
+    double azimuth_rad, elevation_rad, distance;
+};
+
+/* Starts from a view, turning around what it looks at. */
+void orbit_start(struct orbit *orbit, const struct view *view);
+
+/* Turns by angles; elevation stops at the poles. */
+void orbit_turn(struct orbit *orbit, double azimuth_rad, double elevation_rad);
+
+/* Moves the middle sideways by shares of the picture's height. */
+void orbit_pan(struct orbit *orbit, double right, double up);
+
+/* Changes the distance by a factor over 0. */
+void orbit_zoom(struct orbit *orbit, double factor);
+
+#endif
