@@ -21,7 +21,8 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
                                f->components, f->boundary_loops};
     const uint32_t faults[] = {f->non_manifold_edges, f->non_manifold_points, f->degenerate_faces,
                                f->duplicate_faces, f->contrary_edges};
-    cmd_report_text(report, name);
+    if (report->columns == columns)
+        cmd_report_text(report, name);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         cmd_report_whole(report, counts[i]);
     cmd_report_number(report, (double)f->euler);
@@ -73,7 +74,8 @@ enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *op
 {
     (void)options;
     struct cmd_report report;
-    cmd_report_begin(&report, args, columns);
+    /* Of one file the name is not repeated: the figures are the same from wherever it comes. */
+    cmd_report_begin(&report, args, args->operand_count > 2 ? columns : columns + 1);
     if (args->operand_count == 1)
         measure(args, NULL, &report);
     for (int i = 1; i < args->operand_count; i++)
