@@ -1,0 +1,298 @@
+# contract.sh command NAME, contract.sh line N: the checks of one command, and those of one line of
+# commands.tsv, for contract.t. FIXTURES is its folder of inputs.
+. "${TOP:-.}/tests/tap.sh"
+
+table=$TOP/tests/cli/commands.tsv
+tab=$(printf '\t')
+
+# As another user than root, who may read and write everything; false where that cannot be had.
+unprivileged() {
+    if [ "$(id -u)" -ne 0 ]; then
+        "$@"
+    else
+        setpriv --reuid=65534 --regid=65534 --clear-groups "$@"
+    fi
+}
+
+check_help() {
+    try "$1" --help
+    lines=$(wc -l <.out)
+    [ $status -eq 0 ] && [ ! -s .err ] && [ "$lines" -le 40 ]
+    is "$1 --help: standard output, exit 0, at most 40 lines" $? 0
+    [ "$(sed '1,/^examples:/d' .out | grep -c -w -e "$1")" -ge 2 ]
+    is "$1 --help: two examples or more" $? 0
+    try "$1" -h
+    "$1" --help | cmp -s - .out
+    is "$1 -h is --help" $? 0
+    try sh -c "$1 --help >/dev/full"
+    is "$1 --help on a full disk" $status 4
+    try "$1" --version
+    is "$1 --version" "$(cut -d' ' -f1,2 .out) $status" "$1 (hatch) 0"
+    if [ -z "$SANITIZE" ]; then
+        ms=$(milliseconds "$1" --version)
+        [ "$ms" -le 10 ]
+        is "$1 --version within 10 ms ($ms)" $? 0
+    fi
+}
+
+# Values that no numeric option takes; the table says which options are numeric.
+check_values() {
+    "$1" --options-table >options.tsv
+    tail -n +2 options.tsv | grep -E "^[^$tab]*$tab[^$tab]*$tab(int|real|size|pair)$tab" >numeric.tsv
+    bad=""
+    while IFS= read -r line; do
+        name=$(printf '%s' "$line" | cut -f2)
+        type=$(printf '%s' "$line" | cut -f3)
+        beyond=$(printf '%s' "$line" | awk -F'\t' '{printf "%.17g", $5 * 2 + 1}')
+        below=$(printf '%s' "$line" | awk -F'\t' '{printf "%.17g", $4 - 1}')
+        [ "$type" = pair ] && set -- "$1" nan:nan 12x 1: :1 "$beyond:$beyond" "$below:$below" ||
+            set -- "$1" nan NaN inf 12x 0x10 ' 1' '1 ' "$beyond" "$below"
+        command=$1
+        shift
+        for value in "$@" ''; do
+            try "$command" "--$name=$value"
+            [ $status -eq 2 ] && [ "$(wc -l <.err)" -eq 2 ] && [ ! -s .out ] ||
+                bad="$bad --$name=$value($status)"
+        done
+        set -- "$command"
+    done <numeric.tsv
+    is "$1 refuses NaN, 12x and what is out of range" "$bad" ""
+    bad=""
+    for name in $(tail -n +2 options.tsv | awk -F'\t' '$3 == "choice" {print $2}'); do
+        try "$1" "--$name=nonesuch"
+        [ $status -eq 2 ] || bad="$bad --$name"
+    done
+    is "$1 refuses unknown choices" "$bad" ""
+    for word in --nonesuch -% --hel --help=yes; do
+        try "$1" "$word"
+        refused "$1 $word" 2 2
+    done
+}
+
+# SYNOPSIS as it is printed is the usage line; what OPTIONS lists is in the table, and the reverse.
+check_manual() {
+    manual=$TOP/man/man1/$1.1
+    [ -e "$manual" ] || { skip "$1 agrees with its manual" "no manual"; return; }
+    mandoc -Tascii -Owidth=1000 "$manual" 2>/dev/null | sed 's/.\x08//g' >manual.txt
+    synopsis=$(sed -n '/^SYNOPSIS/,/^[A-Z]/p' manual.txt | sed '/^[A-Z]/d' | tr -s ' \n' '  ')
+    usage=$("$1" --help | sed -n '1{s/usage://;p;};2,${/^       /!q;p;}' | tr -s ' \n' '  ')
+    is "$1's usage is its manual's synopsis" "$usage" "$synopsis"
+    tail -n +2 options.tsv | awk -F'\t' '
+        {printf "%s--%s%s%s\n", $1 == "" ? "" : "-" $1 " ", $2, $6 == "" ? "" : " ", $6}' |
+        sort >program.list
+    grep '^\.It Fl' "$manual" 2>/dev/null | sed 's/\\-/-/g' | awk '
+        {
+            letter = name = variable = ""
+            for (i = 2; i <= NF; i++) {
+                if ($i == "Fl" && $(i + 1) ~ /^-/) name = $(i + 1)
+                else if ($i == "Fl") letter = $(i + 1)
+                else if ($i == "Ar") variable = $(i + 1)
+            }
+            printf "%s-%s%s%s\n", letter == "" ? "" : "-" letter " ", name,
+                   variable == "" ? "" : " ", variable
+        }' | sort >manual.list
+    is "$1's manual lists no other option" "$(comm -13 program.list manual.list)" ""
+    tail -n +2 options.tsv | awk -F'\t' '$8 == "own" {print "--" $2}' | sort >own.list
+    grep -o -e '--[a-z0-9-]*' manual.list | sort >named.list
+    is "$1's manual lists every option of its own" "$(comm -23 own.list named.list)" ""
+}
+
+# run OUTPUT [OPTION ...]: the line's command on $input
+run() {
+    output=$1
+    shift
+    with_input "$arguments" "$@" -o "$output"
+}
+
+# with_input ARGUMENTS [OPTION ...]: IN becomes $input, which may hold spaces
+with_input() {
+    words=$1
+    shift
+    for word in $words; do
+        [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
+    done
+    "$command" "$@"
+}
+
+same() {
+    cmp -s reference "$2" && pass "$1" || fail "$1" "the bytes differ" "$(cat .err)"
+}
+
+check_output() {
+    try run reference
+    is "$label works" "$status $(wc -c <.out)" "0 0"
+    [ -s reference ] || return 1
+    try with_input "$arguments"
+    same "$label: standard output takes the same bytes" .out
+    try run again
+    same "$label: the same bytes again" again
+    try run "n e w" -j 1
+    same "$label: the same bytes with one thread, into a name with spaces" "n e w"
+    try run again -j 2
+    same "$label: the same bytes with two threads" again
+    locale=$(locale -a | grep -i -m1 'de_DE.utf' || echo C.UTF-8)
+    try env LC_ALL="$locale" TZ=Asia/Tokyo HOME=/nowhere POSIXLY_CORRECT=1 \
+        sh -c 'command=$1 arguments=$2 input=$3; shift 3
+            for word in $arguments; do
+                [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
+            done
+            "$command" "$@" -o again' sh "$command" "$arguments" "$input"
+    same "$label: the same bytes in locale $locale and another time zone" again
+    mkdir -p other
+    (cd other && try run ../again && exit $status)
+    same "$label: the same bytes from another folder" again
+    echo old >kept
+    chmod 640 kept
+    try run kept
+    is "$label: replaces a file and keeps its mode" "$(stat -c %a kept)" 640
+    same "$label: replaces a file" kept
+    ln -sf kept link
+    try run link
+    [ -L link ]
+    is "$label: writes through a symbolic link" $? 0
+}
+
+check_refused_output() {
+    try run /dev/full
+    refused "$label -o /dev/full" 4 1
+    with_input "$arguments" >/dev/full 2>.err
+    is "$label >/dev/full" "$? $(wc -l <.err)" "4 1"
+    (ulimit -f 0; try run small; exit $status)
+    is "$label: a file size limit" "$? $(ls -A | grep -c -e small -e '^\.'"$command")" "4 0"
+    try run missing/folder/x
+    refused "$label: missing output folder" 4 1
+    try run "$WORK"
+    refused "$label: a folder as output" 4 1
+    if [ -z "$SANITIZE" ]; then
+        slow=${slow_arguments:-$arguments}
+        ms=$(milliseconds with_input "$slow" -o missing/folder/x)
+        [ "$ms" -le 50 ]
+        is "$label: missing output folder noticed within 50 ms ($ms)" $? 0
+    fi
+    if unprivileged test -x "$BIN/$command" 2>/dev/null; then
+        mkdir -p readonly
+        chmod 555 readonly
+        try unprivileged "$command" $(printf '%s' "$arguments" | sed "s|IN|$input|g") -o readonly/x
+        refused "$label: read-only output folder" 4 1
+    fi
+    (trap '' PIPE; with_input "$arguments" 2>.err; echo $? >.status) | true
+    is "$label: a closed pipe is silent" "$(cat .err | grep -vc 'broken pipe')" 0
+    with_input "$arguments" 2>.err | head -c 1 >/dev/null
+    is "$label: a reader that stops early" "$(cat .err)" ""
+}
+
+# refused_input NAME STATUS: $input is bad; an existing output stays as it was, and no other is left
+refused_input() {
+    echo old >kept
+    try run kept
+    refused "$label: $1" "$2" 1
+    grep -qF "$(basename "$input")" .err
+    is "$label: $1: the message names the file" $? 0
+    is "$label: $1: the old output stays" "$(cat kept)" old
+}
+
+check_input() {
+    good=$input
+    try with_input "$(printf '%s' "$arguments" | sed 's/IN/-/')" <"$good"
+    same "$label: from standard input" .out
+    cat "$good" | with_input "$(printf '%s' "$arguments" | sed 's/IN/-/')" >.out 2>.err
+    same "$label: from a pipe" .out
+    cp "$good" "in  put.${good##*.}"
+    input="in  put.${good##*.}"
+    try run again
+    same "$label: an input with spaces in its name" again
+    rm -f fifo
+    mkfifo fifo
+    input=fifo
+    case $arguments in
+    *IN*IN*) ;;
+    *)
+        cat "$good" >fifo &
+        try run again
+        same "$label: from a FIFO" again
+        ;;
+    esac
+    input=nonesuch.${good##*.}
+    refused_input "missing file" 4
+    mkdir -p "folder.${good##*.}"
+    input=folder.${good##*.}
+    refused_input "a folder" 3
+    input=empty.${good##*.}
+    : >"$input"
+    refused_input "an empty file" 3
+    input=cut.${good##*.}
+    size=$(wc -c <"$good")
+    bad=""
+    for part in 1 2 5 10 20 30 40 50 60 70 80 90 95 98; do
+        head -c $((size * part / 100)) "$good" >"$input"
+        try run cut.out
+        case $status in 3 | 5) ;; *) bad="$bad $part%:$status" ;; esac
+        [ ! -e cut.out ] && [ "$(wc -l <.err)" -eq 1 ] || bad="$bad $part%:left"
+    done
+    is "$label: a cut file" "$bad" ""
+    head -c $((size / 2)) "$good" >"$input"
+    refused_input "half a file" 3
+    input=secret.${good##*.}
+    cp "$good" "$input"
+    chmod 0 "$input"
+    if unprivileged test -x "$BIN/$command" 2>/dev/null && ! unprivileged cat "$input" 2>/dev/null
+    then
+        chmod 777 . # another user writes here
+        try unprivileged "$command" $(printf '%s' "$arguments" | sed "s|IN|$input|g")
+        refused "$label: a file that may not be read" 4 1
+    fi
+    input=$good
+}
+
+# Twenty moments over the run's length and a little beyond, the same ones in every run of the test.
+check_signals() {
+    slow=${slow_arguments:-$arguments}
+    [ -z "$SANITIZE" ] || slow=$arguments
+    mkdir -p signals
+    try with_input "$slow" -o signals/whole
+    [ $status -eq 0 ] || return
+    mv signals/whole whole
+    from=$(date +%s%N)
+    try with_input "$slow" -o whole
+    length_ms=$((($(date +%s%N) - from) / 1000000))
+    bad=""
+    for moment in $(awk -v length_ms=$length_ms 'BEGIN {
+            srand(7); for (i = 0; i < 20; i++) printf "%.4f ", rand() * 1.1e-3 * length_ms }'); do
+        for signal in INT TERM; do
+            echo old >signals/kept
+            set --
+            for word in $slow; do
+                [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
+            done
+            timeout -s $signal "$moment" "$command" "$@" -o signals/kept 2>.err
+            [ "$(cat signals/kept | head -c 4)" = old ] || cmp -s signals/kept whole ||
+                bad="$bad $signal@$moment:output"
+            [ "$(ls -A signals)" = kept ] || bad="$bad $signal@$moment:litter"
+            rm -f signals/.??*
+            [ ! -s .err ] || bad="$bad $signal@$moment:words"
+        done
+    done
+    is "$label: SIGINT and SIGTERM at 20 moments of $length_ms ms" "$bad" ""
+}
+
+case $1 in
+command)
+    check_help "$2"
+    check_values "$2"
+    check_manual "$2"
+    grep -q "^$2$tab" "$table"
+    is "$2 stands in commands.tsv" $? 0
+    ;;
+line)
+    grep -v '^#' "$table" | sed -n "$2p" >line.tsv
+    IFS=$tab read -r command input arguments slow_arguments <line.tsv
+    label="$command $arguments"
+    [ "$input" = - ] || input=$FIXTURES/$input
+    if check_output; then
+        check_refused_output
+        [ "$input" = - ] || check_input
+        check_signals
+    fi
+    ;;
+esac
+finish
