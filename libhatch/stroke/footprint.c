@@ -12,6 +12,7 @@ struct frame {
     float half_length, half_width; /* px */
     float per_length, per_width;   /* 1 / px: to 0..1 along and across */
     float columns;                 /* of the brush image */
+    float columns_per_px;
     float ends;                    /* coverage along: at most the length, for strokes under a pixel */
     float tone;                    /* times the width: what a difference of two sums is to become */
     uint32_t grain_x, grain_y;
@@ -53,6 +54,7 @@ static struct frame frame_of(const struct hatch_stroke *stroke, const struct hat
     f.per_length = 0.5f / f.half_length;
     f.per_width = 0.5f / f.half_width;
     f.columns = (float)brush->width;
+    f.columns_per_px = f.columns * f.per_length;
     f.ends = 2 * f.half_length < 1 ? 2 * f.half_length : 1;
     f.tone = stroke->tone * 2 * f.half_width;
     uint64_t place = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
@@ -82,19 +84,42 @@ static float grain_at(const struct hatch_brush *brush, const struct frame *f, fl
     return brush->grain[y % HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE + x % HATCH_GRAIN_SIZE];
 }
 
+/* What one column of the brush covers between two places across. */
+static float covered_by(const struct hatch_brush *brush, uint32_t x, float from, float to)
+{
+    const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
+    return cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
+}
+
+/* The same, times the coverage along. Where pixels are smaller than columns the column under the pixel's
+ * centre is taken, else the mean of all that lie in the pixel: taking one of many would lose or double
+ * the ink of a stroke drawn small. */
+static float covered_around(const struct hatch_brush *brush, const struct frame *f, float along, float from,
+                            float to)
+{
+    float place = (along * f->per_length + 0.5f) * f->columns;
+    if (f->columns_per_px <= 1) {
+        float inside = f->half_length - fabsf(along) + 0.5f;
+        uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
+        return covered_by(brush, x, from, to) * (inside < f->ends ? inside : f->ends);
+    }
+    float low = place - 0.5f * f->columns_per_px, high = place + 0.5f * f->columns_per_px, sum = 0;
+    low = low > 0 ? low : 0;
+    high = high < f->columns ? high : f->columns;
+    for (uint32_t x = (uint32_t)low; (float)x < high; x++) {
+        float left = low > (float)x ? low : (float)x, right = high < (float)x + 1 ? high : (float)x + 1;
+        sum += (right - left) * covered_by(brush, x, from, to);
+    }
+    return sum / f->columns_per_px;
+}
+
 /* Coverage × envelope × grain at (along, across) px from the centre, box-filtered over a pixel. */
 static float alpha_at(const struct hatch_brush *brush, const struct frame *f, float along, float across)
 {
-    float inside = f->half_length - fabsf(along) + 0.5f;
-    if (inside <= 0)
+    if (fabsf(along) >= f->half_length + 0.5f)
         return 0;
-    inside = inside < f->ends ? inside : f->ends;
-    float place = (along * f->per_length + 0.5f) * f->columns;
-    uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
-    const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
     float from = (across - 0.5f) * f->per_width + 0.5f, to = (across + 0.5f) * f->per_width + 0.5f;
-    float covered = cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
-    float alpha = covered * inside * f->tone;
+    float alpha = covered_around(brush, f, along, from, to) * f->tone;
     if (brush->grain && alpha > 0)
         alpha *= grain_at(brush, f, along, across);
     return alpha > 1 ? 1 : alpha;
