@@ -12,7 +12,7 @@ static const struct {
     double low, high;
 } keys[KEYS] = {
     [X] = {"x", -1e6, 1e6},       [Y] = {"y", -1e6, 1e6},   [LENGTH] = {"length", 0, 16},
-    [ANGLE] = {"angle", -1e3, 1e3}, [WIDTH] = {"width", 0, 4}, [TONE] = {"tone", 0, 1},
+    [ANGLE] = {"angle", -1e3, 1e3}, [WIDTH] = {"width", 1e-9, 4}, [TONE] = {"tone", 0, 1},
     [RED] = {"r", 0, 1},          [GREEN] = {"g", 0, 1},    [BLUE] = {"b", 0, 1},
     [ID] = {"id", 0, 16777216},   [COLUMN] = {"column", 0, 255}, [LEVEL] = {"level", 0, 31},
     [GRAIN] = {"grain", 0, 4294967295.0},

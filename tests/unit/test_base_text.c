@@ -1,0 +1,109 @@
+#include "run.h"
+
+#include <string.h>
+
+#include "base/text.h"
+
+static struct hatch_text text_of(const char *from)
+{
+    return (struct hatch_text){from, strlen(from)};
+}
+
+START_TEST(lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none)
+{
+    static const char *const want[] = {"one", "", "two \r x", "three"};
+    struct hatch_text rest = text_of("one\n\r\ntwo \r x\r\nthree"), line;
+    for (int i = 0; i < 4; i++) {
+        ck_assert(hatch_text_line(&rest, &line));
+        ck_assert_msg(hatch_text_is(line, want[i]), "line %d: '%.*s'", i, (int)line.length, line.at);
+    }
+    ck_assert(!hatch_text_line(&rest, &line));
+    rest = text_of("a\n");
+    ck_assert(hatch_text_line(&rest, &line) && !hatch_text_line(&rest, &line));
+    rest = (struct hatch_text){NULL, 0};
+    ck_assert(!hatch_text_line(&rest, &line));
+}
+END_TEST
+
+START_TEST(words_stand_between_spaces_and_tabs)
+{
+    struct hatch_text rest = text_of(" \t one\ttwo  three "), word;
+    ck_assert(hatch_text_word(&rest, &word) && hatch_text_is(word, "one"));
+    ck_assert(hatch_text_word(&rest, &word) && hatch_text_is(word, "two"));
+    ck_assert(hatch_text_word(&rest, &word) && hatch_text_is(word, "three"));
+    ck_assert(!hatch_text_word(&rest, &word));
+    ck_assert_uint_eq(rest.length, 0);
+}
+END_TEST
+
+START_TEST(fields_may_be_empty)
+{
+    static const char *const want[] = {"", "a", "", "b c", ""};
+    struct hatch_text rest = text_of("\ta\t\tb c\t"), field;
+    for (int i = 0; i < 5; i++) {
+        ck_assert(hatch_text_field(&rest, &field));
+        ck_assert_msg(hatch_text_is(field, want[i]), "field %d: '%.*s'", i, (int)field.length, field.at);
+    }
+    ck_assert(!hatch_text_field(&rest, &field));
+    rest = text_of("");
+    ck_assert(hatch_text_field(&rest, &field) && field.length == 0);
+    ck_assert(!hatch_text_field(&rest, &field));
+}
+END_TEST
+
+START_TEST(a_text_is_a_word_only_whole)
+{
+    ck_assert(hatch_text_is(text_of("ink"), "ink"));
+    ck_assert(!hatch_text_is(text_of("ink"), "in"));
+    ck_assert(!hatch_text_is(text_of("in"), "ink"));
+    ck_assert(!hatch_text_is((struct hatch_text){"ink\0", 4}, "ink"));
+}
+END_TEST
+
+START_TEST(decimal_numbers_are_numbers)
+{
+    static const struct {
+        const char *text;
+        double value;
+    } good[] = {{"1", 1},      {"-0.5", -0.5}, {"+2", 2},         {"1e-3", 1e-3},
+                {".25", 0.25}, {"3.", 3},      {"1E+2", 100},     {"1e-400", 0},
+                {"0.1", 0.1},  {"-0", 0},      {"16777216", 16777216}};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        double value = -7;
+        ck_assert_msg(hatch_text_number(text_of(good[i].text), &value), "%s", good[i].text);
+        ck_assert_double_eq(value, good[i].value);
+    }
+}
+END_TEST
+
+START_TEST(everything_else_is_none)
+{
+    static const char *const bad[] = {"",    " 1",   "1 ",  "12x", "1,5", "0x10", "inf",  "-inf", "nan", "NaN",
+                                      "1e400", "--1", "1e", "e5",  ".",   "-",    "1.2.3", "1_0",  "½"};
+    double value = -7;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        ck_assert_msg(!hatch_text_number(text_of(bad[i]), &value), "'%s'", bad[i]);
+    ck_assert(!hatch_text_number((struct hatch_text){"1\0", 2}, &value));
+    char longest[100];
+    memset(longest, '1', sizeof longest);
+    ck_assert(hatch_text_number((struct hatch_text){longest, 63}, &value));
+    value = -7;
+    ck_assert(!hatch_text_number((struct hatch_text){longest, 64}, &value));
+    ck_assert_double_eq(value, -7);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("base text");
+    TCase *tests = tcase_create("text");
+    tcase_add_test(tests, lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none);
+    tcase_add_test(tests, words_stand_between_spaces_and_tabs);
+    tcase_add_test(tests, fields_may_be_empty);
+    tcase_add_test(tests, a_text_is_a_word_only_whole);
+    tcase_add_test(tests, decimal_numbers_are_numbers);
+    tcase_add_test(tests, everything_else_is_none);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

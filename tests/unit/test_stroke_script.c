@@ -1,0 +1,192 @@
+#include "run.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "stroke/script.h"
+
+#define HEADER "x\ty\tlength\tangle\twidth\ttone\tr\tg\tb"
+#define ROW "0.5\t0.25\t0.5\t1\t0.01\t1\t0\t0\t0"
+
+static struct hatch_arena keep;
+static struct hatch_err err;
+static struct hatch_stroke_list list;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)64 << 20);
+    list = (struct hatch_stroke_list){0};
+}
+
+static void end(void)
+{
+    hatch_arena_free(&keep);
+}
+
+static enum hatch_status parse(const char *text)
+{
+    struct hatch_bytes bytes = {(const uint8_t *)text, strlen(text)};
+    return hatch_script_parse(bytes, 256, &keep, &list, &err);
+}
+
+static struct hatch_stroke random_stroke(uint64_t i)
+{
+    float u[10];
+    for (uint64_t k = 0; k < 10; k++)
+        u[k] = hatch_random_unit(9, i, k);
+    return (struct hatch_stroke){.x = u[0], .y = u[1], .length = 4 * u[2], .angle_rad = 12 * u[3] - 6,
+                                 .width_px = 0.01f + 64 * u[4], .tone = u[5], .rgb = {u[6], u[7], u[8]},
+                                 .id = (uint32_t)i + 1, .column = (uint32_t)(u[9] * 256), .level = i % 8,
+                                 .texture_seed = (uint32_t)hatch_random_u64(9, i, 11)};
+}
+
+START_TEST(what_is_printed_reads_back_exactly)
+{
+    static struct hatch_stroke strokes[5000];
+    static const uint32_t sizes[] = {256, 4096, 100, 333};
+    for (uint64_t i = 0; i < 5000; i++)
+        strokes[i] = random_stroke(i);
+    for (int s = 0; s < 4; s++) {
+        struct hatch_buffer text = {.arena = &keep};
+        HATCH_TEST_OK(hatch_script_print(strokes, 5000, sizes[s], "seed 1", &text, &err), &err);
+        struct hatch_bytes bytes = {text.data, text.size};
+        HATCH_TEST_OK(hatch_script_parse(bytes, sizes[s], &keep, &list, &err), &err);
+        ck_assert_uint_eq(list.count, 5000);
+        for (uint32_t i = 0; i < 5000; i++)
+            ck_assert_msg(memcmp(&strokes[i], &list.items[i], sizeof *strokes) == 0, "size %u, stroke %u",
+                          sizes[s], i);
+    }
+}
+END_TEST
+
+START_TEST(columns_come_in_any_order_and_comments_and_blank_lines_are_passed_over)
+{
+    HATCH_TEST_OK(parse("# made by hand\r\n\r\nb\tg\tr\ttone\twidth\tangle\tlength\ty\tx\tnote\r\n"
+                        "0.1\t0.2\t0.3\t0.4\t0.5\t0.6\t0.7\t0.8\t0.9\thello\r\n"
+                        "# end\n"),
+                  &err);
+    ck_assert_uint_eq(list.count, 1);
+    const struct hatch_stroke *s = list.items;
+    ck_assert_float_eq(s->x, 0.9f);
+    ck_assert_float_eq(s->y, 0.8f);
+    ck_assert_float_eq(s->length, 0.7f);
+    ck_assert_float_eq(s->angle_rad, 0.6f);
+    ck_assert_float_eq(s->width_px, 128);
+    ck_assert_float_eq(s->tone, 0.4f);
+    ck_assert_float_eq(s->rgb[0], 0.3f);
+    ck_assert_float_eq(s->rgb[2], 0.1f);
+    ck_assert_uint_eq(s->id + s->column + s->level + s->texture_seed, 0);
+}
+END_TEST
+
+START_TEST(a_header_alone_is_an_empty_drawing)
+{
+    HATCH_TEST_OK(parse(HEADER "\n"), &err);
+    ck_assert_uint_eq(list.count, 0);
+}
+END_TEST
+
+START_TEST(centres_are_wrapped_into_the_tile)
+{
+    HATCH_TEST_OK(parse(HEADER "\n"
+                               "1.25\t-0.25\t0\t0\t0.1\t1\t0\t0\t0\n"
+                               "1000000\t-1e-30\t0\t0\t0.1\t1\t0\t0\t0\n"),
+                  &err);
+    ck_assert_float_eq(list.items[0].x, 0.25f);
+    ck_assert_float_eq(list.items[0].y, 0.75f);
+    ck_assert_float_eq(list.items[1].x, 0);
+    ck_assert_float_eq(list.items[1].y, 0); /* a hair left of 0 rounds to 1, which is 0 */
+}
+END_TEST
+
+static const struct {
+    const char *text, *says;
+} bad[] = {
+    {"", "no header"},
+    {"# only a comment\n", "no header"},
+    {"x\ty\tlength\tangle\twidth\ttone\tr\tg\n", "no column 'b'"},
+    {"x\t" HEADER "\n", "'x' stands twice"},
+    {HEADER "\n" ROW "\n0.5\t0.5\n", "line 3: 2 fields, want 9"},
+    {HEADER "\n" ROW "\t1\n", "line 2: 10 fields, want 9"},
+    {"# c\n\n" HEADER "\n0.5\t0.5\t0.5\tabc\t0.01\t1\t0\t0\t0\n", "line 4: 'abc' is not a number"},
+    {HEADER "\n0.5\t0.5\t0.5\tnan\t0.01\t1\t0\t0\t0\n", "line 2: 'nan'"},
+    {HEADER "\n0.5\t0.5\t0.5\tinf\t0.01\t1\t0\t0\t0\n", "line 2: 'inf'"},
+    {HEADER "\n0.5\t0.5\t0.5\t\t0.01\t1\t0\t0\t0\n", "line 2: ''"},
+    {HEADER "\n0.5\t0.5\t-1\t0\t0.01\t1\t0\t0\t0\n", "line 2: length -1"},
+    {HEADER "\n0.5\t0.5\t17\t0\t0.01\t1\t0\t0\t0\n", "line 2: length 17"},
+    {HEADER "\n0.5\t0.5\t1\t0\t-0.01\t1\t0\t0\t0\n", "line 2: width -0.01"},
+    {HEADER "\n0.5\t0.5\t1\t0\t0\t1\t0\t0\t0\n", "line 2: width 0"},
+    {HEADER "\n0.5\t0.5\t1\t0\t0.01\t1.5\t0\t0\t0\n", "line 2: tone 1.5"},
+    {HEADER "\n0.5\t0.5\t1\t0\t0.01\t1\t0\t2\t0\n", "line 2: g 2"},
+    {HEADER "\tid\n" ROW "\t1.5\n", "line 2: id 1.5, want a whole number"},
+    {HEADER "\tcolumn\n" ROW "\t256\n", "line 2: column 256"},
+    {HEADER "\tlevel\n" ROW "\t-1\n", "line 2: level -1"},
+    {HEADER "\tgrain\n" ROW "\t4294967296\n", "line 2: grain"},
+};
+
+START_TEST(a_bad_script_names_its_line)
+{
+    list.count = 7;
+    ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
+    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text, bad[_i].says);
+    ck_assert_uint_eq(list.count, 7);
+}
+END_TEST
+
+START_TEST(too_many_columns_are_refused)
+{
+    char text[1000] = "";
+    for (int i = 0; i < 65; i++)
+        strcat(text, "a\t");
+    ck_assert_int_eq(parse(text), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "more than 64"));
+}
+END_TEST
+
+static enum hatch_status read_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+                                    struct hatch_err *said)
+{
+    (void)scratch;
+    struct hatch_buffer *text = context;
+    struct hatch_stroke_list made = {0};
+    return hatch_script_parse((struct hatch_bytes){text->data, text->size}, 256, to, &made, said);
+}
+
+static enum hatch_status print_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+                                     struct hatch_err *said)
+{
+    (void)scratch;
+    struct hatch_buffer text = {.arena = to};
+    return hatch_script_print(context, 2000, 256, "seed 1", &text, said);
+}
+
+START_TEST(every_failed_allocation_is_a_status)
+{
+    static struct hatch_stroke strokes[2000];
+    for (uint64_t i = 0; i < 2000; i++)
+        strokes[i] = random_stroke(i);
+    struct hatch_buffer text = {.arena = &keep};
+    HATCH_TEST_OK(hatch_script_print(strokes, 2000, 256, NULL, &text, &err), &err);
+    ck_assert_uint_ge(hatch_test_fail_alloc(print_again, strokes, NULL, 0), 3);
+    ck_assert_uint_ge(hatch_test_fail_alloc(read_again, &text, NULL, 0), 2);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("stroke script");
+    TCase *tests = tcase_create("script");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, what_is_printed_reads_back_exactly);
+    tcase_add_test(tests, columns_come_in_any_order_and_comments_and_blank_lines_are_passed_over);
+    tcase_add_test(tests, a_header_alone_is_an_empty_drawing);
+    tcase_add_test(tests, centres_are_wrapped_into_the_tile);
+    tcase_add_loop_test(tests, a_bad_script_names_its_line, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, too_many_columns_are_refused);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
