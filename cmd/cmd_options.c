@@ -229,26 +229,35 @@ static void print_usage(const struct cmd_program *program)
     } while (*form++);
 }
 
-/* One line each; but the common flags, which need no words, share the last one. */
-static void print_options(const struct table *table)
+/* Those that every command has but for -o and -s, several on a line and without words: they are in
+ * hatch(7), and --help is to fit a screen. */
+static void print_shared(const struct table *table, bool flags)
 {
-    char names[64];
-    for (size_t i = 0; i < table->count; i++) {
-        const struct cmd_option *option = &table->options[i];
-        print_names(option, names, sizeof names);
-        if (i < table->own || option->type != CMD_FLAG)
-            printf("  %-28s %s\n", names, option->help);
-    }
     const char *gap = "  ";
     for (size_t i = table->own; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
+        char names[64];
         print_names(option, names, sizeof names);
-        if (option->type == CMD_FLAG && option->value != &common.options_table) {
-            printf("%s%s", gap, names + (option->letter ? 0 : 4));
-            gap = "   ";
-        }
+        if (option->value == &common.output || option->value == &common.seed ||
+            option->value == &common.options_table || (option->type == CMD_FLAG) != flags)
+            continue;
+        printf("%s%s", gap, names + (option->letter ? 0 : 4));
+        gap = "   ";
     }
     printf("\n");
+}
+
+static void print_options(const struct table *table)
+{
+    for (size_t i = 0; i < table->count; i++) {
+        const struct cmd_option *option = &table->options[i];
+        char names[64];
+        print_names(option, names, sizeof names);
+        if (i < table->own || option->value == &common.output || option->value == &common.seed)
+            printf("  %-28s %s\n", names, option->help);
+    }
+    print_shared(table, false);
+    print_shared(table, true);
 }
 
 static noreturn void print_help(const struct cmd_program *program, const struct table *table)

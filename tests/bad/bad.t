@@ -12,7 +12,7 @@ tail -n +2 "$bad/MANIFEST.tsv" | cut -f1,3 | while read -r file expect; do
         ;;
     *)
         echo "$expect $bad $file hatchstat mesh IN -o OUT.tsv"
-        echo "$expect $bad $file render-gl IN --size 64x64 -o OUT.png"
+        echo "$expect $bad $file render-gl IN --technique gouraud --size 64x64 -o OUT.png"
         ;;
     esac
 done >all.list

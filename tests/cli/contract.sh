@@ -29,7 +29,7 @@ check_help() {
     try "$1" --version
     is "$1 --version" "$(cut -d' ' -f1,2 .out) $status" "$1 (hatch) 0"
     if [ -z "$SANITIZE" ]; then
-        ms=$(milliseconds "$1" --version)
+        ms=$(milliseconds 10 "$1" --version)
         [ "$ms" -le 10 ]
         is "$1 --version within 10 ms ($ms)" $? 0
     fi
@@ -165,7 +165,7 @@ check_refused_output() {
     refused "$label: a folder as output" 4 1
     if [ -z "$SANITIZE" ]; then
         slow=${slow_arguments:-$arguments}
-        ms=$(milliseconds with_input "$slow" -o missing/folder/x)
+        ms=$(milliseconds 50 with_input "$slow" -o missing/folder/x)
         [ "$ms" -le 50 ]
         is "$label: missing output folder noticed within 50 ms ($ms)" $? 0
     fi
