@@ -52,7 +52,7 @@ static void open_context(struct job *job)
     cmd_check(status, NULL, &err);
     cmd_note("%s", job->context.device);
     if (options->style.anisotropy > job->context.anisotropy_max)
-        cmd_warn(NULL, "the driver filters with anisotropy %g at most",
+        cmd_note("the driver filters with anisotropy %g at most",
                  (double)job->context.anisotropy_max);
 }
 
