@@ -2,7 +2,7 @@
 #include <assert.h>
 #include <stdbool.h>
 
-#include "io/container_parts.h"
+#include "io/container.h"
 
 #define MAGIC 0x20534444u /* "DDS " */
 #define HEADER_WORDS 37u  /* with the magic word and the DX10 header */
@@ -74,8 +74,8 @@ static enum hatch_status add_texels(const struct hatch_texels *texture, struct h
 enum hatch_status hatch_dds_write(const struct hatch_texels *texture, struct hatch_buffer *file,
                                   struct hatch_err *err)
 {
-    hatch_texels_assert(texture);
-    assert(texture->channels != 3 && file->size == 0);
+    assert(file->size == 0 && texture->channels != 3 && texture->level_count >= 1);
+    assert(texture->level_count <= hatch_texels_chain_length(texture));
     enum hatch_status status = add_header(texture, file, err);
     if (status == HATCH_OK)
         status = add_texels(texture, file, err);

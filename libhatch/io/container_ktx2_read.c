@@ -2,6 +2,7 @@
 #include <string.h>
 #include <zstd.h>
 
+#include "io/container.h"
 #include "io/container_parts.h"
 
 #define SIDE_MAX (1u << 24)

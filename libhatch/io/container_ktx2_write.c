@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "io/container.h"
 #include "io/container_parts.h"
 
 #define PAIRS_MAX 16u
@@ -165,8 +166,8 @@ enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture,
                                    const char *const *key_values, struct hatch_buffer *file,
                                    struct hatch_err *err)
 {
-    hatch_texels_assert(texture);
-    assert(file->size == 0);
+    assert(file->size == 0 && texture->level_count >= 1);
+    assert(texture->level_count <= hatch_texels_chain_length(texture));
     struct pair pairs[PAIRS_MAX];
     uint32_t pair_count = sort_pairs(texture, key_values, pairs);
     enum hatch_status status = add_all(texture, pairs, pair_count, file, err);

@@ -1,8 +1,6 @@
-#include "io/container.h"
+#include "image/texels.h"
 
 #include <assert.h>
-
-#include "io/container_parts.h"
 
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level)
 {
@@ -20,11 +18,20 @@ uint32_t hatch_texels_chain_length(const struct hatch_texels *texture)
     return flat > deep ? flat : deep;
 }
 
-void hatch_texels_assert(const struct hatch_texels *texture)
+enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texels *texture,
+                                    struct hatch_err *err)
 {
     assert(texture->width > 0 && texture->height > 0);
     assert(texture->channels >= 1 && texture->channels <= 4);
     assert(!texture->depth || !texture->layers);
     assert(texture->level_count >= 1);
     assert(texture->level_count <= hatch_texels_chain_length(texture));
+    struct hatch_texels made = *texture;
+    for (uint32_t level = 0; level < made.level_count; level++) {
+        made.texels[level] = HATCH_NEW(arena, uint8_t, hatch_texels_level_size(&made, level), err);
+        if (!made.texels[level])
+            return HATCH_LIMIT;
+    }
+    *texture = made;
+    return HATCH_OK;
 }

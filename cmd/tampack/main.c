@@ -1,0 +1,123 @@
+/* tampack: a tonal art map as the textures that engines load. */
+#include <stdio.h>
+
+#include "io/exr.h"
+#include "layout.h"
+
+static int layout;
+static int64_t ink;
+static bool ink_given;
+
+static const char *const layout_choices[] = {"rgb", "array", "dds", "png", "exr", NULL};
+
+static const struct cmd_option options[] = {
+    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT",
+     "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout, layout_choices, NULL},
+    {'i', "ink", CMD_INT, 0, 1, "N",
+     "the number that stands for ink; paper is the other (default 0)", &ink, NULL, &ink_given},
+    {0},
+};
+
+static const char *const examples[] = {
+    "tamgen -o tam.exr && tampack tam.exr -o tam.ktx2   # tam.0.ktx2 tam.1.ktx2",
+    "tampack --layout png tam.exr -o folder",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "tampack",
+    .operands = "[FILE]",
+    .summary = "pack a tonal art map into the textures that engines load",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .binary = true,
+};
+
+static void read_map(struct pack_job *job, const char *input)
+{
+    struct hatch_err err;
+    uint32_t count = 0;
+    const char *name = cmd_input_name(input);
+    struct hatch_bytes file = cmd_read(job->args, input);
+    cmd_check(
+        hatch_exr_read(file, &job->args->keep, &job->args->scratch, &job->parts, &count, &err),
+        name, &err);
+    cmd_check(hatch_tam_from_mipmaps(job->parts, count, &job->tam, &err), name, &err);
+}
+
+static void warn(const struct pack_layout *how, const struct hatch_tam *tam, const char *input)
+{
+    if (how->warning)
+        cmd_warn(cmd_input_name(input), "%s", how->warning);
+    if (tam->ids && !how->keeps_ids)
+        cmd_warn(cmd_input_name(input),
+                 "the strokes' ids are left out: only --layout exr holds them");
+}
+
+static struct cmd_output *open_file(const struct pack_job *job, const struct pack_layout *how,
+                                    const char *input, uint32_t index)
+{
+    char suffix[64];
+    how->suffix(&job->tam, index, suffix, sizeof suffix);
+    return cmd_open_output(pack_file_name(job->args, job->args->output, input, suffix, how->ending),
+                           true);
+}
+
+/* All files are encoded before the first is written, and opened before that. */
+static void pack(const struct pack_job *job, const struct pack_layout *how, const char *input,
+                 struct cmd_output *single)
+{
+    struct hatch_err err;
+    struct cmd_args *args = job->args;
+    uint32_t count = how->count(&job->tam);
+    if (count > CMD_OUTPUTS_MAX) {
+        hatch_fail(&err, HATCH_LIMIT, "%u files, more than %u", count, CMD_OUTPUTS_MAX);
+        cmd_die(cmd_input_name(input), &err);
+    }
+    if (count > 1 && !args->output)
+        cmd_usage("--layout %s makes %u files here: -o says where", how->name, count);
+    struct cmd_output **outputs = HATCH_NEW(&args->keep, struct cmd_output *, count, &err);
+    cmd_check(outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++)
+        outputs[i] = single       ? single
+                     : count == 1 ? cmd_open_output(args->output, true)
+                                  : open_file(job, how, input, i);
+    struct hatch_buffer *files = HATCH_NEW(&args->keep, struct hatch_buffer, count, &err);
+    cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+        files[i].arena = &args->keep;
+        cmd_check(how->encode(job, i, &files[i], &err), cmd_input_name(input), &err);
+        hatch_arena_rewind(&args->scratch, mark);
+        cmd_progress("packing", (double)(i + 1) / count);
+    }
+    for (uint32_t i = 0; i < count; i++)
+        cmd_write(outputs[i], files[i].data, files[i].size);
+    cmd_note("%u tones, %u levels, %u files", job->tam.tones, job->tam.columns[0].level_count,
+             count);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    const struct pack_layout *how = &pack_layouts[layout];
+    const char *input = args.operand_count ? args.operands[0] : NULL;
+    if (ink_given && !how->takes_ink)
+        cmd_usage("--ink does not go with --layout %s, which is 0 for ink by its format",
+                  how->name);
+    struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
+
+    struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
+    read_map(&job, input);
+    const struct hatch_attribute *seed = hatch_mipmap_attribute(job.parts, HATCH_TAM_ATTR_SEED);
+    char comment[64] = "";
+    if (seed && seed->type == HATCH_ATTRIBUTE_TEXT)
+        snprintf(comment, sizeof comment, "seed %s", seed->text);
+    job.comment = *comment ? comment : NULL;
+    pack(&job, how, input, single);
+    warn(how, &job.tam, input);
+    return cmd_end(&args, HATCH_OK);
+}
