@@ -2,6 +2,7 @@
 # make check        all tests                    make lint         structure, warnings, manuals
 # make bench chart  measurements, their charts   make install      PREFIX, DESTDIR
 # make dist         a reproducible source tar    make fuzz         fuzzers, with clang
+# make check-interop  other projects' readers, from npm, on our files
 # SANITIZE=1 builds and tests under AddressSanitizer and UBSan, in build/sanitize.
 CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
 CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
@@ -154,7 +155,7 @@ $(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC)): BASE += -Itests/unit
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
@@ -173,7 +174,19 @@ $(foreach s,$(FUZZ_SRC),$(eval $(call fuzz_rule,$(s),$(patsubst fuzz_%,%,$(basen
 fuzz: $(FUZZERS)
 check-long: fuzz
 	sh tests/fuzz/long.sh $(FUZZERS)
-check: all $(TESTS) $(REPLAYS)
+# Readers that are not ours; those from npm are fetched once, and their tests skip without them.
+INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels
+$(B)/tests/interop/samples: $(call obj,tests/interop/samples.c) $(ARCHIVES)
+	@mkdir -p $(@D)
+	$(LINK) $< $(fuzz_libs)
+$(B)/tests/interop/oiio_texels: $(call obj,tests/interop/oiio_texels.cc)
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -o $@ $< -lOpenImageIO -lOpenImageIO_Util
+$(B)/interop/node_modules: tests/interop/package.json
+	@mkdir -p $(@D)
+	cp $< $(@D) && cd $(@D) && npm install --no-audit --no-fund && touch node_modules
+check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $(wildcard tests/interop/*.t)
+check: all $(TESTS) $(REPLAYS) $(INTEROP)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
@@ -182,6 +195,6 @@ lint:
 
 clean:
 	rm -rf build
-.PHONY: all check check-long fuzz install dist lint clean
+.PHONY: all check check-interop check-long fuzz install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:
