@@ -190,11 +190,17 @@ check: all $(TESTS) $(REPLAYS) $(INTEROP)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
+# The main job: a picture from nothing but what is made here.
+demo: all
+	rm -f build/demo/teapot.png
+	PATH="$(CURDIR)/$(B)/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=build/demo
+	@echo "build/demo/teapot.png is the picture"
+
 lint:
 	B=$(B) perl tests/run $(wildcard tests/lint/*.t)
 
 clean:
 	rm -rf build
-.PHONY: all check check-interop check-long fuzz install dist lint clean
+.PHONY: all demo check check-interop check-long fuzz install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:

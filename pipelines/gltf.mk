@@ -1,0 +1,38 @@
+# Draws a glTF scene with strokes: one picture, or the frames of its animation, or a turntable.
+#
+#     make -f gltf.mk SCENE=duck.glb
+#     make -f gltf.mk SCENE=walk.glb FRAMES=48 STYLE=pencil      walk-000.png ... walk-047.png
+#     make -f gltf.mk SCENE=duck.glb FRAMES=90 TURN=1
+#
+# The scene's surfaces need texture coordinates: strokes run along them. The commands are looked for on
+# PATH. Copy this file and change it.
+SCENE     ?= $(error SCENE=FILE names the scene to draw)
+STYLE     ?= ink
+TECHNIQUE ?= tam
+SIZE      ?= 1280x720
+FRAMES    ?= 0
+TURN      ?=
+SEED      ?= 1
+OUT       ?= .
+OPTIONS   ?=
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eo pipefail -c
+.DELETE_ON_ERROR:
+
+map := $(OUT)/$(STYLE).tam.exr
+draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
+# A file's name may hold spaces, which make would take for two files: the shell takes it apart.
+name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
+
+.PHONY: picture
+picture: $(map)
+ifeq ($(FRAMES),0)
+	$(name) && $(draw) -o "$$name.png" "$(SCENE)"
+else
+	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$$name-%03d.png" "$(SCENE)"
+endif
+
+$(map):
+	mkdir -p $(OUT)
+	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@
