@@ -14,12 +14,14 @@ static const char *find_style(struct cmd_args *args, const char *name)
     if (strcmp(name, "-") == 0 || strchr(name, '/') || strchr(name, '.'))
         return name;
     struct hatch_buffer relative = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.style%c", name, '\0'), NULL, &err);
+    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.style%c", name, '\0'),
+              NULL, &err);
     const char *path = cmd_own_file(args, (const char *)relative.data);
     if (access(path, F_OK) == 0)
         return path;
     if (access(name, F_OK) != 0)
-        cmd_usage("no style '%s': it is neither a style that comes with the commands nor a file", name);
+        cmd_usage("no style '%s': it is neither a style that comes with the commands nor a file",
+                  name);
     return name;
 }
 
@@ -53,8 +55,8 @@ static const char *brush_beside(struct cmd_args *args, const char *style_path, c
     if (brush[0] == '/' || !slash)
         return brush;
     struct hatch_buffer joined = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - style_path), style_path, brush,
-                                 '\0'),
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - style_path), style_path,
+                                 brush, '\0'),
               NULL, &err);
     return (const char *)joined.data;
 }
@@ -63,15 +65,16 @@ static void read_brush_image(struct cmd_args *args, const char *path, struct hat
 {
     struct hatch_err err;
     struct hatch_image image;
-    const char *name = cmd_input_name(path), *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
-    cmd_check(hatch_image_read_any(cmd_read(args, path), path, plugin, &args->keep, &args->scratch, &image,
-                                   &err),
+    const char *name = cmd_input_name(path),
+               *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    cmd_check(hatch_image_read_any(cmd_read(args, path), path, plugin, &args->keep, &args->scratch,
+                                   &image, &err),
               name, &err);
     cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), name, &err);
 }
 
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
-                    struct hatch_style *style, struct hatch_brush *brush)
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
+                    const char *brush_path, struct hatch_style *style, struct hatch_brush *brush)
 {
     struct hatch_err err;
     const char *path = find_style(args, name);

@@ -1,17 +1,17 @@
-/* A drawing style by name, as every command takes it: its text, changes to it, and its brush. A command
- * that uses this links the packages exr, png and foreign. */
+/* A drawing style by name, as every command takes it: its text, changes to it, and its brush. A
+ * command that uses this links the packages exr, png and foreign. */
 #ifndef HATCH_CMD_STYLE_H
 #define HATCH_CMD_STYLE_H
 
 #include "cmd.h"
 #include "tam/style.h"
 
-/* name: a style that comes with the commands ("pencil"), or else a file; with a slash or a dot in it
- * always a file; "-" is standard input. settings: style lines that go last, with ';' for the ends of
- * lines, or NULL. brush_path: an image that replaces the style's brush, or NULL. The style is called
- * after its file where it does not say its name. The brush lives in args->keep. Dies on failure; a
- * style that is nowhere and settings that are wrong are wrong usage. */
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
-                    struct hatch_style *style, struct hatch_brush *brush);
+/* name: a style that comes with the commands ("pencil"), or else a file; with a slash or a dot in
+ * it always a file; "-" is standard input. settings: style lines that go last, with ';' for the
+ * ends of lines, or NULL. brush_path: an image that replaces the style's brush, or NULL. The style
+ * is called after its file where it does not say its name. The brush lives in args->keep. Dies on
+ * failure; a style that is nowhere and settings that are wrong are wrong usage. */
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
+                    const char *brush_path, struct hatch_style *style, struct hatch_brush *brush);
 
 #endif

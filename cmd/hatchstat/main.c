@@ -3,7 +3,7 @@
 
 #include "subject.h"
 
-static struct stat_options values = {.max_difference = -1};
+static struct stat_options values = {.max_difference = -1, .throws = 8};
 
 static const struct cmd_option options[] = {
     {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
@@ -11,6 +11,16 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames: measure sRGB numbers in place of linear light",
      &values.srgb, NULL, NULL},
+    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: its strokes, as tamgen --strokes wrote them",
+     &values.strokes, NULL, NULL},
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: what they were drawn with (default: as FILE says)",
+     &values.style, NULL, NULL},
+    {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: tamgen's --set", &values.settings, NULL, NULL},
+    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
+    {0, "throws", CMD_INT, 1, 1000, "N", "tam: random drawings to compare with (default 8)",
+     &values.throws, NULL, NULL},
+    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam: exit 1 when nesting or tone is broken", &values.check,
+     NULL, NULL},
     {0},
 };
 
@@ -22,19 +32,22 @@ static const struct {
     {"diff", 2, 2, stat_diff},
     {"frames", 2, -1, stat_frames},
     {"mesh", 0, -1, stat_mesh},
+    {"tam", 0, 1, stat_tam},
 };
 
 static const char *const examples[] = {
     "hatchstat diff a.png b.png --max-difference 0.004",
     "hatchstat frames turn.*.png --json",
     "meshgen torus | hatchstat mesh",
+    "tamgen --strokes ink.tsv -o ink.exr && hatchstat tam ink.exr --strokes ink.tsv --check",
     NULL,
 };
 
 static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
-    .summary = "measure pictures (diff A B, frames A B ...) and meshes (mesh FILE ...)",
+    .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
+               "tonal art maps (tam FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,

@@ -10,6 +10,9 @@
 struct stat_options {
     double max_difference; /* diff: negative when not given */
     bool srgb;             /* diff, frames: sRGB numbers in place of linear light */
+    const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
+    int64_t throws;        /* tam: how many random drawings evenness is compared with */
+    bool check;            /* tam: nesting and tone decide the exit status */
 };
 
 /* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
@@ -23,6 +26,9 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
                               struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
                             struct cmd_output *output);
+
+enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
+                           struct cmd_output *output);
 
 /* Reads a picture of any format; dies on failure. Warns when pixels are not finite. srgb: its
  * colours as sRGB numbers. Memory: args->keep, or arena where it is not NULL. */

@@ -1,5 +1,5 @@
-/* Tonal art maps for tests: a style by name, filled, with its columns kept as a file would hold them.
- * Include after run.h; call map_begin first and map_end last. */
+/* Tonal art maps for tests: a style by name, filled, with its columns kept as a file would hold
+ * them. Include after run.h; call map_begin first and map_end last. */
 #ifndef HATCH_TEST_TAM_MAP_H
 #define HATCH_TEST_TAM_MAP_H
 
@@ -54,18 +54,20 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
     }
     if (lines)
         size += (size_t)snprintf(text + size, sizeof text - size, "\n%s", lines);
-    HATCH_TEST_OK(hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(
+        hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
+        &map_err);
     HATCH_TEST_OK(hatch_brush_make(map->style.brush, &map_arena, &map->brush, &map_err), &map_err);
     map->options = (struct hatch_fill_options){.size_px = 64, .tones = 6, .levels = 2, .seed = 1};
 }
 
 /* A hatch_tam_sink that keeps the column with its pixels rounded as a file rounds them. */
-static inline enum hatch_status map_keep(void *context, uint32_t tone, const struct hatch_mipmap *column,
-                                         struct hatch_err *err)
+static inline enum hatch_status map_keep(void *context, uint32_t tone,
+                                         const struct hatch_mipmap *column, struct hatch_err *err)
 {
     struct test_map *map = context;
-    struct hatch_image *levels = HATCH_NEW(&map_arena, struct hatch_image, column->level_count, err);
+    struct hatch_image *levels =
+        HATCH_NEW(&map_arena, struct hatch_image, column->level_count, err);
     if (!levels)
         return HATCH_LIMIT;
     for (uint32_t level = 0; level < column->level_count; level++) {
@@ -78,7 +80,8 @@ static inline enum hatch_status map_keep(void *context, uint32_t tone, const str
         for (size_t i = 0; i < floats; i++) {
             float value = column->levels[level].pixels[i];
             bool half = levels[level].channels[i % channels].type == HATCH_HALF;
-            levels[level].pixels[i] = half ? hatch_float_from_half(hatch_half_from_float(value)) : value;
+            levels[level].pixels[i] =
+                half ? hatch_float_from_half(hatch_half_from_float(value)) : value;
         }
     }
     map->columns[tone] = *column;
@@ -90,10 +93,11 @@ static inline enum hatch_status map_keep(void *context, uint32_t tone, const str
 static inline void map_fill(struct test_map *map)
 {
     map->strokes = (struct hatch_stroke_list){0};
-    HATCH_TEST_OK(hatch_tam_fill(&map->style, &map->brush, &map->options, &map_arena, &map_scratch, map_keep,
-                                 map, &map->strokes, &map_err),
+    HATCH_TEST_OK(hatch_tam_fill(&map->style, &map->brush, &map->options, &map_arena, &map_scratch,
+                                 map_keep, map, &map->strokes, &map_err),
                   &map_err);
-    HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err),
+                  &map_err);
     ck_assert_uint_eq(map->tam.levels, map->options.levels);
 }
 

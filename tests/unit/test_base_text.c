@@ -15,7 +15,8 @@ START_TEST(lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none)
     struct hatch_text rest = text_of("one\n\r\ntwo \r x\r\nthree"), line;
     for (int i = 0; i < 4; i++) {
         ck_assert(hatch_text_line(&rest, &line));
-        ck_assert_msg(hatch_text_is(line, want[i]), "line %d: '%.*s'", i, (int)line.length, line.at);
+        ck_assert_msg(hatch_text_is(line, want[i]), "line %d: '%.*s'", i, (int)line.length,
+                      line.at);
     }
     ck_assert(!hatch_text_line(&rest, &line));
     rest = text_of("a\n");
@@ -42,7 +43,8 @@ START_TEST(fields_may_be_empty)
     struct hatch_text rest = text_of("\ta\t\tb c\t"), field;
     for (int i = 0; i < 5; i++) {
         ck_assert(hatch_text_field(&rest, &field));
-        ck_assert_msg(hatch_text_is(field, want[i]), "field %d: '%.*s'", i, (int)field.length, field.at);
+        ck_assert_msg(hatch_text_is(field, want[i]), "field %d: '%.*s'", i, (int)field.length,
+                      field.at);
     }
     ck_assert(!hatch_text_field(&rest, &field));
     rest = text_of("");
@@ -65,9 +67,10 @@ START_TEST(decimal_numbers_are_numbers)
     static const struct {
         const char *text;
         double value;
-    } good[] = {{"1", 1},      {"-0.5", -0.5}, {"+2", 2},         {"1e-3", 1e-3},
-                {".25", 0.25}, {"3.", 3},      {"1E+2", 100},     {"1e-400", 0},
-                {"0.1", 0.1},  {"-0", 0},      {"16777216", 16777216}};
+    } good[] = {{"1", 1},       {"-0.5", -0.5},        {"+2", 2},
+                {"1e-3", 1e-3}, {".25", 0.25},         {"3.", 3},
+                {"1E+2", 100},  {"1e-400", 0},         {"0.1", 0.1},
+                {"-0", 0},      {"16777216", 16777216}};
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         double value = -7;
         ck_assert_msg(hatch_text_number(text_of(good[i].text), &value), "%s", good[i].text);
@@ -78,8 +81,9 @@ END_TEST
 
 START_TEST(everything_else_is_none)
 {
-    static const char *const bad[] = {"",    " 1",   "1 ",  "12x", "1,5", "0x10", "inf",  "-inf", "nan", "NaN",
-                                      "1e400", "--1", "1e", "e5",  ".",   "-",    "1.2.3", "1_0",  "½"};
+    static const char *const bad[] = {"",     " 1",  "1 ",    "12x",   "1,5", "0x10", "inf",
+                                      "-inf", "nan", "NaN",   "1e400", "--1", "1e",   "e5",
+                                      ".",    "-",   "1.2.3", "1_0",   "½"};
     double value = -7;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(!hatch_text_number(text_of(bad[i]), &value), "'%s'", bad[i]);

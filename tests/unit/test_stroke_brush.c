@@ -45,7 +45,8 @@ START_TEST(profiles_are_alphas_with_ink_in_the_middle)
     float middle = brush.alpha[brush.height / 2 * brush.width + brush.width / 2];
     ck_assert_float_ge(middle, 0.95f);
     ck_assert_float_le(brush.alpha[0], 0.5f * middle); /* no square corners */
-    bool grainy = _i == HATCH_BRUSH_PENCIL || _i == HATCH_BRUSH_CRAYON || _i == HATCH_BRUSH_CHARCOAL;
+    bool grainy =
+        _i == HATCH_BRUSH_PENCIL || _i == HATCH_BRUSH_CRAYON || _i == HATCH_BRUSH_CHARCOAL;
     ck_assert_int_eq(brush.grain != NULL, grainy);
     for (uint32_t y = 0; y < brush.height; y++) /* a stroke's two sides are alike */
         for (uint32_t x = 0; x < brush.width; x++)
@@ -163,8 +164,8 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
     return hatch_brush_make(HATCH_BRUSH_PENCIL, to, context, said);
 }
 
-static enum hatch_status make_from_image(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                                         struct hatch_err *said)
+static enum hatch_status make_from_image(void *context, struct hatch_arena *to,
+                                         struct hatch_arena *scratch, struct hatch_err *said)
 {
     (void)scratch;
     float black = 0;

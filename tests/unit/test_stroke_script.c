@@ -36,9 +36,16 @@ static struct hatch_stroke random_stroke(uint64_t i)
     float u[10];
     for (uint64_t k = 0; k < 10; k++)
         u[k] = hatch_random_unit(9, i, k);
-    return (struct hatch_stroke){.x = u[0], .y = u[1], .length = 4 * u[2], .angle_rad = 12 * u[3] - 6,
-                                 .width_px = 0.01f + 64 * u[4], .tone = u[5], .rgb = {u[6], u[7], u[8]},
-                                 .id = (uint32_t)i + 1, .column = (uint32_t)(u[9] * 256), .level = i % 8,
+    return (struct hatch_stroke){.x = u[0],
+                                 .y = u[1],
+                                 .length = 4 * u[2],
+                                 .angle_rad = 12 * u[3] - 6,
+                                 .width_px = 0.01f + 64 * u[4],
+                                 .tone = u[5],
+                                 .rgb = {u[6], u[7], u[8]},
+                                 .id = (uint32_t)i + 1,
+                                 .column = (uint32_t)(u[9] * 256),
+                                 .level = i % 8,
                                  .texture_seed = (uint32_t)hatch_random_u64(9, i, 11)};
 }
 
@@ -55,8 +62,8 @@ START_TEST(what_is_printed_reads_back_exactly)
         HATCH_TEST_OK(hatch_script_parse(bytes, sizes[s], &keep, &list, &err), &err);
         ck_assert_uint_eq(list.count, 5000);
         for (uint32_t i = 0; i < 5000; i++)
-            ck_assert_msg(memcmp(&strokes[i], &list.items[i], sizeof *strokes) == 0, "size %u, stroke %u",
-                          sizes[s], i);
+            ck_assert_msg(memcmp(&strokes[i], &list.items[i], sizeof *strokes) == 0,
+                          "size %u, stroke %u", sizes[s], i);
     }
 }
 END_TEST
@@ -130,7 +137,8 @@ START_TEST(a_bad_script_names_its_line)
 {
     list.count = 7;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text, bad[_i].says);
+    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text,
+                  bad[_i].says);
     ck_assert_uint_eq(list.count, 7);
 }
 END_TEST
@@ -145,8 +153,8 @@ START_TEST(too_many_columns_are_refused)
 }
 END_TEST
 
-static enum hatch_status read_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                                    struct hatch_err *said)
+static enum hatch_status read_again(void *context, struct hatch_arena *to,
+                                    struct hatch_arena *scratch, struct hatch_err *said)
 {
     (void)scratch;
     struct hatch_buffer *text = context;
@@ -154,8 +162,8 @@ static enum hatch_status read_again(void *context, struct hatch_arena *to, struc
     return hatch_script_parse((struct hatch_bytes){text->data, text->size}, 256, to, &made, said);
 }
 
-static enum hatch_status print_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                                     struct hatch_err *said)
+static enum hatch_status print_again(void *context, struct hatch_arena *to,
+                                     struct hatch_arena *scratch, struct hatch_err *said)
 {
     (void)scratch;
     struct hatch_buffer text = {.arena = to};

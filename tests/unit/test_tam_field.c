@@ -22,7 +22,8 @@ static void begin(void)
     hatch_arena_init(&keep, (size_t)64 << 20);
     hatch_style_default(&style);
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err), &err);
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
+                  &err);
     HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &field, &err), &err);
 }
 
@@ -33,9 +34,12 @@ static void end(void)
 
 static struct hatch_stroke random_stroke(uint64_t i)
 {
-    return (struct hatch_stroke){.x = hatch_random_unit(6, 1, i), .y = hatch_random_unit(6, 2, i),
-                                 .length = 0.3f + 0.7f * hatch_random_unit(6, 3, i), .angle_rad = (float)i,
-                                 .width_px = 1.8f, .tone = 1};
+    return (struct hatch_stroke){.x = hatch_random_unit(6, 1, i),
+                                 .y = hatch_random_unit(6, 2, i),
+                                 .length = 0.3f + 0.7f * hatch_random_unit(6, 3, i),
+                                 .angle_rad = (float)i,
+                                 .width_px = 1.8f,
+                                 .tone = 1};
 }
 
 static void draw(const struct hatch_stroke *stroke, uint32_t coarsest)
@@ -55,8 +59,8 @@ static double mean_potential(void)
     return sum / (field.size * field.size);
 }
 
-/* Every scale of the pyramid keeps the mean, and a level counts by the width of its strokes on the tile:
- * the mean potential is known in closed form. */
+/* Every scale of the pyramid keeps the mean, and a level counts by the width of its strokes on the
+ * tile: the mean potential is known in closed form. */
 START_TEST(the_mean_potential_counts_every_level_at_every_scale)
 {
     hatch_field_start(&field, LEVELS - 1);
@@ -88,12 +92,13 @@ START_TEST(a_start_finds_what_was_deposited)
     for (size_t i = 0; i < cells; i++)
         ck_assert_double_eq_tol((double)(was[i] - field.potential[i]) / scale, 0, 1e-4);
     hatch_field_start(&field, 0); /* the finest level alone */
-    ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1, 1e-4);
+    ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1,
+                            1e-4);
 }
 END_TEST
 
-/* Half a tile is a whole number of cells at every scale but the last two: moving the drawing by it moves
- * the field. */
+/* Half a tile is a whole number of cells at every scale but the last two: moving the drawing by it
+ * moves the field. */
 START_TEST(the_field_has_no_borders)
 {
     static float was[SIZE * SIZE];
@@ -105,7 +110,8 @@ START_TEST(the_field_has_no_borders)
     memcpy(was, field.potential, (size_t)size * size * sizeof *was);
     double scale = mean_potential();
     HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &field, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err), &err);
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
+                  &err);
     stroke.x += 0.5f;
     stroke.y += 0.5f;
     hatch_field_start(&field, 0);
@@ -150,10 +156,12 @@ START_TEST(the_score_is_the_mean_along_the_line)
                 double at = ((k + 0.5) / samples - 0.5) * cells;
                 double x = (double)stroke.x * size + at * cos((double)stroke.angle_rad);
                 double y = (double)stroke.y * size + at * sin((double)stroke.angle_rad);
-                off += fabs(x - round(x)) < 1e-3 || fabs(y - round(y)) < 1e-3; /* either cell will do */
+                off += fabs(x - round(x)) < 1e-3 ||
+                       fabs(y - round(y)) < 1e-3; /* either cell will do */
                 x -= floor(x / size) * size;
                 y -= floor(y / size) * size;
-                sum += (double)field.potential[(uint32_t)y % field.size * field.size + (uint32_t)x % field.size];
+                sum += (double)field.potential[(uint32_t)y % field.size * field.size +
+                                               (uint32_t)x % field.size];
             }
             double score = (double)hatch_field_score(&field, &stroke, most);
             ck_assert_double_eq_tol(score, sum / samples, 1e-5 + (double)off / samples);
@@ -167,8 +175,13 @@ END_TEST
 
 static struct hatch_choice choice_of(uint64_t number)
 {
-    return (struct hatch_choice){.seed = 7, .number = number, .level = 1, .candidates = 200,
-                                 .length_max = style.length_max, .scale = 1, .direction_count = 2,
+    return (struct hatch_choice){.seed = 7,
+                                 .number = number,
+                                 .level = 1,
+                                 .candidates = 200,
+                                 .length_max = style.length_max,
+                                 .scale = 1,
+                                 .direction_count = 2,
                                  .directions = {0, 1.5f}};
 }
 
@@ -185,7 +198,8 @@ START_TEST(the_best_candidate_is_chosen_and_bettered)
             struct hatch_stroke other = hatch_candidate(&style, &choice, c);
             better += hatch_field_score(&field, &other, UINT32_MAX) < score;
         }
-        /* the list is cut by 24 samples a candidate: a rare one that all cells would favour is missed */
+        /* the list is cut by 24 samples a candidate: a rare one that all cells would favour is
+         * missed */
         ck_assert_uint_le(better, 2);
         ck_assert(best.x >= 0 && best.x < 1 && best.y >= 0 && best.y < 1);
         draw(&best, 1);

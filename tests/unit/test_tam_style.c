@@ -16,7 +16,8 @@ static void begin(void)
 
 static enum hatch_status parse(const char *text)
 {
-    return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style, &err);
+    return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style,
+                             &err);
 }
 
 START_TEST(an_empty_file_is_the_default)
@@ -109,7 +110,8 @@ static const struct {
     {"length 0.5", "line 1: length: a value is missing"},
     {"length 0 4.5", "line 1: length: 4.5"},
     {"length -1 1", "line 1: length: -1"},
-    {"width 2\nlength 1 0.5\nwidth 3", "line 2: length: the shortest, 1, is above the longest, 0.5"},
+    {"width 2\nlength 1 0.5\nwidth 3",
+     "line 2: length: the shortest, 1, is above the longest, 0.5"},
     {"jitter 91", "line 1: jitter: 91"},
     {"jitter -1", "line 1: jitter: -1"},
     {"ink 0", "line 1: ink: 0"},
@@ -126,7 +128,8 @@ static const struct {
     {"direction 0 -0.1 1", "line 1: direction: -0.1"},
     {"direction 0 0 1.1", "line 1: direction: 1.1"},
     {"direction 0 0.6 0.5", "line 1: direction: from tone 0.6 to tone 0.5 is empty"},
-    {"direction 0 0 1\ndirection 1 0 1\ndirection 2 0 1\ndirection 3 0 1\ndirection 4 0 1\ndirection 5 0 1\n"
+    {"direction 0 0 1\ndirection 1 0 1\ndirection 2 0 1\ndirection 3 0 1\ndirection 4 0 "
+     "1\ndirection 5 0 1\n"
      "direction 6 0 1\ndirection 7 0 1\ndirection 8 0 1",
      "line 9: direction: more than 8"},
     {"candidates 100", "line 1: candidates: a value is missing"},
@@ -140,15 +143,16 @@ static const struct {
     {"brush image  # none", "line 1: brush: image wants a file name"},
     {"name", "line 1: name: want one word"},
     {"name two words", "line 1: name: more values"},
-    {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "line 1: name: want one word"},
+    {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
+     "line 1: name: want one word"},
 };
 
 START_TEST(a_bad_line_is_named_and_changes_nothing)
 {
     struct hatch_style was = style;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'", err.text,
-                  bad[_i].says);
+    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'",
+                  err.text, bad[_i].says);
     ck_assert_mem_eq(&was, &style, sizeof style);
 }
 END_TEST
@@ -183,7 +187,8 @@ static Suite *suite(void)
     tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_do_not_matter);
     tcase_add_test(tests, every_brush_has_its_word);
     tcase_add_test(tests, a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them);
-    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0, sizeof bad / sizeof *bad);
+    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0,
+                        sizeof bad / sizeof *bad);
     tcase_add_test(tests, targets_rise_to_the_darkest);
     suite_add_tcase(suite, tests);
     return suite;

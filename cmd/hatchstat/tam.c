@@ -1,0 +1,198 @@
+/* hatchstat tam FILE: tone, nesting, seams and evenness of a tonal art map, a row for each image.
+ */
+#include <math.h>
+
+#include "cmd_style.h"
+#include "io/exr.h"
+#include "measure/tam_figures.h"
+#include "stroke/script.h"
+#include "subject.h"
+
+#define FINEST_ERROR 0.003
+#define ERROR 0.02
+
+static const char *const columns[] = {
+    "tone",    "level",   "size",    "target", "mean",   "error",    "allowed",  "allowed_by",
+    "stroke",  "lighter", "missing", "seam_x", "seam_y", "spread32", "spread16", "spread8",
+    "spread4", "even32",  "even16",  "even8",  "even4",  NULL};
+
+/* A map with all that is known of it. */
+struct subject {
+    struct hatch_tam tam;
+    bool has_strokes;
+    struct hatch_stroke_list list;
+    struct hatch_style style;
+    struct hatch_brush brush;
+    struct hatch_tam_strokes strokes;
+    double
+        stroke_darkness[HATCH_MIP_LEVELS_MAX]; /* NaN without strokes, and where none are drawn */
+    double *evenness;                          /* of each tone's finest image, or NULL */
+};
+
+/* What the last row says. */
+struct summary {
+    uint32_t broken; /* images whose tone is further off than allowed */
+    uint64_t lighter, missing;
+    double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
+};
+
+static void read_map(struct cmd_args *args, const char *path, struct subject *subject)
+{
+    struct hatch_err err;
+    struct hatch_mipmap *parts;
+    uint32_t count;
+    const char *name = cmd_input_name(path);
+    cmd_check(
+        hatch_exr_read(cmd_read(args, path), &args->keep, &args->scratch, &parts, &count, &err),
+        name, &err);
+    cmd_check(hatch_tam_from_mipmaps(parts, count, &subject->tam, &err), name, &err);
+}
+
+static double growth_of(const struct hatch_tam *tam)
+{
+    const struct hatch_attribute *growth =
+        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_GROWTH);
+    return growth && growth->number > 0 && growth->number < 1 ? growth->number : 0;
+}
+
+static void read_strokes(struct cmd_args *args, const struct stat_options *options,
+                         struct subject *subject)
+{
+    struct hatch_err err;
+    struct hatch_tam *tam = &subject->tam;
+    const struct hatch_attribute *named =
+        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
+    const char *style = options->style         ? options->style
+                        : named && named->text ? named->text
+                                               : "ink";
+    cmd_read_style(args, style, options->settings, options->brush, &subject->style,
+                   &subject->brush);
+    cmd_check(hatch_script_parse(cmd_read(args, options->strokes), tam->size_px, &args->keep,
+                                 &subject->list, &err),
+              cmd_input_name(options->strokes), &err);
+    subject->has_strokes = true;
+    subject->strokes = (struct hatch_tam_strokes){&subject->list, &subject->style, &subject->brush,
+                                                  (float)growth_of(tam)};
+}
+
+static void measure_strokes(struct cmd_args *args, const struct stat_options *options,
+                            struct subject *subject, struct summary *summary)
+{
+    struct hatch_err err;
+    const struct hatch_tam *tam = &subject->tam;
+    const char *name = cmd_input_name(options->strokes);
+    for (uint32_t level = 0; level < tam->levels; level++)
+        cmd_check(hatch_measure_stroke_darkness(tam, &subject->strokes, level, &args->scratch,
+                                                &subject->stroke_darkness[level], &err),
+                  name, &err);
+    cmd_check(
+        hatch_measure_tam_nesting(tam, &subject->strokes, &args->scratch, &summary->missing, &err),
+        name, &err);
+    subject->evenness =
+        HATCH_NEW(&args->keep, double, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err);
+    cmd_check(subject->evenness ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(hatch_measure_evenness(tam, &subject->strokes, (uint32_t)options->throws,
+                                     &args->scratch, subject->evenness, &err),
+              name, &err);
+}
+
+/* The error that an image may have: NaN where it holds no strokes of its own. */
+static double allowed_error(const struct subject *subject, uint32_t level, const char **by)
+{
+    double stroke = subject->stroke_darkness[level], bar = level ? ERROR : FINEST_ERROR;
+    *by = level >= subject->tam.levels ? "-" : stroke > bar ? "stroke" : "tone";
+    return level >= subject->tam.levels ? NAN : fmax(stroke, bar);
+}
+
+static void put_numbers(struct cmd_report *report, const double *numbers, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        cmd_report_number(report, numbers ? numbers[i] : NAN);
+}
+
+static void put_image(struct cmd_report *report, const struct subject *subject, uint32_t tone,
+                      uint32_t level, const struct hatch_tam_image_figures *f,
+                      struct summary *summary)
+{
+    const char *by;
+    double allowed = allowed_error(subject, level, &by);
+    cmd_report_whole(report, tone);
+    cmd_report_whole(report, level);
+    cmd_report_whole(report, f->size_px);
+    const double tones[] = {(double)subject->tam.target[tone], f->mean, f->error, allowed};
+    put_numbers(report, tones, 4);
+    cmd_report_text(report, by);
+    cmd_report_number(report, subject->stroke_darkness[level]);
+    cmd_report_whole(report, f->lighter_pixels);
+    cmd_report_number(report, NAN);
+    put_numbers(report, f->seam_z, 2);
+    put_numbers(report, f->spread, HATCH_EVENNESS_BOXES);
+    const double *even =
+        level || !subject->evenness ? NULL : subject->evenness + tone * HATCH_EVENNESS_BOXES;
+    put_numbers(report, even, HATCH_EVENNESS_BOXES);
+
+    summary->lighter += f->lighter_pixels;
+    for (uint32_t box = 0; level == 0 && box < HATCH_EVENNESS_BOXES; box++) {
+        summary->spread[box] += f->spread[box] / subject->tam.tones;
+        summary->even[box] += even ? even[box] / subject->tam.tones : NAN;
+    }
+    if (level >= subject->tam.levels)
+        return;
+    summary->broken += !(fabs(f->error) <= allowed);
+    summary->error = fmax(summary->error, fabs(f->error));
+    summary->images++;
+    for (int axis = 0; axis < 2; axis++)
+        summary->seam[axis] += f->seam_z[axis];
+}
+
+static void put_summary(struct cmd_report *report, const struct subject *subject,
+                        const struct summary *s)
+{
+    const double seam[] = {s->seam[0] / s->images, s->seam[1] / s->images};
+    cmd_report_text(report, "all");
+    put_numbers(report, NULL, 1);
+    cmd_report_whole(report, subject->tam.size_px);
+    put_numbers(report, NULL, 2);
+    cmd_report_number(report, s->error);
+    put_numbers(report, NULL, 1);
+    cmd_report_text(report, s->broken ? "no" : "yes");
+    put_numbers(report, NULL, 1);
+    cmd_report_whole(report, s->lighter);
+    if (subject->has_strokes)
+        cmd_report_whole(report, s->missing);
+    else
+        put_numbers(report, NULL, 1);
+    put_numbers(report, seam, 2);
+    put_numbers(report, s->spread, HATCH_EVENNESS_BOXES);
+    put_numbers(report, s->even, HATCH_EVENNESS_BOXES);
+}
+
+enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
+                           struct cmd_output *output)
+{
+    struct hatch_err err;
+    struct subject subject = {.has_strokes = false};
+    struct summary summary = {0};
+    const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
+    for (uint32_t level = 0; level < HATCH_MIP_LEVELS_MAX; level++)
+        subject.stroke_darkness[level] = NAN;
+    read_map(args, path, &subject);
+    if (options->strokes) {
+        read_strokes(args, options, &subject);
+        measure_strokes(args, options, &subject, &summary);
+    }
+    struct cmd_report report;
+    cmd_report_begin(&report, args, columns);
+    for (uint32_t tone = 0; tone < subject.tam.tones; tone++)
+        for (uint32_t level = 0; level < subject.tam.columns[tone].level_count; level++) {
+            struct hatch_tam_image_figures figures;
+            cmd_check(
+                hatch_measure_tam_image(&subject.tam, tone, level, &args->scratch, &figures, &err),
+                cmd_input_name(path), &err);
+            put_image(&report, &subject, tone, level, &figures, &summary);
+        }
+    put_summary(&report, &subject, &summary);
+    cmd_report_write(&report, output);
+    bool holds = !summary.broken && !summary.lighter && !summary.missing;
+    return holds || !options->check ? HATCH_OK : HATCH_DIFFERS;
+}
