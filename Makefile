@@ -133,6 +133,16 @@ $(eval $(call completion_rule,bash,bash-completion/completions/%))
 $(eval $(call completion_rule,zsh,zsh/site-functions/_%))
 $(eval $(call completion_rule,fish,fish/vendor_completions.d/%.fish))
 
+# Drawn anew each time: a pipeline does not know that the commands have changed.
+demo: all
+	@rm -rf $(B)/demo
+	$(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
+
+bench: all
+	PATH=$(abspath $(B))/bin:$$PATH sh tests/bench/run.sh $(B)/bench
+chart:
+	sh tests/bench/chart.sh $(B)/bench
+
 # install_into FOLDER
 install_into = for file in $(INSTALLED:$(B)/%=%); do mode=644; [ ! -x $(B)/$$file ] || mode=755; \
     install -D -m $$mode $(B)/$$file $(1)/$$file || exit 1; done
@@ -201,6 +211,10 @@ lint:
 
 clean:
 	rm -rf build
+<<<<<<< HEAD
 .PHONY: all demo check check-interop check-long fuzz install dist lint clean
+=======
+.PHONY: all demo bench chart check check-interop check-long fuzz install dist lint clean
+>>>>>>> 05f9350 (make: demo, bench, chart; pipelines: the teapot, any glTF scene)
 .DELETE_ON_ERROR:
 .SECONDARY:

@@ -1,0 +1,15 @@
+#!/bin/sh
+# chart.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. chart_SUBJECT.gp plots the
+# file whose name stands in `data`, with the terminal and the output set before.
+set -eu
+for plot in "$(dirname "$0")"/chart_*.gp; do
+    [ -e "$plot" ] || continue
+    subject=$(basename "$plot" .gp | sed 's/^chart_//')
+    for terminal in svg png; do
+        kind=$terminal
+        [ $terminal = svg ] || kind=pngcairo
+        gnuplot -e "set terminal $kind size 900,560; set output '$1/$subject.$terminal'" \
+            -e "data = '$1/$subject.tsv'" "$plot"
+        echo "$1/$subject.$terminal"
+    done
+done

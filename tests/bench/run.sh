@@ -1,0 +1,13 @@
+#!/bin/sh
+# run.sh FOLDER: measures. Each bench_SUBJECT.sh prints a TSV with a header line, which goes to
+# FOLDER/SUBJECT.tsv: method, size of the work, median, minimum and maximum seconds of five runs or
+# more, peak memory, error with its name and unit.
+set -eu
+mkdir -p "$1"
+for script in "$(dirname "$0")"/bench_*.sh; do
+    [ -e "$script" ] || continue
+    subject=$(basename "$script" .sh | sed 's/^bench_//')
+    echo "$subject"
+    sh "$script" >"$1/$subject.part"
+    mv "$1/$subject.part" "$1/$subject.tsv"
+done
