@@ -38,7 +38,7 @@ struct hatch_shape_options {
                          step (a quarter each way: no triangle turns over), and the diagonals are
                          turned at random: an irregular triangulation */
     float noise;      /* 0 .. 1: standard deviation of a displacement along the normal, as a share of
-                         the mean edge; normals stay those of the smooth surface */
+                         the mean edge; normals stay those of the smooth surface, poles stay */
     uint64_t seed;
     enum hatch_shape_uv uv;
 };

@@ -219,8 +219,11 @@ void hatch_grid_displace(const struct hatch_grid *grid, double distance, uint64_
     const float *normal = &hatch_mesh_find(mesh, "NORMAL", 3)[(size_t)first_vertex * 3];
     for (uint32_t row = 0; row <= row_count(grid); row++)
         for (uint32_t column = 0; column < row_vertices(grid, row); column++) {
-            double by = distance * normal_deviate(seed, stream_of(stream, NOISE),
-                                                  point_number(grid, row, column));
+            /* A pole's vertices may have many normals (a cone's apex) and stay together. */
+            double by = is_pole(grid, row)
+                            ? 0
+                            : distance * normal_deviate(seed, stream_of(stream, NOISE),
+                                                    point_number(grid, row, column));
             for (int k = 0; k < 3; k++)
                 position[k] = (float)((double)position[k] + by * (double)normal[k]);
             position += 3;

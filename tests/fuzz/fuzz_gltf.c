@@ -1,0 +1,49 @@
+#include "io/gltf.h"
+#include "mesh.h"
+
+/* A companion file of some bytes, whatever its name. */
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
+                                 struct hatch_bytes *bytes, struct hatch_err *err)
+{
+    (void)context;
+    FUZZ_MUST_HOLD(uri[0] != '/');
+    uint8_t *data = HATCH_NEW(arena, uint8_t, 64, err);
+    if (!data)
+        return HATCH_LIMIT;
+    *bytes = (struct hatch_bytes){data, 64};
+    return HATCH_OK;
+}
+
+static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arenas)
+{
+    struct hatch_err err;
+    struct hatch_mesh mesh;
+    float *world = HATCH_NEW(&arenas->keep, float, (size_t)scene->node_count * 16, &err);
+    for (uint32_t a = 0; world && a < scene->animation_count; a++)
+        hatch_scene_pose(scene, a, 0.37, world);
+    if (world)
+        hatch_scene_pose(scene, HATCH_NONE, 0, world);
+    for (uint32_t s = 0; world && s < scene->skin_count; s++) {
+        size_t count = (size_t)scene->skins[s].joint_count * 16;
+        float *joints = HATCH_NEW(&arenas->keep, float, count, &err);
+        if (joints)
+            hatch_scene_skin(scene, s, world, joints);
+    }
+    if (hatch_scene_flatten(scene, &arenas->keep, &arenas->scratch, &mesh, &err) == HATCH_OK)
+        fuzz_use_mesh(&mesh, arenas);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct fuzz_arenas arenas = fuzz_arenas_make();
+    struct hatch_scene scene;
+    struct hatch_mesh_notes notes = {0};
+    struct hatch_err err = {HATCH_OK, ""};
+    enum hatch_status status = hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL,
+                                               &arenas.keep, &arenas.scratch, &scene, &notes, &err);
+    fuzz_check(status, &err, &arenas);
+    if (status == HATCH_OK)
+        use_scene(&scene, &arenas);
+    fuzz_arenas_free(&arenas);
+    return 0;
+}

@@ -1,0 +1,394 @@
+#include <math.h>
+#include <string.h>
+
+#include "fail_alloc.h"
+#include "math/vector.h"
+#include "measure/mesh_figures.h"
+#include "mesh/shapes.h"
+#include "run.h"
+
+#define PI 3.14159265358979323846
+
+static struct hatch_arena keep, scratch;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 30);
+    hatch_arena_init(&scratch, (size_t)1 << 30);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise,
+                              uint64_t seed)
+{
+    struct hatch_mesh mesh;
+    struct hatch_err err;
+    const struct hatch_shape_options options = {
+        .faces = faces, .jitter = jitter, .noise = noise, .seed = seed};
+    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
+    return mesh;
+}
+
+static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
+{
+    struct hatch_mesh_figures figures;
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_measure_mesh(mesh, &scratch, &figures, &err), &err);
+    return figures;
+}
+
+/* ∫∫ √(1 + x² + y²) over [-1, 1]², by the midpoint rule. */
+static double saddle_area(void)
+{
+    const int n = 1000;
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            double x = (2 * i + 1.0) / n - 1, y = (2 * j + 1.0) / n - 1;
+            sum += sqrt(1 + x * x + y * y);
+        }
+    return sum * 4 / n / n;
+}
+
+START_TEST(areas_are_those_of_the_formulas)
+{
+    const struct {
+        enum hatch_shape shape;
+        double area;
+    } known[] = {
+        {HATCH_SHAPE_SPHERE, 4 * PI},          {HATCH_SHAPE_CYLINDER, 4 * PI},
+        {HATCH_SHAPE_CONE, PI * sqrt(5.0)},    {HATCH_SHAPE_TORUS, 4 * PI * PI * 0.4},
+        {HATCH_SHAPE_PLANE, 4},                {HATCH_SHAPE_SADDLE, saddle_area()},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        struct hatch_mesh mesh = make(known[i].shape, 40000, 0, 0, 1);
+        double area = measure(&mesh).area;
+        ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g",
+                      hatch_shape_name(known[i].shape), area, known[i].area);
+    }
+}
+END_TEST
+
+START_TEST(topology_is_that_of_the_surface)
+{
+    const struct {
+        enum hatch_shape shape;
+        uint32_t components, loops;
+        int64_t euler, genus;
+    } known[] = {
+        {HATCH_SHAPE_SPHERE, 1, 0, 2, 0},   {HATCH_SHAPE_CYLINDER, 1, 2, 0, 0},
+        {HATCH_SHAPE_CONE, 1, 1, 1, 0},     {HATCH_SHAPE_TORUS, 1, 0, 0, 1},
+        {HATCH_SHAPE_PLANE, 1, 1, 1, 0},    {HATCH_SHAPE_ELLIPSOID, 1, 0, 2, 0},
+        {HATCH_SHAPE_SADDLE, 1, 1, 1, 0},
+    };
+    const float jitters[] = {0, 1}, noises[] = {0, 0.3f};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        for (int k = 0; k < 4; k++) {
+            struct hatch_mesh mesh =
+                make(known[i].shape, 700, jitters[k % 2], noises[k / 2], (uint64_t)k);
+            struct hatch_mesh_figures f = measure(&mesh);
+            const char *name = hatch_shape_name(known[i].shape);
+            ck_assert_msg(f.components == known[i].components, "%s: components", name);
+            ck_assert_msg(f.boundary_loops == known[i].loops, "%s: loops", name);
+            ck_assert_msg(f.euler == known[i].euler, "%s: Euler %d", name, (int)f.euler);
+            ck_assert_msg(f.genus == known[i].genus, "%s: genus %d", name, (int)f.genus);
+            ck_assert_uint_eq(f.degenerate_faces + f.duplicate_faces + f.unused_vertices, 0);
+        }
+}
+END_TEST
+
+START_TEST(smallest_shapes_are_surfaces)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
+        for (uint32_t faces = 2; faces < 40; faces++) {
+            struct hatch_mesh mesh = make((enum hatch_shape)shape, faces, 1, 0, faces);
+            struct hatch_mesh_figures f = measure(&mesh);
+            ck_assert_uint_eq(f.degenerate_faces + f.duplicate_faces + f.non_manifold_edges +
+                                  f.contrary_edges + f.unused_vertices,
+                              0);
+        }
+}
+END_TEST
+
+static void corner(const struct hatch_mesh *mesh, uint32_t vertex, double p[3], double n[3])
+{
+    hatch_vec_of(&hatch_mesh_find(mesh, "POSITION", 3)[(size_t)vertex * 3], p);
+    hatch_vec_of(&hatch_mesh_find(mesh, "NORMAL", 3)[(size_t)vertex * 3], n);
+}
+
+START_TEST(normals_are_those_of_the_formulas)
+{
+    for (int shape = HATCH_SHAPE_SPHERE; shape < HATCH_SHAPE_COUNT; shape++) {
+        struct hatch_mesh mesh = make((enum hatch_shape)shape, 3000, 0.7f, 0, 5);
+        for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+            double p[3], n[3], want[3], direction[3], k[2];
+            corner(&mesh, v, p, n);
+            ck_assert_double_eq_tol(hatch_vec_length(n), 1, 1e-6);
+            if (shape == HATCH_SHAPE_CONE && p[1] > 0.999)
+                continue; /* the apex has none */
+            hatch_shape_curvature((enum hatch_shape)shape, p, want, direction, k);
+            ck_assert_msg(hatch_vec_distance(n, want) < 1e-5, "%s: vertex %u: normal off by %g",
+                          hatch_shape_name((enum hatch_shape)shape), v,
+                          hatch_vec_distance(n, want));
+        }
+    }
+}
+END_TEST
+
+START_TEST(faces_look_outwards_at_any_jitter)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
+        /* The teapot's lip and foot turn sharply: its faces must be small to follow. */
+        uint32_t faces = shape == HATCH_SHAPE_TEAPOT ? 200000 : 5000;
+        struct hatch_mesh mesh = make((enum hatch_shape)shape, faces, 1, 0, 11);
+        uint32_t back = 0;
+        for (uint32_t f = 0; f < mesh.face_count; f++) {
+            double c[3][3], normal[3], p[3], n[3];
+            ck_assert(hatch_mesh_corners(&mesh, f, c));
+            hatch_vec_triangle(c[0], c[1], c[2], normal);
+            for (uint32_t k = 0; k < 3; k++) {
+                corner(&mesh, mesh.indices[f * 3 + k], p, n);
+                back += hatch_vec_dot(normal, n) <= 0;
+            }
+        }
+        ck_assert_msg(back == 0, "%s: %u corners look inwards",
+                      hatch_shape_name((enum hatch_shape)shape), back);
+    }
+}
+END_TEST
+
+START_TEST(tangents_point_along_u)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
+        struct hatch_mesh mesh = make((enum hatch_shape)shape, 20000, 0, 0, 1), copy = mesh;
+        struct hatch_err err;
+        const float *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
+        /* The same again, from positions and texture coordinates alone. */
+        for (uint32_t i = 0; i < copy.attribute_count; i++)
+            if (strcmp(copy.attributes[i].name, "TANGENT") == 0)
+                copy.attributes[i] = copy.attributes[--copy.attribute_count];
+        HATCH_TEST_OK(hatch_mesh_add_tangents(&keep, &scratch, &copy, &err), &err);
+        const float *derived = hatch_mesh_find(&copy, "TANGENT", 4);
+        double worst = 0, p[3], n[3];
+        for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+            double a[3], b[3];
+            hatch_vec_of(&tangent[v * 4], a);
+            hatch_vec_of(&derived[v * 4], b);
+            corner(&mesh, v, p, n);
+            ck_assert_double_eq_tol(hatch_vec_length(a), 1, 1e-6);
+            ck_assert_double_eq_tol(hatch_vec_dot(a, n), 0, 1e-5);
+            ck_assert_float_eq(tangent[v * 4 + 3], 1.0f);
+            ck_assert_float_eq(derived[v * 4 + 3], 1.0f);
+            worst += 1 - hatch_vec_dot(a, b);
+        }
+        ck_assert_msg(worst / mesh.vertex_count < 0.003, "%s: mean deviation %g",
+                      hatch_shape_name((enum hatch_shape)shape), worst / mesh.vertex_count);
+    }
+}
+END_TEST
+
+START_TEST(textures_meet_themselves_and_keep_their_shape)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
+        struct hatch_mesh mesh = make((enum hatch_shape)shape, 5000, 0, 0, 1);
+        const char *name = hatch_shape_name((enum hatch_shape)shape);
+        struct hatch_mesh_figures f = measure(&mesh);
+        ck_assert_msg(f.has_uv && f.uv.degenerate_share == 0, "%s: degenerate", name);
+        ck_assert_msg(f.uv.mirrored_share == 0, "%s: mirrored", name);
+        ck_assert_msg(f.uv.angle[1] < 1.7, "%s: median stretch %g", name, f.uv.angle[1]);
+        if (shape == HATCH_SHAPE_TEAPOT)
+            continue;
+        const float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+        float high[2] = {0, 0};
+        for (uint32_t i = 0; i < mesh.vertex_count * 2; i++) {
+            ck_assert_float_ge(uv[i], 0);
+            if (uv[i] > high[i % 2])
+                high[i % 2] = uv[i];
+        }
+        ck_assert_msg(high[0] == floorf(high[0]), "%s: u ends at %g", name, (double)high[0]);
+        ck_assert_msg(high[1] == floorf(high[1]), "%s: v ends at %g", name, (double)high[1]);
+    }
+}
+END_TEST
+
+START_TEST(seams_differ_by_whole_tiles)
+{
+    struct hatch_mesh mesh = make(HATCH_SHAPE_TORUS, 3000, 1, 0.2f, 4);
+    struct hatch_err err;
+    uint32_t points, *point = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
+    uint32_t *first = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
+    HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &points, &err), &err);
+    const float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    uint32_t doubled = 0;
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        if (!first[point[v]]) {
+            first[point[v]] = v + 1;
+            continue;
+        }
+        const float *other = &uv[(first[point[v]] - 1) * 2];
+        for (int k = 0; k < 2; k++) {
+            float apart = uv[v * 2 + (uint32_t)k] - other[k];
+            ck_assert_float_eq_tol(apart, roundf(apart), 1e-5f);
+        }
+        doubled++;
+    }
+    ck_assert_uint_gt(doubled, 20);
+}
+END_TEST
+
+START_TEST(curvatures_are_those_of_the_formulas)
+{
+    const struct {
+        enum hatch_shape shape;
+        double position[3], direction[3], curvature[2];
+        bool defined;
+    } known[] = {
+        {HATCH_SHAPE_SPHERE, {0, 0.6, 0.8}, {0, 0, 0}, {1, 1}, false},
+        {HATCH_SHAPE_PLANE, {0.3, -0.2, 0}, {0, 0, 0}, {0, 0}, false},
+        {HATCH_SHAPE_CYLINDER, {0.6, 0.1, 0.8}, {0.8, 0, -0.6}, {1, 0}, true},
+        {HATCH_SHAPE_CONE, {0.5, 0, 0}, {0, 0, 1}, {4 / 2.23606797749979, 0}, true},
+        {HATCH_SHAPE_TORUS, {1.4, 0, 0}, {0, 1, 0}, {2.5, 1 / 1.4}, true},
+        {HATCH_SHAPE_TORUS, {0, 0, -0.6}, {0, 1, 0}, {2.5, -1 / 0.6}, true},
+        {HATCH_SHAPE_ELLIPSOID, {1, 0, 0}, {0, 0, 1}, {4, 1 / 0.49}, true},
+        {HATCH_SHAPE_ELLIPSOID, {0, -0.7, 0}, {0, 0, 1}, {0.7 / 0.25, 0.7}, true},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        double n[3], d[3], k[2];
+        ck_assert(hatch_shape_curvature(known[i].shape, known[i].position, n, d, k) ==
+                  known[i].defined);
+        ck_assert_double_eq_tol(k[0], known[i].curvature[0], 1e-12);
+        ck_assert_double_eq_tol(k[1], known[i].curvature[1], 1e-12);
+        ck_assert_double_eq_tol(fabs(hatch_vec_dot(d, known[i].direction)), known[i].defined, 1e-12);
+    }
+    double n[3], d[3], k[2];
+    const double middle[3] = {0, 0, 0}, apex[3] = {0, 1, 0};
+    hatch_shape_curvature(HATCH_SHAPE_SADDLE, middle, n, d, k);
+    ck_assert_double_eq_tol(fabs(k[0]), 1, 1e-12);
+    ck_assert_double_eq_tol(k[0] + k[1], 0, 1e-12);
+    ck_assert(!hatch_shape_curvature(HATCH_SHAPE_TEAPOT, middle, n, d, k));
+    ck_assert(!hatch_shape_curvature(HATCH_SHAPE_CONE, apex, n, d, k));
+}
+END_TEST
+
+START_TEST(teapot_is_newells)
+{
+    struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 100000, 0, 0, 1);
+    struct hatch_mesh_figures f = measure(&mesh);
+    /* Wall and lid are open once, handle and spout twice; the handle touches the wall at a point. */
+    ck_assert_uint_eq(f.boundary_loops, 6);
+    ck_assert_uint_eq(f.components, 3);
+    ck_assert_uint_eq(f.non_manifold_points, 1);
+    ck_assert_uint_eq(f.non_manifold_edges + f.contrary_edges + f.degenerate_faces, 0);
+    /* 3 by 1.47 by 1.87; the spout's lip stands out a little. */
+    const double size[3] = {3.0022, 1.47, 1.8667};
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol((double)f.high[k] - (double)f.low[k], size[k], 1e-3);
+    /* The published patches' area, 52.85 in their own units, times the square of 7/15. */
+    ck_assert_double_eq_tol(f.area, 11.509, 0.003);
+    ck_assert_float_lt(f.high[2] + f.low[2], 1e-6f);
+}
+END_TEST
+
+START_TEST(even_texture_is_more_even_than_natural)
+{
+    struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 20000, 0, 0, 1), even;
+    struct hatch_err err;
+    const struct hatch_shape_options options = {.faces = 20000, .uv = HATCH_SHAPE_UV_EVEN};
+    HATCH_TEST_OK(
+        hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, &keep, &scratch, &even, &err), &err);
+    ck_assert_double_lt(measure(&even).uv.angle[2], measure(&mesh).uv.angle[2]);
+    ck_assert_mem_eq(hatch_mesh_find(&even, "POSITION", 3), hatch_mesh_find(&mesh, "POSITION", 3),
+                     mesh.vertex_count * 12);
+}
+END_TEST
+
+START_TEST(face_counts_come_near_the_wish)
+{
+    const uint32_t wishes[] = {100, 1000, 12345, 300000};
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
+        for (int i = 0; i < 4; i++) {
+            struct hatch_mesh mesh = make((enum hatch_shape)shape, wishes[i], 0, 0, 1);
+            double share = mesh.face_count / (double)wishes[i];
+            double slack = 2 / sqrt(wishes[i]) + 0.005;
+            ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u",
+                          hatch_shape_name((enum hatch_shape)shape), mesh.face_count, wishes[i]);
+        }
+}
+END_TEST
+
+START_TEST(seeds_decide_alone)
+{
+    struct hatch_mesh a = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 7);
+    struct hatch_mesh b = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 7);
+    struct hatch_mesh c = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 8);
+    size_t size = (size_t)a.vertex_count * 12;
+    ck_assert_mem_eq(a.attributes[0].data, b.attributes[0].data, size);
+    ck_assert_mem_eq(a.indices, b.indices, (size_t)a.face_count * 12);
+    ck_assert_int_ne(memcmp(a.attributes[0].data, c.attributes[0].data, size), 0);
+    struct hatch_mesh still = make(HATCH_SHAPE_TEAPOT, 2000, 0, 0, 7);
+    struct hatch_mesh other = make(HATCH_SHAPE_TEAPOT, 2000, 0, 0, 8);
+    ck_assert_mem_eq(still.attributes[0].data, other.attributes[0].data, size);
+}
+END_TEST
+
+START_TEST(noise_has_its_deviation)
+{
+    struct hatch_mesh smooth = make(HATCH_SHAPE_PLANE, 20000, 0, 0, 3);
+    struct hatch_mesh rough = make(HATCH_SHAPE_PLANE, 20000, 0, 0.25f, 3);
+    const float *p = rough.attributes[0].data;
+    double sum = 0, squares = 0, n = rough.vertex_count;
+    for (uint32_t v = 0; v < rough.vertex_count; v++) {
+        sum += (double)p[v * 3 + 2];
+        squares += (double)p[v * 3 + 2] * (double)p[v * 3 + 2];
+        ck_assert_float_eq(p[v * 3], smooth.attributes[0].data[v * 3]);
+    }
+    double want = 0.25 * 2.0 / 100 * (2 + sqrt(2.0)) / 3; /* mean edge of a right grid */
+    ck_assert_double_eq_tol(sqrt(squares / n) / want, 1, 0.03);
+    ck_assert_double_eq_tol(sum / n / want, 0, 0.05);
+}
+END_TEST
+
+static enum hatch_status make_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *err)
+{
+    const struct hatch_shape_options options = {.faces = 50, .jitter = 0.5f, .noise = 0.1f};
+    return hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, kept, temporary, context, err);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    struct hatch_mesh mesh = {0};
+    hatch_test_fail_alloc(make_one, &mesh, &mesh, sizeof mesh);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("mesh shapes");
+    TCase *tests = tcase_create("shapes");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, areas_are_those_of_the_formulas);
+    tcase_add_test(tests, topology_is_that_of_the_surface);
+    tcase_add_test(tests, smallest_shapes_are_surfaces);
+    tcase_add_test(tests, normals_are_those_of_the_formulas);
+    tcase_add_test(tests, faces_look_outwards_at_any_jitter);
+    tcase_add_test(tests, tangents_point_along_u);
+    tcase_add_test(tests, textures_meet_themselves_and_keep_their_shape);
+    tcase_add_test(tests, seams_differ_by_whole_tiles);
+    tcase_add_test(tests, curvatures_are_those_of_the_formulas);
+    tcase_add_test(tests, teapot_is_newells);
+    tcase_add_test(tests, even_texture_is_more_even_than_natural);
+    tcase_add_test(tests, face_counts_come_near_the_wish);
+    tcase_add_test(tests, seeds_decide_alone);
+    tcase_add_test(tests, noise_has_its_deviation);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
