@@ -136,7 +136,7 @@ $(eval $(call completion_rule,fish,fish/vendor_completions.d/%.fish))
 # Drawn anew each time: a pipeline does not know that the commands have changed.
 demo: all
 	@rm -rf $(B)/demo
-	$(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
+	PATH="$(abspath $(B))/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
 
 bench: all
 	PATH=$(abspath $(B))/bin:$$PATH sh tests/bench/run.sh $(B)/bench
@@ -200,21 +200,11 @@ check: all $(TESTS) $(REPLAYS) $(INTEROP)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
-# The main job: a picture from nothing but what is made here.
-demo: all
-	rm -f build/demo/teapot.png
-	PATH="$(CURDIR)/$(B)/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=build/demo
-	@echo "build/demo/teapot.png is the picture"
-
 lint:
 	B=$(B) perl tests/run $(wildcard tests/lint/*.t)
 
 clean:
 	rm -rf build
-<<<<<<< HEAD
-.PHONY: all demo check check-interop check-long fuzz install dist lint clean
-=======
 .PHONY: all demo bench chart check check-interop check-long fuzz install dist lint clean
->>>>>>> 05f9350 (make: demo, bench, chart; pipelines: the teapot, any glTF scene)
 .DELETE_ON_ERROR:
 .SECONDARY:

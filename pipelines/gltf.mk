@@ -1,4 +1,3 @@
-<<<<<<< HEAD
 # Draws a glTF scene with strokes: one picture, or the frames of its animation, or a turntable.
 #
 #     make -f gltf.mk SCENE=duck.glb
@@ -37,39 +36,3 @@ endif
 $(map):
 	mkdir -p $(OUT)
 	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@
-=======
-# Draws a scene of yours, in a style and a technique:
-#     make -f pipelines/gltf.mk SCENE=duck.glb STYLE=pencil TECHNIQUE=tam
-# FRAMES=48 makes that many pictures, of the scene's animation or with RENDER='--turntable'. The
-# commands are taken from PATH, or from the build folder where there is one.
-STYLE := ink
-TECHNIQUE := tam
-SIZE := 1280x720
-FRAMES := 1
-RENDER := --samples 16 --anisotropy 8
-OUT := build/gltf
-
-ifndef SCENE
-$(error say which scene: make -f pipelines/gltf.mk SCENE=file.glb)
-endif
-NAME := $(basename $(notdir $(SCENE)))-$(STYLE)-$(TECHNIQUE)
-MAP := $(OUT)/$(STYLE).tam.exr
-ifneq ($(FRAMES),1)
-NAME := $(NAME)-%03d
-RENDER += --frames $(FRAMES)
-endif
-
-export PATH := $(CURDIR)/build/bin:$(PATH)
-SHELL := /bin/bash
-.SHELLFLAGS := -e -o pipefail -c
-.DELETE_ON_ERROR:
-
-picture: $(SCENE) $(MAP)
-	render-gl $(SCENE) --technique $(TECHNIQUE) --tam $(MAP) --size $(SIZE) $(RENDER) \
-	    -o '$(OUT)/$(NAME).png'
-.PHONY: picture
-
-$(OUT)/%.tam.exr:
-	mkdir -p $(OUT)
-	tamgen --style $* --size 512 -o $@
->>>>>>> 05f9350 (make: demo, bench, chart; pipelines: the teapot, any glTF scene)
