@@ -88,6 +88,12 @@ void job_prepare(struct job *job)
                                       .map = options->map_path ? &job->map : NULL,
                                       .scene = &job->gpu,
                                       .size_max_px = job->context.size_max_px};
+    if (options->lines.kinds) {
+        cmd_check(lines_make(&job->gpu, &options->lines, &job->renderer.shaders,
+                             job->args.max_memory, &job->args.keep, scratch, &job->lines, &err),
+                  cmd_input_name(options->scene_path), &err);
+        job->renderer.lines = &job->lines;
+    }
     if (options->map_path && !options->high_given)
         job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
     struct view view;
@@ -132,6 +138,7 @@ void job_make_target(struct job *job, struct target *target)
 
 void job_end(struct job *job)
 {
+    lines_free(&job->lines);
     renderer_free(&job->renderer);
     material_free(&job->gpu);
     scene_free(&job->gpu);

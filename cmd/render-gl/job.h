@@ -14,6 +14,7 @@ struct job {
     struct context context;
     struct gpu_scene gpu;
     struct renderer renderer;
+    struct lines lines;
     struct cmd_output **outputs; /* one per frame, or one for a report; NULL with a window */
     struct pose_span span;   /* all frames */
     struct view fixed_view;  /* used when view_is_fixed */

@@ -18,6 +18,8 @@ static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anis
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
+static const char *lines, *line_color;
+static double line_width = 1.6, crease = 40;
 static bool time_given, animation_given, fov_given, frames_given, from_given;
 
 static struct cmd_option table[] = {
@@ -39,6 +41,14 @@ static struct cmd_option table[] = {
      NULL, NULL},
     {0, "light-ink", CMD_TEXT, 0, 0, "COLOUR", "a second ink, for what is lighter than the paper",
      &light_ink, NULL, NULL},
+    {0, "lines", CMD_TEXT, 0, 0, "WHAT",
+     "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
+     NULL},
+    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "of lines (default 1.6)", &line_width, NULL, NULL},
+    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "of lines (default the ink's)", &line_color, NULL,
+     NULL},
+    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "edges that turn by more are creases (default 40)",
+     &crease, NULL, NULL},
     {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
      "one light, degrees from the camera, for the scene's (default -40:40)", light, NULL,
      &light_given},
@@ -175,6 +185,46 @@ static void read_style(struct style *style)
         cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
 }
 
+/* A list of kinds with commas between. */
+static uint32_t read_line_kinds(const char *list)
+{
+    static const struct {
+        const char *name;
+        uint32_t kinds;
+    } words[] = {{"none", LINES_NONE},
+                 {"silhouettes", LINES_SILHOUETTES},
+                 {"creases", LINES_CREASES},
+                 {"boundaries", LINES_BOUNDARIES},
+                 {"all", LINES_ALL}};
+    uint32_t kinds = LINES_NONE;
+    for (const char *at = list; *at; at += *at == ',') {
+        size_t size_bytes = strcspn(at, ","), i = 0;
+        while (i < 5 && (strlen(words[i].name) != size_bytes ||
+                         strncmp(at, words[i].name, size_bytes) != 0))
+            i++;
+        if (i == 5 || strcmp(at + size_bytes, ",") == 0)
+            break;
+        kinds |= words[i].kinds;
+        at += size_bytes;
+        if (!*at)
+            return kinds;
+    }
+    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between",
+              list);
+}
+
+static void read_lines(struct line_style *style)
+{
+    *style = (struct line_style){.kinds = read_line_kinds(lines ? lines : "all"),
+                                 .asked = lines != NULL,
+                                 .width_px = line_width,
+                                 .crease_rad = crease * RADIANS};
+    if (line_color)
+        read_color("line-color", line_color, style->color);
+    else
+        read_color("ink", ink, style->color);
+}
+
 static double read_uv_scale(void)
 {
     if (strcmp(uv_scale, "auto") == 0)
@@ -267,5 +317,6 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .probe = probe,
                                 .window = window};
     read_style(&options->style);
+    read_lines(&options->lines);
     read_view(&options->view);
 }

@@ -11,6 +11,7 @@ struct options {
     const char *scene_path;  /* NULL: standard input */
     const char *shader_folder;
     struct style style;
+    struct line_style lines;
     struct view_choice view;
     bool high_given;         /* the darkest tone; else the map's darkest column */
     double repeat;           /* 0: chosen */

@@ -1,5 +1,7 @@
 #include "render-gl/picture.h"
 
+#include <assert.h>
+
 static uint32_t least(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
@@ -14,19 +16,23 @@ enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
                        err);
 }
 
-void picture_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
-                  const struct target *target, struct hatch_image *image)
+enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
+                               const struct view *view, const struct target *target,
+                               struct hatch_image *image, struct hatch_err *err)
 {
-    for (uint32_t y = 0; y < image->height; y += target->height)
-        for (uint32_t x = 0; x < image->width; x += target->width) {
-            struct tile tile = {x,
-                                y,
-                                target->width,
-                                target->height,
-                                image->width,
-                                image->height};
-            renderer_draw(renderer, technique, view, &tile, target);
-            target_read(target, least(target->width, image->width - x),
-                        least(target->height, image->height - y), image, x, y);
+    /* Lines look around themselves before they end; tiles that overlap see the same around a border. */
+    uint32_t reach = renderer->lines ? LINES_REACH_PX : 0;
+    uint32_t left = image->width > target->width ? reach : 0;
+    uint32_t below = image->height > target->height ? reach : 0;
+    uint32_t width = target->width - 2 * left, height = target->height - 2 * below;
+    assert(target->width > 2 * left && target->height > 2 * below);
+    for (uint32_t y = 0; y < image->height; y += height)
+        for (uint32_t x = 0; x < image->width; x += width) {
+            struct tile tile = {(double)x - left, (double)y - below, target->width,
+                                target->height,   image->width,      image->height};
+            HATCH_TRY(renderer_draw(renderer, technique, view, &tile, target, err));
+            target_read(target, left, below, least(width, image->width - x),
+                        least(height, image->height - y), image, x, y);
         }
+    return HATCH_OK;
 }

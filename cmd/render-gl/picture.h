@@ -11,8 +11,9 @@ enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
                                  const struct renderer *renderer, struct target *target,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws the view into an image with channels R G B. */
-void picture_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
-                  const struct target *target, struct hatch_image *image);
+/* Draws the view into an image with channels R G B. HATCH_LIMIT when memory does not suffice. */
+enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
+                               const struct view *view, const struct target *target,
+                               struct hatch_image *image, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -53,7 +53,9 @@ void pictures_write(struct job *job)
         struct view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
-        picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image);
+        cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image,
+                               &err),
+                  NULL, &err);
         files[frame].arena = keep;
         pictures_encode(job->args.output, &image, scratch, &files[frame]);
     }

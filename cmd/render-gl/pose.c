@@ -77,8 +77,13 @@ static void transform_normal(const double matrix[16], const float *in, float *ou
 void pose_vertices(struct pose *pose, uint32_t node, uint32_t mesh, double *positions,
                    float *normals)
 {
+    pose_mesh(pose, node, &pose->scene->meshes[mesh].mesh, positions, normals);
+}
+
+void pose_mesh(struct pose *pose, uint32_t node, const struct hatch_mesh *from, double *positions,
+               float *normals)
+{
     const struct hatch_scene *scene = pose->scene;
-    const struct hatch_mesh *from = &scene->meshes[mesh].mesh;
     const float *position = hatch_mesh_find(from, "POSITION", 3);
     const float *normal = hatch_mesh_find(from, "NORMAL", 3);
     const float *ids = hatch_mesh_find(from, "JOINTS_0", 4);

@@ -33,6 +33,10 @@ void pose_at(struct pose *pose, uint32_t animation, double time_s);
 void pose_vertices(struct pose *pose, uint32_t node, uint32_t mesh, double *positions,
                    float *normals);
 
+/* The same of a mesh that is not the scene's own, but moves as the node's meshes do. */
+void pose_mesh(struct pose *pose, uint32_t node, const struct hatch_mesh *mesh, double *positions,
+               float *normals);
+
 /* The matrix that carries a node's mesh into the world, in doubles; not for skinned nodes. */
 void pose_matrix(const struct pose *pose, uint32_t node, double matrix[16]);
 

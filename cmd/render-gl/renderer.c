@@ -109,9 +109,9 @@ static void draw_passes(const struct renderer *renderer, uint32_t technique)
     glDisable(GL_CULL_FACE);
 }
 
-void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
-                        const struct view *view, const struct tile *tile,
-                        const struct target *target)
+static void draw_surfaces(struct renderer *renderer, uint32_t technique, const float background[3],
+                          const struct view *view, const struct tile *tile,
+                          const struct target *target)
 {
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
@@ -129,18 +129,33 @@ void renderer_draw_over(struct renderer *renderer, uint32_t technique, const flo
     glBindSampler(0, columns->sampler);
     glEnable(GL_CULL_FACE);
     draw_passes(renderer, technique);
-    /* Feature lines come here: the target is bound, its depth holds the surfaces, blending and culling
-     * are off, and shaders read the frame's block at binding 0. */
     target_resolve(target);
     clock_end_pass(renderer->clock, "resolve");
+}
+
+void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
+                        const struct view *view, const struct tile *tile,
+                        const struct target *target)
+{
+    draw_surfaces(renderer, technique, background, view, tile, target);
     if (renderer->clock)
         clock_end_frame(renderer->clock);
 }
 
-void renderer_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
-                   const struct tile *tile, const struct target *target)
+enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
+                                const struct view *view, const struct tile *tile,
+                                const struct target *target, struct hatch_err *err)
 {
-    renderer_draw_over(renderer, technique, renderer->style.inks.paper, view, tile, target);
+    bool strokes = techniques[technique]->columns != COLUMNS_NONE;
+    enum hatch_status status = HATCH_OK;
+    draw_surfaces(renderer, technique, renderer->style.inks.paper, view, tile, target);
+    if (renderer->lines && (strokes || renderer->lines->style.asked)) {
+        status = lines_draw(renderer->lines, view, tile, target, err);
+        clock_end_pass(renderer->clock, "lines");
+    }
+    if (renderer->clock)
+        clock_end_frame(renderer->clock);
+    return status;
 }
 
 enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *err)
@@ -154,6 +169,8 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
             glDeleteProgram(*program);
             *program = fresh;
         }
+    if (renderer->lines)
+        HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
     return HATCH_OK;
 }
 

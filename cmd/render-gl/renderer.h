@@ -5,6 +5,7 @@
 
 #include "render-gl/clock.h"
 #include "render-gl/frame.h"
+#include "render-gl/lines.h"
 #include "render-gl/scene.h"
 #include "render-gl/target.h"
 #include "render-gl/technique.h"
@@ -30,6 +31,7 @@ struct renderer {
     GLuint programs[TECHNIQUE_PROBE + 1][VARIANTS];
     GLuint block_buffer;
     struct frame_block block;
+    struct lines *lines; /* NULL: none */
     struct clock *clock; /* NULL: nobody wants to know how long passes take */
 };
 
@@ -39,11 +41,14 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
                                    struct hatch_arena *scratch, struct hatch_err *err)
     HATCH_MUST_USE;
 
-/* Draws a tile of a frame into the target and averages its samples. The scene is posed. */
-void renderer_draw(struct renderer *renderer, uint32_t technique, const struct view *view,
-                   const struct tile *tile, const struct target *target);
+/* Draws a tile of a frame into the target and averages its samples; then its lines, where there are
+ * some. The scene is posed. HATCH_LIMIT when memory does not suffice for lines. */
+enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
+                                const struct view *view, const struct tile *tile,
+                                const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same over another background than paper; for measurements that are no picture. */
+/* The same over another background than paper and without lines; for measurements that are no
+ * picture. */
 void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
                         const struct view *view, const struct tile *tile,
                         const struct target *target);

@@ -8,12 +8,12 @@ static enum hatch_status make_buffers(struct target *target, struct hatch_err *e
     GLsizei side = (GLsizei)target->side;
     glCreateTextures(GL_TEXTURE_2D, 1, &target->color);
     glTextureStorage2D(target->color, 1, GL_RGBA16F, side * width, side * height);
-    glCreateRenderbuffers(1, &target->depth);
-    glNamedRenderbufferStorage(target->depth, GL_DEPTH_COMPONENT32F, side * width, side * height);
+    glCreateTextures(GL_TEXTURE_2D, 1, &target->depth);
+    glTextureStorage2D(target->depth, 1, GL_DEPTH_COMPONENT32F, side * width, side * height);
     glCreateFramebuffers(1, &target->framebuffer);
     glNamedFramebufferTexture(target->framebuffer, GL_COLOR_ATTACHMENT0, target->color, 0);
-    glNamedFramebufferRenderbuffer(target->framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                   target->depth);
+    glNamedFramebufferTexture(target->framebuffer, GL_DEPTH_ATTACHMENT, target->depth, 0);
+    target->resolved = target->color;
     target->resolved_framebuffer = target->framebuffer;
     if (side > 1) {
         glCreateTextures(GL_TEXTURE_2D, 1, &target->resolved);
@@ -62,7 +62,8 @@ void target_begin(const struct target *target, const float rgb[3])
     glClearBufferfv(GL_DEPTH, 0, &far);
 }
 
-static void draw_samples(const struct target *target, GLuint framebuffer, bool encode)
+static void draw_means(const struct target *target, GLuint from, GLuint side, GLuint framebuffer,
+                       bool encode)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
@@ -70,9 +71,9 @@ static void draw_samples(const struct target *target, GLuint framebuffer, bool e
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glUseProgram(target->program);
-    glBindTextureUnit(0, target->color);
+    glBindTextureUnit(0, from);
     glBindSampler(0, 0);
-    glUniform1i(0, (GLint)target->side);
+    glUniform1i(0, (GLint)side);
     glUniform1i(1, encode);
     glBindVertexArray(target->no_vertices);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -81,16 +82,16 @@ static void draw_samples(const struct target *target, GLuint framebuffer, bool e
 void target_resolve(const struct target *target)
 {
     if (target->side > 1)
-        draw_samples(target, target->resolved_framebuffer, false);
+        draw_means(target, target->color, target->side, target->resolved_framebuffer, false);
 }
 
 void target_present(const struct target *target)
 {
-    draw_samples(target, 0, true);
+    draw_means(target, target->resolved, 1, 0, true);
 }
 
-void target_read(const struct target *target, uint32_t width, uint32_t height,
-                 struct hatch_image *image, uint32_t x, uint32_t y)
+void target_read(const struct target *target, uint32_t left, uint32_t below, uint32_t width,
+                 uint32_t height, struct hatch_image *image, uint32_t x, uint32_t y)
 {
     assert(image->channel_count == 3 && x + width <= image->width && y + height <= image->height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target->resolved_framebuffer);
@@ -98,7 +99,7 @@ void target_read(const struct target *target, uint32_t width, uint32_t height,
                     3 * ((size_t)(image->height - y - height) * image->width + x);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)image->width);
-    glReadPixels(0, 0, (GLsizei)width, (GLsizei)height, GL_RGB, GL_FLOAT, corner);
+    glReadPixels((GLint)left, (GLint)below, (GLsizei)width, (GLsizei)height, GL_RGB, GL_FLOAT, corner);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     /* OpenGL's first row is the lowest. */
     for (size_t low = 0, high = height - 1; low < high; low++, high--)
@@ -120,12 +121,13 @@ void target_read_samples(const struct target *target, float *rgba)
 
 void target_free(struct target *target)
 {
-    if (target->resolved_framebuffer != target->framebuffer)
+    if (target->resolved != target->color) {
         glDeleteFramebuffers(1, &target->resolved_framebuffer);
+        glDeleteTextures(1, &target->resolved);
+    }
     glDeleteFramebuffers(1, &target->framebuffer);
-    glDeleteRenderbuffers(1, &target->depth);
+    glDeleteTextures(1, &target->depth);
     glDeleteTextures(1, &target->color);
-    glDeleteTextures(1, &target->resolved);
     glDeleteVertexArrays(1, &target->no_vertices);
     glDeleteProgram(target->program);
     *target = (struct target){0};

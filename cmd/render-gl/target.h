@@ -11,7 +11,7 @@ struct target {
     uint32_t width, height;  /* pixels of the tile */
     uint32_t side;           /* samples along a side of a pixel, 1 .. 8 */
     GLuint color, depth, framebuffer;        /* side * width by side * height */
-    GLuint resolved, resolved_framebuffer;   /* width by height */
+    GLuint resolved, resolved_framebuffer;   /* width by height; with one sample the same */
     GLuint program, no_vertices;
 };
 
@@ -26,13 +26,13 @@ void target_begin(const struct target *target, const float rgb[3]);
 /* Averages the samples. */
 void target_resolve(const struct target *target);
 
-/* Averages them onto the window, encoded for the screen. */
+/* Copies the averages onto the window, encoded for the screen. */
 void target_present(const struct target *target);
 
-/* Copies the resolved rectangle of width × height pixels from the lower left corner into a picture
- * with channels R G B at column x and, counted from the bottom, row y. */
-void target_read(const struct target *target, uint32_t width, uint32_t height,
-                 struct hatch_image *image, uint32_t x, uint32_t y);
+/* Copies the resolved rectangle of width × height pixels at column left and, counted from the bottom,
+ * row below into a picture with channels R G B at column x and, counted from the bottom, row y. */
+void target_read(const struct target *target, uint32_t left, uint32_t below, uint32_t width,
+                 uint32_t height, struct hatch_image *image, uint32_t x, uint32_t y);
 
 /* Copies all samples, four floats each, from the lower left corner. */
 void target_read_samples(const struct target *target, float *rgba);

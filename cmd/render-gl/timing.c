@@ -40,7 +40,10 @@ static uint32_t measure(struct job *job, const struct target *target, struct ser
     for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)
         for (int every_pass = 0; every_pass < 2; every_pass++) {
             clock->every_pass = every_pass;
-            renderer_draw(&job->renderer, (uint32_t)options->technique, &view, &tile, target);
+            struct hatch_err err;
+            cmd_check(renderer_draw(&job->renderer, (uint32_t)options->technique, &view, &tile,
+                                    target, &err),
+                      NULL, &err);
             for (uint32_t i = 0; i < clock->count && run >= WARM_UP; i++) {
                 struct series *span = &series[every_pass ? i + 1 : 0];
                 span->name = clock->names[i];

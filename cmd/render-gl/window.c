@@ -201,7 +201,8 @@ static void save(struct window *window, const struct view *view)
                                &err),
               NULL, &err);
     struct cmd_output *output = cmd_open_output(name, true);
-    picture_draw(&job->renderer, window->technique, view, &window->target, &image);
+    cmd_check(picture_draw(&job->renderer, window->technique, view, &window->target, &image, &err),
+              NULL, &err);
     pictures_encode(name, &image, scratch, &file);
     cmd_write(output, file.data, file.size);
     hatch_arena_rewind(scratch, mark);
@@ -234,7 +235,9 @@ static void draw(struct window *window)
     double now_s = clock_now_s();
     bool timed = now_s - window->title_s > TITLE_EVERY_S;
     job->renderer.clock = timed ? &window->clock : NULL;
-    renderer_draw(&job->renderer, window->technique, &view, &tile, &window->target);
+    struct hatch_err err;
+    cmd_check(renderer_draw(&job->renderer, window->technique, &view, &tile, &window->target, &err),
+              NULL, &err);
     job->renderer.clock = NULL;
     if (timed) {
         char title[128];

@@ -1,0 +1,150 @@
+#include "render-gl/lines_gl.h"
+
+#define RESULT_ROWS 1024u
+
+enum { TEST, STROKE, OVER };
+
+enum hatch_status line_gl_compile(const struct shader_source *shaders, struct line_gl *gl,
+                                  struct hatch_err *err)
+{
+    static const struct shader_stages stages[LINE_PROGRAMS] = {
+        [TEST] = {.vertex = "line_test.vert", .fragment = "line_test.frag"},
+        [STROKE] = {.vertex = "line_stroke.vert", .fragment = "line_stroke.frag"},
+        [OVER] = {.vertex = "screen.vert", .fragment = "line_over.frag"}};
+    for (int i = 0; i < LINE_PROGRAMS; i++) {
+        GLuint fresh;
+        HATCH_TRY(shader_program(shaders, &stages[i], "", &fresh, err));
+        glDeleteProgram(gl->programs[i]);
+        gl->programs[i] = fresh;
+    }
+    return HATCH_OK;
+}
+
+static void make_array(GLuint *array, GLuint buffer, GLsizei stride, GLuint divisor)
+{
+    glCreateVertexArrays(1, array);
+    glVertexArrayVertexBuffer(*array, 0, buffer, 0, stride);
+    glEnableVertexArrayAttrib(*array, 0);
+    glVertexArrayAttribFormat(*array, 0, stride / 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(*array, 0, 0);
+    glVertexArrayBindingDivisor(*array, 0, divisor);
+}
+
+static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint *texture,
+                         GLuint *framebuffer)
+{
+    glCreateTextures(GL_TEXTURE_2D, 1, texture);
+    glTextureStorage2D(*texture, 1, format, (GLsizei)width, (GLsizei)height);
+    glCreateFramebuffers(1, framebuffer);
+    glNamedFramebufferTexture(*framebuffer, GL_COLOR_ATTACHMENT0, *texture, 0);
+}
+
+enum hatch_status line_gl_make(const struct shader_source *shaders, struct line_gl *gl,
+                               struct hatch_err *err)
+{
+    struct line_gl made = {.width = 0};
+    enum hatch_status status = line_gl_compile(shaders, &made, err);
+    if (status != HATCH_OK) {
+        line_gl_free(&made);
+        return status;
+    }
+    glCreateBuffers(1, &made.samples);
+    glCreateBuffers(1, &made.segments);
+    make_array(&made.array_samples, made.samples, sizeof(struct line_sample), 0);
+    make_array(&made.array_segments, made.segments, 4 * sizeof(float), 1);
+    make_texture(GL_R8UI, LINE_BATCH, RESULT_ROWS, &made.result, &made.result_framebuffer);
+    *gl = made;
+    return HATCH_OK;
+}
+
+void line_gl_test(const struct line_gl *gl, const struct target *target,
+                  const struct line_sample *samples, size_t count, uint8_t *visible)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, gl->result_framebuffer);
+    glViewport(0, 0, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glUseProgram(gl->programs[TEST]);
+    glBindTextureUnit(0, target->depth);
+    glBindSampler(0, 0);
+    glUniform1f(0, (GLfloat)target->side);
+    glBindVertexArray(gl->array_samples);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    const size_t most = (size_t)LINE_BATCH * RESULT_ROWS;
+    for (size_t done = 0; done < count; done += most) {
+        size_t batch = count - done < most ? count - done : most;
+        glNamedBufferData(gl->samples, (GLsizeiptr)(batch * sizeof *samples), samples + done,
+                          GL_STREAM_DRAW);
+        glDrawArrays(GL_POINTS, 0, (GLsizei)batch);
+        glReadPixels(0, 0, (GLsizei)LINE_BATCH, (GLsizei)((batch + LINE_BATCH - 1) / LINE_BATCH),
+                     GL_RED_INTEGER, GL_UNSIGNED_BYTE, visible + done);
+    }
+}
+
+enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
+                                struct hatch_err *err)
+{
+    if (gl->width != target->width || gl->height != target->height) {
+        glDeleteTextures(1, &gl->coverage);
+        glDeleteFramebuffers(1, &gl->coverage_framebuffer);
+        gl->width = target->width;
+        gl->height = target->height;
+        make_texture(GL_R16F, gl->width, gl->height, &gl->coverage, &gl->coverage_framebuffer);
+        if (glGetError() == GL_OUT_OF_MEMORY)
+            return hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for lines");
+    }
+    const GLfloat none = 0.0f;
+    glClearTexImage(gl->coverage, 0, GL_RED, GL_FLOAT, &none);
+    return HATCH_OK;
+}
+
+void line_gl_stroke(const struct line_gl *gl, const float *segments, size_t count, double width_px)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, gl->coverage_framebuffer);
+    glViewport(0, 0, (GLsizei)gl->width, (GLsizei)gl->height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MAX);
+    glUseProgram(gl->programs[STROKE]);
+    glUniform2f(0, (GLfloat)gl->width, (GLfloat)gl->height);
+    glUniform1f(1, (GLfloat)width_px);
+    glBindVertexArray(gl->array_segments);
+    glNamedBufferData(gl->segments, (GLsizeiptr)(4 * sizeof *segments * count), segments,
+                      GL_STREAM_DRAW);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+}
+
+void line_gl_end(const struct line_gl *gl, const struct target *target, const float rgb[3])
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target->resolved_framebuffer);
+    glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(gl->programs[OVER]);
+    glUniform3fv(0, 1, rgb);
+    glBindTextureUnit(0, gl->coverage);
+    glBindSampler(0, 0);
+    glBindVertexArray(target->no_vertices);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
+void line_gl_free(struct line_gl *gl)
+{
+    for (int i = 0; i < LINE_PROGRAMS; i++)
+        glDeleteProgram(gl->programs[i]);
+    glDeleteVertexArrays(1, &gl->array_samples);
+    glDeleteVertexArrays(1, &gl->array_segments);
+    glDeleteBuffers(1, &gl->samples);
+    glDeleteBuffers(1, &gl->segments);
+    glDeleteTextures(1, &gl->result);
+    glDeleteTextures(1, &gl->coverage);
+    glDeleteFramebuffers(1, &gl->result_framebuffer);
+    glDeleteFramebuffers(1, &gl->coverage_framebuffer);
+    *gl = (struct line_gl){.width = 0};
+}

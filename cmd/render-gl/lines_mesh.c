@@ -1,0 +1,256 @@
+#include "render-gl/lines_mesh.h"
+
+#include <string.h>
+
+#include "math/vector.h"
+#include "mesh/creases.h"
+#include "render-gl/lines_keys.h"
+
+#define COS_SAME_NORMAL 0.9999 /* of two normals that a crease was meant to have as one */
+
+/* The edges of a mesh with its vertices welded by position. */
+struct welded {
+    uint32_t *vertex_point; /* per vertex */
+    uint32_t *point;        /* per corner */
+    uint32_t point_count;
+    struct hatch_edges edges;
+    uint8_t *kinds; /* per edge */
+};
+
+static enum hatch_status weld(const struct hatch_mesh *mesh, double crease_rad,
+                              struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct welded *welded, struct hatch_err *err)
+{
+    size_t corners = 3 * (size_t)mesh->face_count;
+    struct welded w;
+    w.vertex_point = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err);
+    w.point = w.vertex_point ? HATCH_NEW(arena, uint32_t, corners, err) : NULL;
+    uint8_t *dropped = w.point ? HATCH_NEW(arena, uint8_t, mesh->face_count, err) : NULL;
+    if (!dropped)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, w.vertex_point, &w.point_count, err));
+    hatch_mesh_corner_points(mesh, w.vertex_point, w.point);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *p = &w.point[3 * f];
+        dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+    }
+    HATCH_TRY(hatch_edges_find(w.point, mesh->face_count, w.point_count, dropped, arena, scratch,
+                               &w.edges, err));
+    w.kinds = HATCH_NEW(arena, uint8_t, w.edges.count, err);
+    if (!w.kinds)
+        return HATCH_LIMIT;
+    hatch_edges_kinds(mesh, &w.edges, crease_rad, w.kinds);
+    *welded = w;
+    return HATCH_OK;
+}
+
+/* The corners at both ends of an edge on one of its sides, the lower point first. */
+static void corners_of(const uint32_t *point, uint32_t side, uint32_t corners[2])
+{
+    uint32_t end = hatch_side_end(side);
+    bool rising = point[side] < point[end];
+    corners[0] = rising ? side : end;
+    corners[1] = rising ? end : side;
+}
+
+static bool same_normal(const struct hatch_mesh *mesh, const float *normals, uint32_t a, uint32_t b)
+{
+    double na[3], nb[3];
+    hatch_vec_of(&normals[(size_t)mesh->indices[a] * 3], na);
+    hatch_vec_of(&normals[(size_t)mesh->indices[b] * 3], nb);
+    return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
+}
+
+/* Does one normal serve both faces of some crease? */
+static bool smooths_creases(const struct hatch_mesh *mesh, const float *normals,
+                            const struct welded *welded)
+{
+    for (uint32_t e = 0; e < welded->edges.count; e++) {
+        const uint32_t *sides = &welded->edges.sides[welded->edges.first[e]];
+        if (welded->kinds[e] != HATCH_EDGE_CREASE)
+            continue;
+        uint32_t a[2], b[2];
+        corners_of(welded->point, sides[0], a);
+        corners_of(welded->point, sides[1], b);
+        if (same_normal(mesh, normals, a[0], b[0]) || same_normal(mesh, normals, a[1], b[1]))
+            return true;
+    }
+    return false;
+}
+
+/* The mesh with the attributes that lines use, and normals that jump at creases. */
+static enum hatch_status take(const struct hatch_mesh *from, double crease_rad,
+                              struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    static const char *const used[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
+    struct hatch_mesh made = *from;
+    struct welded welded;
+    const float *normals = hatch_mesh_find(from, "NORMAL", 3);
+    bool keep = false;
+    if (normals) {
+        HATCH_TRY(weld(from, crease_rad, scratch, arena, &welded, err));
+        keep = !smooths_creases(from, normals, &welded);
+    }
+    made.attribute_count = 0;
+    for (uint32_t i = 0; i < from->attribute_count; i++)
+        for (size_t k = 0; k < sizeof used / sizeof *used; k++)
+            if (strcmp(from->attributes[i].name, used[k]) == 0 && (k != 1 || keep))
+                made.attributes[made.attribute_count++] = from->attributes[i];
+    HATCH_TRY(hatch_mesh_add_normals(arena, scratch, &made, (float)crease_rad, err));
+    *mesh = made;
+    return HATCH_OK;
+}
+
+/* Gives the mesh the attributes of other vertices: vertex v those of origin_of[v]. */
+static enum hatch_status copy_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
+                                         const double origin[3], struct hatch_arena *arena,
+                                         struct hatch_mesh *to, struct hatch_err *err)
+{
+    float *data = to->attributes[0].data;
+    for (size_t v = 0; v < to->vertex_count; v++)
+        for (size_t k = 0; k < 3; k++)
+            data[3 * v + k] =
+                (float)((double)from->attributes[0].data[3 * (size_t)origin_of[v] + k] - origin[k]);
+    for (uint32_t i = 1; i < from->attribute_count; i++) {
+        const struct hatch_mesh_attribute *other = &from->attributes[i];
+        size_t n = other->components;
+        HATCH_TRY(hatch_mesh_add(arena, to, other->name, other->components, &data, err));
+        for (size_t v = 0; v < to->vertex_count; v++)
+            memcpy(&data[n * v], &other->data[n * origin_of[v]], n * sizeof *data);
+    }
+    return HATCH_OK;
+}
+
+/* One vertex for each position and normal. taken: what take() made. */
+static enum hatch_status join_vertices(const struct hatch_mesh *taken, const double origin[3],
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    size_t count = taken->vertex_count;
+    uint32_t *point = HATCH_NEW(scratch, uint32_t, count, err);
+    uint32_t *normal = point ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
+    uint32_t *number = normal ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
+    uint32_t *origin_of = number ? HATCH_NEW(scratch, uint32_t, count, err) : NULL, unused;
+    if (!origin_of)
+        return HATCH_LIMIT;
+    struct hatch_mesh normals = {.vertex_count = taken->vertex_count, .attribute_count = 1};
+    normals.attributes[0].data = hatch_mesh_find(taken, "NORMAL", 3);
+    HATCH_TRY(hatch_mesh_weld(taken, arena, point, &unused, err));
+    HATCH_TRY(hatch_mesh_weld(&normals, arena, normal, &unused, err));
+    struct line_keys keys;
+    HATCH_TRY(line_keys_make(scratch, &keys, err));
+    for (uint32_t v = 0; v < count; v++) {
+        uint32_t before = keys.count;
+        HATCH_TRY(line_keys_number(&keys, (uint64_t)point[v] << 32 | normal[v], &number[v], err));
+        if (number[v] == before)
+            origin_of[number[v]] = v;
+    }
+    struct hatch_mesh made;
+    HATCH_TRY(hatch_mesh_make(arena, keys.count, taken->face_count, &made, err));
+    for (size_t i = 0; i < 3 * (size_t)made.face_count; i++)
+        made.indices[i] = number[taken->indices[i]];
+    HATCH_TRY(copy_attributes(taken, origin_of, origin, arena, &made, err));
+    *mesh = made;
+    return HATCH_OK;
+}
+
+static bool wanted(uint8_t kind, uint32_t kinds)
+{
+    return (kind == HATCH_EDGE_CREASE && kinds & LINES_CREASES) ||
+           (kind == HATCH_EDGE_BOUNDARY && kinds & LINES_BOUNDARIES);
+}
+
+/* Sorts an edge into what lines use of it. */
+static void add_edge(const struct welded *welded, uint32_t edge, uint32_t kinds,
+                     struct line_mesh *lines)
+{
+    const uint32_t *sides = &welded->edges.sides[welded->edges.first[edge]];
+    const uint32_t *indices = lines->mesh.indices;
+    uint32_t count = welded->edges.first[edge + 1] - welded->edges.first[edge];
+    uint32_t a[2], b[2], other = sides[count > 1 ? 1 : 0];
+    corners_of(welded->point, sides[0], a);
+    corners_of(welded->point, other, b);
+    bool smooth = count == 2 && indices[a[0]] == indices[b[0]] && indices[a[1]] == indices[b[1]];
+    for (uint32_t i = 0; i < count && !smooth; i++)
+        lines->hard_sides[sides[i] / 3] |= (uint8_t)(1u << sides[i] % 3);
+    /* Where more than two faces meet it is not told which two make a surface; such an edge is smooth
+     * only between sheets that lie on one another, and each sheet's silhouette crosses it. */
+    if (count == 2 && !smooth)
+        lines->hards[lines->hard_count++] =
+            (struct line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
+                                    .high = {indices[a[1]], indices[b[1]]},
+                                    .points = {welded->point[a[0]], welded->point[a[1]]}};
+    if (wanted(welded->kinds[edge], kinds))
+        lines->features[lines->feature_count++] =
+            (struct line_feature){.ends = {indices[a[0]], indices[a[1]]},
+                                  .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE}};
+}
+
+/* The features as a graph whose nodes are the points that they touch. */
+static enum hatch_status chain_features(const struct welded *welded, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct line_mesh *lines,
+                                        struct hatch_err *err)
+{
+    size_t count = lines->feature_count, ends_count = 2 * count;
+    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, welded->point_count, err); /* number + 1 */
+    uint32_t *ends = node_of ? HATCH_NEW(scratch, uint32_t, ends_count, err) : NULL;
+    double *nodes = ends ? HATCH_NEW(scratch, double, 3 * ends_count, err) : NULL;
+    lines->node_vertices = nodes ? HATCH_NEW(arena, uint32_t, ends_count, err) : NULL;
+    if (!lines->node_vertices)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < ends_count; i++) {
+        uint32_t vertex = lines->features[i / 2].ends[i % 2];
+        uint32_t *node = &node_of[welded->vertex_point[vertex]];
+        if (*node == 0) {
+            hatch_vec_of(&lines->mesh.attributes[0].data[3 * (size_t)vertex],
+                         &nodes[3 * (size_t)lines->node_count]);
+            lines->node_vertices[lines->node_count++] = vertex;
+            *node = lines->node_count;
+        }
+        ends[i] = *node - 1;
+    }
+    const struct line_graph graph = {.node_count = lines->node_count,
+                                     .segment_count = lines->feature_count,
+                                     .nodes = nodes,
+                                     .ends = ends};
+    return line_chains_make(&graph, arena, scratch, &lines->chains, err);
+}
+
+static enum hatch_status make(const struct hatch_mesh *from, const double origin[3],
+                              uint32_t kinds, double crease_rad, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct line_mesh *lines,
+                              struct hatch_err *err)
+{
+    struct hatch_mesh taken;
+    struct welded welded;
+    HATCH_TRY(take(from, crease_rad, arena, scratch, &taken, err));
+    HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
+    HATCH_TRY(weld(&lines->mesh, crease_rad, scratch, arena, &welded, err));
+    size_t edges = welded.edges.count;
+    lines->hard_sides = HATCH_NEW(arena, uint8_t, from->face_count, err);
+    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct line_hard_edge, edges, err) : NULL;
+    lines->features = lines->hards ? HATCH_NEW(arena, struct line_feature, edges, err) : NULL;
+    if (!lines->features)
+        return HATCH_LIMIT;
+    for (uint32_t e = 0; e < edges; e++)
+        add_edge(&welded, e, kinds, lines);
+    lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
+                     hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
+    return chain_features(&welded, arena, scratch, lines, err);
+}
+
+enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],
+                                 uint32_t kinds, double crease_rad, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct line_mesh *lines,
+                                 struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct line_mesh made = {.skinned = false};
+    enum hatch_status status =
+        make(from, origin, kinds, crease_rad, arena, scratch, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *lines = made;
+    return status;
+}

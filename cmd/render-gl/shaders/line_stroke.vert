@@ -1,0 +1,19 @@
+// A segment with room around it for its round ends.
+layout(location = 0) uniform vec2 size_px;
+layout(location = 1) uniform float width_px;
+
+layout(location = 0) in vec4 a_ends; // pixels
+
+flat out vec4 v_ends;
+
+void main()
+{
+    vec2 along = a_ends.zw - a_ends.xy;
+    float size = length(along);
+    along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
+    float reach = 0.5 * max(width_px, 1.0) + 1.0;
+    vec2 corner = (gl_VertexID & 1) == 0 ? a_ends.xy - reach * along : a_ends.zw + reach * along;
+    corner += ((gl_VertexID & 2) == 0 ? reach : -reach) * vec2(-along.y, along.x);
+    v_ends = a_ends;
+    gl_Position = vec4(corner / size_px * 2.0 - 1.0, 0.5, 1.0);
+}

@@ -1,0 +1,7 @@
+flat in uint v_visible;
+out uint o_visible;
+
+void main()
+{
+    o_visible = v_visible;
+}

@@ -1,0 +1,56 @@
+#include "mesh/creases.h"
+
+#include <assert.h>
+
+#include "math/vector.h"
+
+/* Faces that lie on one another leave an edge in directions that differ by rounding only. */
+#define COS_SAME 0.9999
+
+/* The unit vector at a right angle to a side that points into its face. */
+static bool direction_of(const struct hatch_mesh *mesh, uint32_t side, double direction[3])
+{
+    const float *positions = mesh->attributes[0].data;
+    uint32_t end = hatch_side_end(side), rest = hatch_side_end(end);
+    double a[3], b[3], c[3], along[3];
+    hatch_vec_of(&positions[(size_t)mesh->indices[side] * 3], a);
+    hatch_vec_of(&positions[(size_t)mesh->indices[end] * 3], b);
+    hatch_vec_of(&positions[(size_t)mesh->indices[rest] * 3], c);
+    hatch_vec_sub(b, a, along);
+    hatch_vec_sub(c, a, direction);
+    hatch_vec_normalize(along);
+    hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, along), along, direction);
+    return hatch_vec_normalize(direction) > 0;
+}
+
+static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_t *sides,
+                                    uint32_t count, double cos_crease)
+{
+    double first[3], other[3];
+    uint32_t at = 0, told = 1;
+    bool same = true, opposite = false, bent = false;
+    while (at < count && !direction_of(mesh, sides[at], first))
+        at++;
+    for (uint32_t i = at + 1; i < count; i++) {
+        if (!direction_of(mesh, sides[i], other))
+            continue;
+        double cosine = hatch_vec_dot(first, other);
+        told++;
+        same = same && cosine > COS_SAME;
+        opposite = opposite || -cosine >= cos_crease;
+        bent = bent || (-cosine < cos_crease && cosine < COS_SAME);
+    }
+    if (count == 1 || (told > 1 && same))
+        return HATCH_EDGE_BOUNDARY;
+    return told > 1 && (bent || !opposite) ? HATCH_EDGE_CREASE : HATCH_EDGE_SMOOTH;
+}
+
+void hatch_edges_kinds(const struct hatch_mesh *mesh, const struct hatch_edges *edges,
+                       double crease_rad, uint8_t *kinds)
+{
+    assert(crease_rad >= 0 && crease_rad < 3.1416);
+    double cos_crease = cos(crease_rad);
+    for (uint32_t e = 0; e < edges->count; e++)
+        kinds[e] = (uint8_t)kind_of(mesh, &edges->sides[edges->first[e]],
+                                    edges->first[e + 1] - edges->first[e], cos_crease);
+}
