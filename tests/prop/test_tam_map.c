@@ -1,0 +1,157 @@
+/* What every tonal art map must have, whatever its style, tones and seed. LONG=1 measures more
+ * seeds. */
+#include <math.h>
+
+#include "measure/tam_figures.h"
+#include "tam_map.h"
+
+static struct test_map map;
+
+static struct hatch_tam_image_figures figures_of(uint32_t tone, uint32_t level)
+{
+    struct hatch_tam_image_figures figures;
+    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err),
+                  &map_err);
+    return figures;
+}
+
+static struct hatch_tam_strokes strokes_of(void)
+{
+    return (struct hatch_tam_strokes){&map.strokes, &map.style, &map.brush, map.options.growth};
+}
+
+static double stroke_darkness(uint32_t level)
+{
+    double darkness;
+    struct hatch_tam_strokes strokes = strokes_of();
+    HATCH_TEST_OK(
+        hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch, &darkness, &map_err),
+        &map_err);
+    return darkness;
+}
+
+static void check_nesting(void)
+{
+    uint64_t missing = 1;
+    struct hatch_tam_strokes strokes = strokes_of();
+    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &missing, &map_err),
+                  &map_err);
+    ck_assert_uint_eq(missing, 0);
+    for (uint32_t tone = 0; tone < map.tam.tones; tone++)
+        for (uint32_t level = 0; level < map.tam.columns[tone].level_count; level++)
+            ck_assert_uint_eq(figures_of(tone, level).lighter_pixels, 0);
+}
+
+/* Every style at 6 and at 255 tones, whole strokes and growing ones. */
+START_TEST(strokes_nest_over_tones_and_levels)
+{
+    map_style(map_styles[_i % MAP_STYLES], "candidates 100 30", &map);
+    map.options.tones = _i / MAP_STYLES % 2 ? 255 : 6;
+    map.options.growth = _i / MAP_STYLES / 2 ? 0.5f : 0;
+    map_fill(&map);
+    check_nesting();
+}
+END_TEST
+
+/* 256², the paper's size: 0.003 at the finest level, and 0.02 or one stroke's darkness at the
+ * others. */
+START_TEST(tones_are_met_and_no_seam_shows)
+{
+    double seam[2] = {0, 0};
+    map_style(map_styles[_i], NULL, &map);
+    map.options.size_px = 256;
+    map.options.levels = 4;
+    map_fill(&map);
+    for (uint32_t level = 0; level < 4; level++) {
+        double allowed = level ? fmax(0.02, stroke_darkness(level)) : 0.003;
+        for (uint32_t tone = 0; tone < 6; tone++) {
+            struct hatch_tam_image_figures figures = figures_of(tone, level);
+            ck_assert_msg(fabs(figures.error) <= allowed, "%s, tone %u, level %u: %g, allowed %g",
+                          map_styles[_i], tone, level, figures.error, allowed);
+            seam[0] += figures.seam_z[0] / (6 * 4);
+            seam[1] += figures.seam_z[1] / (6 * 4);
+        }
+    }
+    ck_assert_double_lt(fabs(seam[0]), 2);
+    ck_assert_double_lt(fabs(seam[1]), 2);
+}
+END_TEST
+
+/* A stroke is taken only where it brings the mean closer, so no image is darker than its target by
+ * more than half of the darkness that one stroke adds; the bound that is tested is one mean
+ * stroke's. */
+START_TEST(no_seed_overshoots)
+{
+    for (uint64_t seed = 1; seed <= 50; seed++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(&map_arena);
+        map_style(map_styles[seed % MAP_STYLES], "candidates 60 20", &map);
+        map.options.seed = seed;
+        map_fill(&map);
+        for (uint32_t level = 0; level < 2; level++) {
+            double stroke = stroke_darkness(level);
+            for (uint32_t tone = 0; tone < 6; tone++)
+                ck_assert_msg(figures_of(tone, level).error <= stroke,
+                              "seed %d, tone %u, level %u: %g over by %g", (int)seed, tone, level,
+                              figures_of(tone, level).error, stroke);
+        }
+        hatch_arena_rewind(&map_arena, mark);
+    }
+}
+END_TEST
+
+/* The mean over tones of the finest images' evenness, added to sum. */
+static void add_evenness(enum hatch_fill_method method, uint64_t seed, double *sum)
+{
+    double ratio[6 * HATCH_EVENNESS_BOXES];
+    map_style("ink", NULL, &map);
+    map.options.size_px = 256;
+    map.options.levels = 4;
+    map.options.method = method;
+    map.options.seed = seed;
+    map_fill(&map);
+    struct hatch_tam_strokes strokes = strokes_of();
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err),
+                  &map_err);
+    for (uint32_t i = 0; i < 6 * HATCH_EVENNESS_BOXES; i++)
+        sum[i % HATCH_EVENNESS_BOXES] += ratio[i] / 6;
+}
+
+/* Five seeds against the bars, and against the paper's exhaustive method: on as many of the same
+ * seeds as time allows. */
+START_TEST(strokes_are_even)
+{
+    static const double bars[HATCH_EVENNESS_BOXES] = {0.62, 0.56, 0.50, 0.40};
+    uint64_t compared = getenv("LONG") ? 5 : 1;
+    double sum[HATCH_EVENNESS_BOXES] = {0}, first[HATCH_EVENNESS_BOXES],
+           paper[HATCH_EVENNESS_BOXES] = {0};
+    for (uint64_t seed = 1; seed <= 5; seed++) {
+        add_evenness(HATCH_FILL_FIELD, seed, sum);
+        if (seed == compared)
+            memcpy(first, sum, sizeof first);
+        if (seed <= compared)
+            add_evenness(HATCH_FILL_EXHAUSTIVE, seed, paper);
+    }
+    for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++) {
+        ck_assert_msg(sum[box] / 5 <= bars[box], "box N/%u: %g, want %g",
+                      hatch_evenness_divisors[box], sum[box] / 5, bars[box]);
+        ck_assert_msg(first[box] <= paper[box], "box N/%u: %g, exhaustively %g",
+                      hatch_evenness_divisors[box], first[box] / (double)compared,
+                      paper[box] / (double)compared);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("tonal art maps");
+    TCase *tests = tcase_create("map");
+    tcase_set_timeout(tests, 300);
+    tcase_add_checked_fixture(tests, map_begin, map_end);
+    tcase_add_loop_test(tests, strokes_nest_over_tones_and_levels, 0, 4 * MAP_STYLES);
+    tcase_add_loop_test(tests, tones_are_met_and_no_seam_shows, 0, MAP_STYLES);
+    tcase_add_test(tests, no_seed_overshoots);
+    tcase_add_test(tests, strokes_are_even);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
