@@ -1,0 +1,52 @@
+# One seed is one file: for any number of threads, in any locale and folder, from either compiler at any
+# level of optimisation.
+. "${TOP:-.}/tests/tap.sh"
+runs='--size_128_--tones_9 --size_64_--tones_255_--style_stipple --size_128_--style_pencil_--growth_0.4_--ids
+    --size_128_--style_charcoal_--method_exhaustive_--candidates_40:10'
+
+# sums PROGRAM THREADS: one for each of the runs, script and all
+sums() {
+    for run in $runs; do
+        "$1" $(echo "$run" | tr _ ' ') -j "$2" --seed 3 --strokes s.tsv -x s.png -o s.exr || return
+        cat s.exr s.tsv s.png | cksum
+    done
+}
+want=$(sums tamgen 1)
+for threads in 2 8; do
+    is "$threads threads make the bytes of one" "$(sums tamgen $threads)" "$want"
+done
+mkdir -p 'another folder/ink'
+cd 'another folder' || exit 1
+is "so does another folder" "$(sums tamgen 1)" "$want"
+cd ..
+locale=$(locale -a 2>/dev/null | grep -iE '^(de|fr)_' | head -1)
+if [ -n "$locale" ]; then
+    is "and another locale" "$(LC_ALL=$locale sums tamgen 1)" "$want"
+else
+    skip "another locale" "none with a decimal comma is here"
+fi
+
+# build COMPILER FLAG: tamgen with nothing of what the Makefile sets but what its results rest on
+build() {
+    mkdir -p objects bin
+    rm -f objects/*
+    (cd "$TOP" && ls cmd/tamgen/*.c cmd/cmd*.c libhatch/base/*.c libhatch/image/*.c libhatch/filter/*.c \
+        libhatch/stroke/*.c libhatch/tam/*.c libhatch/io/exr*.c libhatch/io/png*.c libhatch/io/foreign*.c) |
+        grep -v cmd_scene >files
+    TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
+        -I"$TOP"/cmd -ffp-contract=off -pthread -w -c "$TOP"/{} -o objects/$(echo {} | tr / _).o' \
+        "$1" "$2" <files &&
+        "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore-3_1 -ldeflate -lpng16 -ldl -lm
+}
+mkdir -p share/hatch && ln -s "$BUILD/share/hatch/styles" share/hatch/styles
+for other in "gcc -O0" "clang -O2"; do
+    set -- $other
+    if ! command -v "$1" >/dev/null; then
+        skip "$other" "no $1"
+    elif build "$1" "$2" 2>said; then
+        is "$other makes the same bytes" "$(sums "bin/tamgen$1$2" 1)" "$want"
+    else
+        fail "$other builds tamgen" "$(tail -5 said)"
+    fi
+done
+finish
