@@ -1,0 +1,40 @@
+# Draws the pictures of the README from nothing but the commands on PATH.
+#
+#     make -f gallery.mk OUT=docs
+OUT  ?= .
+SIZE ?= 640x480
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eo pipefail -c
+.DELETE_ON_ERROR:
+
+# Large intermediate files stay out of the folder of pictures.
+WORK   ?= $(OUT)
+map     = $(WORK)/$(1).exr
+pictures := teapot torus ellipsoid stipple scratchboard grey threshold
+all: $(pictures:%=$(OUT)/%.png) $(OUT)/sheet.png
+
+draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
+
+$(OUT)/teapot.png: SIZE := 1280x720
+$(OUT)/teapot.png: $(call map,ink)
+	$(call draw,teapot,ink)
+$(OUT)/torus.png: $(call map,pencil)
+	$(call draw,torus,pencil,--from 20:40)
+$(OUT)/ellipsoid.png: $(call map,charcoal)
+	$(call draw,ellipsoid,charcoal)
+$(OUT)/stipple.png: $(call map,stipple)
+	$(call draw,teapot,stipple)
+$(OUT)/scratchboard.png: $(call map,ink)
+	$(call draw,teapot,ink,--paper '#101018' --ink white)
+$(OUT)/grey.png: $(call map,crayon)
+	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black --light-ink white)
+$(OUT)/threshold.png: $(call map,ink)
+	$(call draw,saddle,ink,--technique tam-threshold)
+
+$(WORK)/%.exr:
+	mkdir -p $(WORK) $(OUT)
+	tamgen --style $* --size 512 -o $@
+$(OUT)/sheet.png:
+	mkdir -p $(OUT)
+	tamgen --style ink --size 128 --contact-sheet $@ -o /dev/null
