@@ -126,6 +126,13 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
     return status;
 }
 
+/* In the sampler and not in the shader, where software renderers pay for it at each read. */
+void columns_set_bias(const struct gpu_columns *columns, float levels)
+{
+    if (columns->sampler)
+        glSamplerParameterf(columns->sampler, GL_TEXTURE_LOD_BIAS, levels);
+}
+
 void columns_free(struct gpu_columns *columns)
 {
     glDeleteTextures(1, &columns->texture);

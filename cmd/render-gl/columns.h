@@ -33,6 +33,10 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
                                  struct hatch_arena *scratch, struct gpu_columns *columns,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
+/* Finer shading must not choose finer levels: strokes keep their width in pixels. levels: log2 of the
+ * samples along a pixel's side. */
+void columns_set_bias(const struct gpu_columns *columns, float levels);
+
 void columns_free(struct gpu_columns *columns);
 
 #endif

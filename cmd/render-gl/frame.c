@@ -34,15 +34,12 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     }
 }
 
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
-                    double supersample)
+void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile)
 {
     view_matrix(view, tile, block->clip_from_unit);
     for (int k = 0; k < 3; k++)
         block->eye[k] = (float)(view->orthographic ? view->back[k] : view->eye[k]);
     block->eye[3] = view->orthographic ? 0.0f : 1.0f;
-    /* Finer sampling must not choose finer levels: strokes keep their width in pixels. */
-    block->curve[3] = (float)log2(supersample);
 }
 
 static double length_of(const double v[3])

@@ -40,7 +40,7 @@ struct frame_block {
     float clip_from_unit[16];
     float eye[4];  /* w: 1; orthographic: direction to the camera, w: 0 */
     float paper[4], ink[4], light_ink[4];
-    float curve[4]; /* low, high, gamma, level-of-detail bias of the columns */
+    float curve[4]; /* low, high, gamma, 0 */
     float shade[4]; /* 0, ambient, specular, shininess */
     int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 0 */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */
@@ -58,9 +58,8 @@ enum ink_mode {
 void frame_set_style(struct frame_block *block, const struct inks *inks,
                      const struct tone_curve *curve, const struct gpu_columns *columns);
 
-/* Camera, tile and the own light, which goes with the camera. supersample: samples a pixel side. */
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
-                    double supersample);
+/* Camera and tile. */
+void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile);
 
 /* Lights of the scene at its pose, or the own light. Returns how many of the scene's lights were left
  * out because there are more than LIGHTS_MAX. */

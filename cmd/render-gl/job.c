@@ -130,9 +130,10 @@ void job_set_frame(struct job *job, uint32_t frame, struct view *view)
 
 void job_make_target(struct job *job, struct target *target)
 {
+    const struct options *options = &job->options;
     struct hatch_err err;
-    cmd_check(picture_target(job->options.width, job->options.height, job->options.side,
-                             &job->renderer, target, &err),
+    cmd_check(picture_target(options->width, options->height, options->side, &job->renderer, target,
+                             &err),
               NULL, &err);
 }
 

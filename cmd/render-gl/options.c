@@ -20,7 +20,7 @@ static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *lines, *line_color;
 static double line_width = 1.6, crease = 40;
-static bool time_given, animation_given, fov_given, frames_given, from_given;
+static bool samples_given, time_given, animation_given, fov_given, frames_given, from_given;
 
 static struct cmd_option table[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
@@ -29,8 +29,9 @@ static struct cmd_option table[] = {
      NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
      NULL, NULL},
-    {0, "samples", CMD_INT, 1, 64, "N", "samples a pixel, a square number (default 4)", &samples,
-     NULL, NULL},
+    {0, "samples", CMD_INT, 1, 64, "N",
+     "shaded samples a pixel, a square number (default 4; tam-threshold 16)", &samples, NULL,
+     &samples_given},
     {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
      "darkness of the lit and of the unlit (default 0: the map's darkest)", range, NULL,
      &range_given},
@@ -286,6 +287,8 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
 {
     table[0].choices = technique_names();
     cmd_begin(&program, argc, argv, args);
+    if (!samples_given && techniques[technique]->samples)
+        samples = techniques[technique]->samples;
     uint32_t side = (uint32_t)lround(sqrt((double)samples));
     if ((int64_t)side * side != samples)
         cmd_usage("--samples %d: want 1, 4, 9, 16, 25, 36, 49 or 64", (int)samples);

@@ -15,7 +15,8 @@ struct options {
     struct view_choice view;
     bool high_given;         /* the darkest tone; else the map's darkest column */
     double repeat;           /* 0: chosen */
-    uint32_t width, height, side; /* side: samples along a pixel's side */
+    uint32_t width, height;
+    uint32_t side;           /* samples along a pixel's side */
     uint32_t frames;
     bool turntable;
     double time_s, rate;     /* of the first frame, frames a second */

@@ -12,8 +12,8 @@ enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
                                  struct hatch_err *err)
 {
     uint32_t most = least(renderer->size_max_px, PICTURE_TARGET_MAX_PX) / side;
-    return target_make(least(width, most), least(height, most), side, &renderer->shaders, target,
-                       err);
+    return target_make(least(width, most), least(height, most), side, &renderer->shaders,
+                       target, err);
 }
 
 enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,

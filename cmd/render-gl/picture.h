@@ -6,7 +6,7 @@
 
 #define PICTURE_TARGET_MAX_PX 4096u /* samples along a side of a target */
 
-/* The target for pictures of that size: all of it, or a tile. side: samples along a pixel's side. */
+/* The target for pictures of that size: all of it, or a tile. side: see target.h. */
 enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
                                  const struct renderer *renderer, struct target *target,
                                  struct hatch_err *err) HATCH_MUST_USE;

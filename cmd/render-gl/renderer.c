@@ -1,6 +1,7 @@
 #include "render-gl/renderer.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -116,7 +117,7 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
     frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
-    frame_set_view(&renderer->block, view, tile, (double)target->side);
+    frame_set_view(&renderer->block, view, tile);
     frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
                      &style->light, style->curve.exposure);
     if (renderer->clock)
@@ -127,6 +128,7 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     clock_end_pass(renderer->clock, "clear");
     glBindTextureUnit(0, columns->texture);
     glBindSampler(0, columns->sampler);
+    columns_set_bias(columns, (float)log2(target->side));
     glEnable(GL_CULL_FACE);
     draw_passes(renderer, technique);
     target_resolve(target);

@@ -1,6 +1,7 @@
 #include "render-gl/target.h"
 
 #include <assert.h>
+#include <stdio.h>
 
 static enum hatch_status make_buffers(struct target *target, struct hatch_err *err)
 {
@@ -8,6 +9,7 @@ static enum hatch_status make_buffers(struct target *target, struct hatch_err *e
     GLsizei side = (GLsizei)target->side;
     glCreateTextures(GL_TEXTURE_2D, 1, &target->color);
     glTextureStorage2D(target->color, 1, GL_RGBA16F, side * width, side * height);
+    glTextureParameteri(target->color, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glCreateTextures(GL_TEXTURE_2D, 1, &target->depth);
     glTextureStorage2D(target->depth, 1, GL_DEPTH_COMPONENT32F, side * width, side * height);
     glCreateFramebuffers(1, &target->framebuffer);
@@ -34,9 +36,14 @@ enum hatch_status target_make(uint32_t width, uint32_t height, uint32_t side,
                               const struct shader_source *shaders, struct target *target,
                               struct hatch_err *err)
 {
-    static const struct shader_stages stages = {.vertex = "screen.vert", .fragment = "resolve.frag"};
+    static const struct shader_stages average = {.vertex = "screen.vert", .fragment = "average.frag"};
+    static const struct shader_stages present = {.vertex = "screen.vert", .fragment = "present.frag"};
     struct target made = {.width = width, .height = height, .side = side};
-    enum hatch_status status = shader_program(shaders, &stages, "", &made.program, err);
+    char defines[32];
+    snprintf(defines, sizeof defines, "#define SIDE %u\n", side);
+    enum hatch_status status = shader_program(shaders, &average, defines, &made.average, err);
+    if (status == HATCH_OK)
+        status = shader_program(shaders, &present, "", &made.present, err);
     glCreateVertexArrays(1, &made.no_vertices);
     if (status == HATCH_OK)
         status = make_buffers(&made, err);
@@ -62,19 +69,16 @@ void target_begin(const struct target *target, const float rgb[3])
     glClearBufferfv(GL_DEPTH, 0, &far);
 }
 
-static void draw_means(const struct target *target, GLuint from, GLuint side, GLuint framebuffer,
-                       bool encode)
+static void draw_screen(const struct target *target, GLuint program, GLuint from, GLuint framebuffer)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    glUseProgram(target->program);
+    glUseProgram(program);
     glBindTextureUnit(0, from);
     glBindSampler(0, 0);
-    glUniform1i(0, (GLint)side);
-    glUniform1i(1, encode);
     glBindVertexArray(target->no_vertices);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -82,12 +86,12 @@ static void draw_means(const struct target *target, GLuint from, GLuint side, GL
 void target_resolve(const struct target *target)
 {
     if (target->side > 1)
-        draw_means(target, target->color, target->side, target->resolved_framebuffer, false);
+        draw_screen(target, target->average, target->color, target->resolved_framebuffer);
 }
 
 void target_present(const struct target *target)
 {
-    draw_means(target, target->resolved, 1, 0, true);
+    draw_screen(target, target->present, target->resolved, 0);
 }
 
 void target_read(const struct target *target, uint32_t left, uint32_t below, uint32_t width,
@@ -129,6 +133,7 @@ void target_free(struct target *target)
     glDeleteTextures(1, &target->depth);
     glDeleteTextures(1, &target->color);
     glDeleteVertexArrays(1, &target->no_vertices);
-    glDeleteProgram(target->program);
+    glDeleteProgram(target->average);
+    glDeleteProgram(target->present);
     *target = (struct target){0};
 }

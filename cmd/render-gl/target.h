@@ -1,6 +1,7 @@
 /* What is drawn into: colour in half floats, linear light, and depth; with several samples a pixel,
- * which are averaged afterwards. Supersampling rather than multisampling, because strokes are texture:
- * their edges, and those that tam-threshold makes, need samples inside faces too. */
+ * each shaded, which are averaged afterwards. Supersampling rather than multisampling: strokes are
+ * texture, and the edges that tam-threshold makes are inside faces; and software renderers take as
+ * long for either. */
 #ifndef RENDER_TARGET_H
 #define RENDER_TARGET_H
 
@@ -12,7 +13,8 @@ struct target {
     uint32_t side;           /* samples along a side of a pixel, 1 .. 8 */
     GLuint color, depth, framebuffer;        /* side * width by side * height */
     GLuint resolved, resolved_framebuffer;   /* width by height; with one sample the same */
-    GLuint program, no_vertices;
+    GLuint average, present; /* programs */
+    GLuint no_vertices;
 };
 
 /* HATCH_LIMIT when the GPU has no memory for it. */

@@ -15,6 +15,7 @@ struct technique {
     enum columns_form columns;    /* the form of the tonal art map that it draws with */
     struct shader_stages stages;
     const char *defines;          /* lines before each stage, "" for none */
+    uint32_t samples;             /* a pixel, by default; 0: what the option says */
     uint32_t pass_count;          /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
     const char *pass_names[TECHNIQUE_PASSES_MAX];
     void (*begin_pass)(uint32_t pass); /* sets blending and depth other than the usual; or NULL */

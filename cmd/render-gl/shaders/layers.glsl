@@ -5,7 +5,7 @@ layout(binding = 0) uniform sampler2DArray columns;
 
 vec3 column(float index, vec2 texcoord)
 {
-    vec3 texel = texture(columns, vec3(texcoord, max(index - 1.0, 0.0)), curve.w).rgb;
+    vec3 texel = texture(columns, vec3(texcoord, max(index - 1.0, 0.0))).rgb;
     return index < 0.5 ? vec3(0.0) : texel;
 }
 

@@ -25,8 +25,8 @@ float finish(float coverage)
 
 void main()
 {
-    vec3 first = texture(columns, vec3(v_texcoord, 0.0), curve.w).rgb;
-    vec3 second = texture(columns, vec3(v_texcoord, 1.0), curve.w).rgb;
+    vec3 first = texture(columns, vec3(v_texcoord, 0.0)).rgb;
+    vec3 second = texture(columns, vec3(v_texcoord, 1.0)).rgb;
 #ifdef BASE_TONE
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
     vec2 amounts = ink_amounts(v_light * base_light());
