@@ -59,14 +59,12 @@ static void set_directional(struct frame_light *light, const double to_light[3])
  * Closer than 1/FAR_AWAY its strength stops growing. */
 #define FAR_AWAY 1e3
 
-/* Fills one light, all but its strength; returns that, and in *given what it gives to the part of the
- * scene that is nearest to it. */
+/* Fills one light, all but its strength; returns that. */
 static double set_scene_light(struct frame_light *light, const struct hatch_light *from,
-                              const double world[16], const struct bounds *bounds, double *given)
+                              const double world[16], const struct bounds *bounds)
 {
     double power = (double)from->intensity * (double)luminance(from->color);
     double away[3] = {world[8], world[9], world[10]}, at[3];
-    *given = power;
     if (from->type == HATCH_LIGHT_DIRECTIONAL) {
         set_directional(light, away);
         return power;
@@ -78,11 +76,9 @@ static double set_scene_light(struct frame_light *light, const struct hatch_ligh
     if (!(distance < FAR_AWAY)) {
         set_directional(light, at);
         power = range > 0 && range <= distance ? 0.0 : power / distance / distance;
-        *given = power;
         return power;
     }
-    double near = fmax(distance - 0.6, 0.35), length = length_of(away);
-    *given = power / (near * near);
+    double length = length_of(away);
     *light = (struct frame_light){.position = {(float)at[0], (float)at[1], (float)at[2], 1.0f},
                                   .cone = {0.0f, 1.0f, 0.0f, (float)(1 / (FAR_AWAY * FAR_AWAY))}};
     for (int k = 0; k < 3; k++)
@@ -114,7 +110,7 @@ uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
 {
     const struct hatch_scene *scene = pose->scene;
     uint32_t count = 0, left_out = 0;
-    double square = 0, power[LIGHTS_MAX] = {1.0};
+    double power[LIGHTS_MAX];
     for (uint32_t node = 0; node < scene->node_count && !own->wanted; node++) {
         uint32_t index = scene->nodes[node].light;
         if (index == HATCH_NONE)
@@ -125,19 +121,16 @@ uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
         }
         double world[16];
         pose_matrix(pose, node, world);
-        double given;
-        power[count] = set_scene_light(&block->lights[count], &scene->lights[index], world, bounds,
-                                       &given);
-        square += given * given;
+        power[count] = set_scene_light(&block->lights[count], &scene->lights[index], world, bounds);
         count++;
     }
     block->counts[0] = (int32_t)count;
-    if (count == 0)
+    if (count == 0) {
         set_own_light(block, view, own);
-    if (!(exposure > 0))
-        exposure = square > 0 && isfinite(square) ? 1.0 / sqrt(square) : 1.0;
+        block->lights[0].direction[3] = 1.0f;
+    }
     /* Strengths of lamps and exposures may each be far outside the range of floats. */
-    for (int32_t i = 0; i < block->counts[0]; i++)
+    for (uint32_t i = 0; i < count; i++)
         block->lights[i].direction[3] = (float)fmin(power[i] * exposure, 1e30);
     return left_out;
 }

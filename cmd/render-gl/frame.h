@@ -20,7 +20,7 @@ struct tone_curve {
     double gamma;     /* exponent of the darkness: over 1 lightens the middle */
     double ambient;   /* light that comes from everywhere */
     double specular, shininess; /* strength of the highlight, exponent */
-    double exposure;  /* 0: chosen so that the lights together just reach white */
+    double exposure;  /* over 0; from the light meter where the user says nothing */
 };
 
 /* The light that is used where the scene has none, or where the command line names one. */

@@ -1,6 +1,7 @@
 #include "render-gl/job.h"
 
 #include "render-gl/material.h"
+#include "render-gl/meter.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
 
@@ -98,6 +99,9 @@ void job_prepare(struct job *job)
         job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
     struct view view;
     job_set_frame(job, 0, &view);
+    if (!(options->style.curve.exposure > 0))
+        cmd_check(meter_exposure(&job->gpu, &view, scratch, &job->renderer.style.curve.exposure, &err),
+                  cmd_input_name(options->scene_path), &err);
     if (options->map_path)
         cmd_check(repeat_set(&job->gpu, options->repeat, &view, options->height, job->map.size_px,
                              job->map.levels, scratch, &err),
