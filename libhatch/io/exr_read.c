@@ -1,6 +1,5 @@
 #include "io/exr.h"
 
-#include <assert.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -108,8 +107,9 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
             return hatch_fail(r->err, HATCH_BAD_INPUT, "mip level %d is %dx%d: rounded up", level,
                               width, height);
     }
+    if (across < 1 || across > (int32_t)HATCH_MIP_LEVELS_MAX)
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels", across);
     layout->level_count = (uint32_t)across;
-    assert(across > 0 && layout->level_count <= HATCH_MIP_LEVELS_MAX);
     return HATCH_OK;
 }
 
@@ -154,7 +154,8 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
         return read_levels(r, part, layout);
     int32_t rows = 0;
     TRY_EXR(r, exr_get_scanlines_per_chunk(r->context, part, &rows));
-    assert(rows > 0);
+    if (rows < 1)
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d rows in a chunk", rows);
     layout->level_count = 1;
     layout->chunk_width = layout->width;
     layout->chunk_height = (uint32_t)rows;

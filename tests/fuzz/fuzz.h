@@ -65,4 +65,12 @@ static inline void fuzz_check(enum hatch_status status, const struct hatch_err *
         abort();
 }
 
+/* Reads every byte, so that a sanitizer sees where the memory ends. */
+static inline void fuzz_touch(const void *bytes, size_t size)
+{
+    const volatile uint8_t *at = (const volatile uint8_t *)bytes;
+    for (size_t i = 0; i < size; i++)
+        (void)at[i];
+}
+
 #endif
