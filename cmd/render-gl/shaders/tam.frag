@@ -5,7 +5,9 @@
 #include "base.glsl"
 
 in vec2 v_texcoord;
-#ifndef BASE_TONE
+#ifdef BASE_TONE
+in float v_light;
+#else
 in vec3 v_dark_first, v_dark_second;
 #ifdef TWO_INKS
 in vec3 v_light_first, v_light_second;

@@ -1,0 +1,50 @@
+# Every program that render-gl may have to compile does compile: each technique with textures as tone,
+# with holes, with both, with one ink and with two.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --tones 6 --levels 2 --contact-sheet texture.png -o map.exr
+
+# scene MODE: one square with texture.png as its base colour; MODE is OPAQUE or MASK.
+scene() {
+    perl -e '
+        use MIME::Base64;
+        local $/;
+        open my $png, "<:raw", "texture.png" or die; my $image = encode_base64(<$png>, "");
+        my $bytes = pack("f<12f<12f<8S<6", -1,-1,0, 1,-1,0, 1,1,0, -1,1,0, (0,0,1) x 4,
+            0,1, 1,1, 1,0, 0,0, 0,1,2, 0,2,3);
+        my $data = encode_base64($bytes, "");
+        print qq({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+            "meshes":[{"primitives":[{"material":0,"indices":3,"attributes":
+                {"POSITION":0,"NORMAL":1,"TEXCOORD_0":2}}]}],
+            "materials":[{"alphaMode":"$ARGV[0]","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+            "textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,$image"}],
+            "buffers":[{"byteLength":140,"uri":"data:application/octet-stream;base64,$data"}],
+            "bufferViews":[{"buffer":0,"byteLength":128},
+                {"buffer":0,"byteOffset":128,"byteLength":12}],
+            "accessors":[
+                {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
+                {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC3"},
+                {"bufferView":0,"byteOffset":96,"componentType":5126,"count":4,"type":"VEC2"},
+                {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]});' "$1"
+}
+scene OPAQUE >OPAQUE.gltf
+scene MASK >MASK.gltf
+
+for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-threshold; do
+    for mode in OPAQUE MASK; do
+        for tone in "" --texture-tone; do
+            for ink in "" "--paper grey --light-ink white"; do
+                # shellcheck disable=SC2086 # the options are words
+                ok "$technique $mode $tone $ink" render-gl $mode.gltf --technique $technique \
+                    --tam map.exr --size 32x24 $tone $ink -o picture.png
+            done
+        done
+    done
+done
+
+render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 -o plain.png
+render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 --texture-tone -o toned.png
+try hatchstat diff plain.png toned.png --max-difference 0.01
+is "a texture counts as tone when it is asked for" $status 1
+
+finish
