@@ -7,6 +7,7 @@
 #include "render-gl/shader.h"
 
 #define TECHNIQUE_PASSES_MAX 4u
+#define TECHNIQUE_GOURAUD 6u /* the reference for tone and for speed */
 #define TECHNIQUE_PROBE 7u /* the last in the list, and no choice of --technique */
 
 struct technique {

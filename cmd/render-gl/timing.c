@@ -9,9 +9,12 @@
 
 /* The times of one span over all frames. */
 struct series {
+    uint32_t technique;
     const char *name;
     double *gpu_ms, *wall_ms;
 };
+
+#define SERIES_MAX (CLOCK_PASSES_MAX + 2u)
 
 static int compare(const void *a, const void *b)
 {
@@ -26,34 +29,45 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-/* Draws frames and notes their times: series 0 is the whole frame, the others its passes. The GPU has
- * to finish after each pass to tell them apart, which is slower, so whole frames are drawn by
- * themselves. */
+static void draw(struct job *job, uint32_t technique, bool every_pass, const struct view *view,
+                 const struct target *target)
+{
+    const struct options *options = &job->options;
+    struct tile tile = {0, 0, target->width, target->height, options->width, options->height};
+    struct hatch_err err;
+    job->renderer.clock->every_pass = every_pass;
+    cmd_check(renderer_draw(&job->renderer, technique, view, &tile, target, &err), NULL, &err);
+}
+
+/* Draws frames and notes their times: the whole frame, its passes, and the frame of the reference,
+ * gouraud, in turns, so that all see the same weather on the machine. The GPU has to finish after each
+ * pass to tell passes apart, which is slower, so whole frames are drawn by themselves. */
 static uint32_t measure(struct job *job, const struct target *target, struct series *series)
 {
     const struct options *options = &job->options;
-    struct clock *clock = job->renderer.clock;
-    struct tile tile = {0, 0, target->width, target->height, options->width, options->height};
+    const struct clock *clock = job->renderer.clock;
+    const uint32_t techniques_drawn[3] = {(uint32_t)options->technique,
+                                          (uint32_t)options->technique, TECHNIQUE_GOURAUD};
     struct view view;
     job_set_frame(job, 0, &view);
-    uint32_t passes = 0;
+    uint32_t last = 0;
     for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)
-        for (int every_pass = 0; every_pass < 2; every_pass++) {
-            clock->every_pass = every_pass;
-            struct hatch_err err;
-            cmd_check(renderer_draw(&job->renderer, (uint32_t)options->technique, &view, &tile,
-                                    target, &err),
-                      NULL, &err);
-            for (uint32_t i = 0; i < clock->count && run >= WARM_UP; i++) {
-                struct series *span = &series[every_pass ? i + 1 : 0];
+        for (uint32_t turn = 0; turn < 3; turn++) {
+            draw(job, techniques_drawn[turn], turn == 1, &view, target);
+            uint32_t first = turn == 0 ? 0 : turn == 1 ? 1 : last;
+            for (uint32_t i = 0; i < clock->count; i++) {
+                struct series *span = &series[first + i];
+                span->technique = techniques_drawn[turn];
                 span->name = clock->names[i];
+                if (run < WARM_UP)
+                    continue;
                 span->gpu_ms[run - WARM_UP] = clock->gpu_ms[i];
                 span->wall_ms[run - WARM_UP] = clock->wall_ms[i];
             }
-            if (every_pass)
-                passes = clock->count;
+            if (turn == 1)
+                last = 1 + clock->count;
         }
-    return passes + 1;
+    return last + 1;
 }
 
 /* Median and quartiles of one clock's times. */
@@ -73,11 +87,12 @@ static enum hatch_status print_times(struct hatch_buffer *text, bool json, const
 static enum hatch_status print_span(const struct job *job, const struct series *span,
                                     struct hatch_buffer *text, struct hatch_err *err)
 {
-    const char *technique = techniques[job->options.technique]->name;
+    const char *technique = techniques[span->technique]->name;
     uint32_t frames = job->options.timed_frames;
     bool json = job->args.json;
     if (json)
-        HATCH_TRY(hatch_buffer_print(text, err, "    {\"span\": \"%s\"", span->name));
+        HATCH_TRY(hatch_buffer_print(text, err, "    {\"technique\": \"%s\", \"span\": \"%s\"",
+                                     technique, span->name));
     else
         HATCH_TRY(hatch_buffer_print(text, err, "%s\t%s\t%u", technique, span->name, frames));
     HATCH_TRY(print_times(text, json, "gpu", span->gpu_ms, frames, err));
@@ -91,11 +106,9 @@ static enum hatch_status print(const struct job *job, const struct series *serie
     bool json = job->args.json;
     if (json)
         HATCH_TRY(hatch_buffer_print(text, err,
-                                     "{\n  \"device\": \"%s\",\n  \"technique\": \"%s\",\n"
-                                     "  \"frames\": %u,\n  \"spans\": [\n",
-                                     job->context.device,
-                                     techniques[job->options.technique]->name,
-                                     job->options.timed_frames));
+                                     "{\n  \"device\": \"%s\",\n  \"frames\": %u,\n"
+                                     "  \"spans\": [\n",
+                                     job->context.device, job->options.timed_frames));
     else
         HATCH_TRY(hatch_buffer_print(text, err,
                                      "technique\tspan\tframes\tgpu_ms\tgpu_low_ms\tgpu_high_ms\t"
@@ -112,18 +125,20 @@ void timing_report(struct job *job)
 {
     struct hatch_arena *keep = &job->args.keep;
     struct hatch_err err;
-    struct series series[CLOCK_PASSES_MAX + 1];
+    struct series series[SERIES_MAX];
     struct clock clock;
     struct target target;
-    for (uint32_t i = 0; i <= CLOCK_PASSES_MAX; i++) {
+    for (uint32_t i = 0; i < SERIES_MAX; i++) {
         double *ms = HATCH_NEW(keep, double, 2 * (size_t)job->options.timed_frames, &err);
         cmd_check(ms ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-        series[i] = (struct series){"", ms, ms + job->options.timed_frames};
+        series[i] = (struct series){0, "", ms, ms + job->options.timed_frames};
     }
     job_make_target(job, &target);
     if (target.width < job->options.width || target.height < job->options.height)
         cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", target.width,
                  target.height);
+    cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_GOURAUD, &job->args.scratch, &err), NULL,
+              &err);
     clock_make(&clock);
     job->renderer.clock = &clock;
     uint32_t count = measure(job, &target, series);
