@@ -1,0 +1,85 @@
+# hatchstat diff and frames: figures that are known in closed form, other formats, exit statuses.
+. "${TOP:-.}/tests/tap.sh"
+command -v hatchstat >/dev/null || { skip "pictures" "no hatchstat"; finish; }
+
+# flat FILE GREY [WIDTH HEIGHT]: a grey PPM of one sRGB code
+flat() {
+    awk -v grey="$2" -v width="${3:-16}" -v height="${4:-16}" 'BEGIN {
+        printf "P3\n%d %d\n255\n", width, height
+        for (i = 0; i < width * height * 3; i++) print grey }' >"$1"
+}
+# field NAME: that column of the report on standard input
+field() {
+    awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i; next}
+        {print $at}'
+}
+
+flat black.ppm 0
+flat white.ppm 255
+flat grey.ppm 128
+flat wide.ppm 128 17 16
+is "black is one away from white" "$(hatchstat diff black.ppm white.ppm | field max)" 1
+is "a picture is equal to itself" "$(hatchstat diff grey.ppm grey.ppm | field psnr_db)" inf
+is "grey 128 is 0.2159 in linear light" \
+    "$(hatchstat diff grey.ppm black.ppm | field mean | cut -c 1-6)" 0.2158
+is "grey 128 is 128/255 in sRGB" "$(hatchstat diff --srgb grey.ppm black.ppm | field bias)" 0.501960814
+is "JSON has no number for infinity" \
+    "$(hatchstat diff --json grey.ppm grey.ppm | grep -o '"psnr_db": [a-z]*')" '"psnr_db": null'
+
+try hatchstat diff black.ppm grey.ppm --max-difference 0.2159 -o report
+is "a difference within the limit" $status 0
+try hatchstat diff black.ppm grey.ppm --max-difference 0.2158 -o report
+is "a difference over the limit exits with 1" "$status $(wc -l <report) $(wc -c <.err)" "1 2 0"
+try hatchstat diff grey.ppm wide.ppm
+refused "pictures of two sizes" 3 1
+try hatchstat diff grey.ppm
+refused "one picture" 2 2
+try hatchstat frames grey.ppm
+refused "one frame" 2 2
+try hatchstat nonesuch grey.ppm
+refused "an unknown subject" 2 2
+
+# Black, grey, white: in linear light from 0 over 0.2159 to 1.
+hatchstat frames black.ppm grey.ppm white.ppm >frames.tsv
+is "a row for each frame and one for all" "$(wc -l <frames.tsv)" 5
+is "the mean of each" "$(field mean <frames.tsv | cut -c 1-5 | paste -sd' ')" "0 0.215 1 0.405"
+is "change from frame to frame" "$(field change <frames.tsv | cut -c 1-5 | paste -sd' ')" \
+    "nan 0.215 0.784 0.5"
+is "the pop around the second" "$(field pop <frames.tsv | cut -c 1-5 | paste -sd' ')" \
+    "nan 0.568 nan 0.568"
+is "the largest drift" "$(field drift <frames.tsv | tail -n 1)" 1
+
+# A 2 x 2 picture in formats that the plugin reads: red, green; blue, white.
+printf 'P6\n2 2\n255\n\377\0\0\0\377\0\0\0\377\377\377\377' >colours.ppm
+printf 'BM\106\0\0\0\0\0\0\0\066\0\0\0\050\0\0\0\2\0\0\0\2\0\0\0\1\0\030\0\0\0\0\0\020\0\0\0' >colours.bmp
+printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0' >>colours.bmp
+printf '\377\0\0\377\377\377\0\0\0\0\377\0\377\0\0\0' >>colours.bmp
+printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\030\040\0\0\377\0\377\0\377\0\0\377\377\377' >colours.tga
+for format in bmp tga; do
+    is "$format is read as ppm is" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
+done
+is "the content of a BMP counts, not its name" \
+    "$(hatchstat diff - colours.ppm <colours.bmp | field max)" 0
+for format in ppm bmp tga; do
+    size=$(wc -c <colours.$format)
+    head -c $((size - 4)) colours.$format >"cut.$format"
+    try hatchstat diff "cut.$format" colours.ppm
+    refused "a cut $format" 3 1
+done
+printf '\377\330\377\300\0\021\10\377\334\377\334\3\1\042\0\2\021\1\3\021\1\377\332' >huge.jpg
+try hatchstat diff huge.jpg huge.jpg
+refused "a JPEG header of 65500 x 65500" 5 1
+if [ -z "$SANITIZE" ]; then
+    ms=$(milliseconds 50 hatchstat diff huge.jpg huge.jpg)
+    [ "$ms" -le 50 ]
+    is "... is refused within 50 ms ($ms)" $? 0
+fi
+printf 'neither this nor that' >text.foo
+try hatchstat diff text.foo text.foo
+refused "an unknown format" 3 1
+
+mkdir -p bin
+cp "$BIN/hatchstat" bin
+try bin/hatchstat diff grey.ppm grey.ppm
+refused "the plugin is missing" 3 1
+finish
