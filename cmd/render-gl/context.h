@@ -19,9 +19,9 @@ struct context {
 
 /* Makes a context without a window system and makes it current: on a graphics device where EGL lists
  * one, else on Mesa's surfaceless platform. HATCH_IO with one sentence when there is no EGL, no driver
- * or no OpenGL 4.5. */
-enum hatch_status context_open_headless(struct context *context, struct hatch_err *err)
-    HATCH_MUST_USE;
+ * or no OpenGL 4.5. threads: of a software renderer, at least 1. */
+enum hatch_status context_open_headless(struct context *context, uint32_t threads,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* The same behind a visible window. HATCH_IO when there is no display. width, height: in screen
  * units, at least 1. */

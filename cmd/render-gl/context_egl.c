@@ -4,6 +4,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -97,13 +98,18 @@ enum hatch_status context_read_limits(struct context *context, struct hatch_err 
     return HATCH_OK;
 }
 
-enum hatch_status context_open_headless(struct context *context, struct hatch_err *err)
+enum hatch_status context_open_headless(struct context *context, uint32_t threads,
+                                        struct hatch_err *err)
 {
+    char number[16];
     if (!library_is_there("libEGL.so.1") || !library_is_there("libGL.so.1"))
         return hatch_fail(err, HATCH_IO, "there is no libEGL.so.1 or no libGL.so.1: install EGL "
                                          "(libegl1) and OpenGL (libgl1-mesa-dri)");
     /* Mesa talks on standard error about devices that it may not open; ours is one line. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
+    /* Mesa's software renderer has no other place to be told. */
+    snprintf(number, sizeof number, "%u", threads);
+    setenv("LP_NUM_THREADS", number, 1);
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!extensions || (!open_hardware(context, extensions) &&
                         !open_surfaceless(context, extensions)))

@@ -49,7 +49,7 @@ static void open_context(struct job *job)
     struct hatch_err err;
     enum hatch_status status =
         options->window ? context_open_window(&job->context, options->width, options->height, &err)
-                        : context_open_headless(&job->context, &err);
+                        : context_open_headless(&job->context, job->args.threads, &err);
     cmd_check(status, NULL, &err);
     cmd_note("%s", job->context.device);
     if (options->style.anisotropy > job->context.anisotropy_max)
