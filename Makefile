@@ -32,13 +32,13 @@ endif
 LINK_meshgen   :=
 LINK_tamgen    := exr png foreign
 LINK_tampack   := exr png container
-LINK_hatchstat := exr png foreign gltf openmesh container
+LINK_hatchstat := exr png foreign gltf container
 LINK_render-gl := exr png foreign gltf gl
 libs_exr       := -lOpenEXRCore-3_1 -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
 libs_gltf      := -ltinygltf -lstdc++
-libs_openmesh  := -lOpenMeshCore -lstdc++
+libs_openmesh  := -lOpenMeshTools -lOpenMeshCore -lstdc++
 libs_container := -lzstd
 libs_gl        := -lepoxy -lglfw
 
