@@ -28,7 +28,7 @@ $(OUT)/stipple.png: $(call map,stipple)
 $(OUT)/scratchboard.png: $(call map,ink)
 	$(call draw,teapot,ink,--paper '#101018' --ink white)
 $(OUT)/grey.png: $(call map,crayon)
-	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black --light-ink white)
+	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black,white)
 $(OUT)/threshold.png: $(call map,ink)
 	$(call draw,saddle,ink,--technique tam-threshold)
 

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "base/text.h"
 #include "image/image.h"
 
 static int digit(char c)
@@ -12,20 +11,20 @@ static int digit(char c)
     return at ? (int)((at - digits) % 16) : -1;
 }
 
-bool color_parse(const char *text, float rgb[3])
+bool color_parse(struct hatch_text text, float rgb[3])
 {
     static const char *const names[][2] = {{"black", "#000"},     {"white", "#fff"},
                                            {"grey", "#808080"},   {"gray", "#808080"},
                                            {"cream", "#f7f0dd"},  {"sepia", "#4b2e18"},
                                            {"blue", "#1f3a6e"},   {"red", "#8c1c13"}};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(text, names[i][0]) == 0)
-            text = names[i][1];
-    size_t length = strlen(text), each = length == 7 ? 2 : 1;
-    if (text[0] != '#' || (length != 4 && length != 7))
+        if (hatch_text_is(text, names[i][0]))
+            text = (struct hatch_text){names[i][1], strlen(names[i][1])};
+    size_t each = text.length == 7 ? 2 : 1;
+    if ((text.length != 4 && text.length != 7) || text.at[0] != '#')
         return false;
     for (size_t c = 0; c < 3; c++) {
-        int high = digit(text[1 + c * each]), low = digit(text[c * each + each]);
+        int high = digit(text.at[1 + c * each]), low = digit(text.at[each + c * each]);
         if (high < 0 || low < 0)
             return false;
         rgb[c] = hatch_srgb_to_linear((float)(16 * high + low) / 255.0f);
@@ -33,16 +32,19 @@ bool color_parse(const char *text, float rgb[3])
     return true;
 }
 
-bool vector_parse(const char *text, double xyz[3])
+bool vector_parse(struct hatch_text text, double xyz[3])
 {
     for (int k = 0; k < 3; k++) {
-        size_t length = strcspn(text, ",");
-        if (!hatch_text_number((struct hatch_text){text, length}, &xyz[k]))
+        const char *comma = memchr(text.at, ',', text.length);
+        size_t length = comma ? (size_t)(comma - text.at) : text.length;
+        if (!hatch_text_number((struct hatch_text){text.at, length}, &xyz[k]))
             return false;
-        text += length;
-        if (*text != (k < 2 ? ',' : '\0'))
+        if (k == 2)
+            return !comma;
+        if (!comma)
             return false;
-        text += k < 2;
+        text.length -= length + 1;
+        text.at += length + 1;
     }
-    return true;
+    return false;
 }

@@ -8,12 +8,13 @@
 #include "render-gl/color.h"
 
 #define RADIANS (3.14159265358979324 / 180)
+#define AMBIENT 0.05 /* light from everywhere, so that shadows hold some form */
 
 /* What the table fills; options_read turns it into struct options. */
 static int technique;
-static const char *map_path, *paper = "white", *ink = "black", *light_ink;
-static const char *camera, *eye, *target, *uv_scale = "auto", *shader_folder;
-static double range[2] = {0, 1}, gamma_exponent = 1, ambient = 0.05, specular[2] = {0, 32};
+static const char *map_path, *paper = "white", *ink = "black";
+static const char *camera, *uv_scale = "auto", *shader_folder;
+static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
 static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 8;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
@@ -38,10 +39,8 @@ static struct cmd_option table[] = {
     {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "exponent of the darkness (default 1)",
      &gamma_exponent, NULL, NULL},
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
-    {0, "ink", CMD_TEXT, 0, 0, "COLOUR", "lighter than the paper: the lit parts are drawn", &ink,
-     NULL, NULL},
-    {0, "light-ink", CMD_TEXT, 0, 0, "COLOUR", "a second ink, for what is lighter than the paper",
-     &light_ink, NULL, NULL},
+    {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
+     "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
      "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
      NULL},
@@ -53,8 +52,6 @@ static struct cmd_option table[] = {
     {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
      "one light, degrees from the camera, for the scene's (default -40:40)", light, NULL,
      &light_given},
-    {0, "ambient", CMD_REAL, 0, 1, "L", "light from everywhere (default 0.05)", &ambient, NULL,
-     NULL},
     {0, "specular", CMD_PAIR, 0, 1000, "S:E", "highlight: strength, exponent (default none)",
      specular, NULL, &specular_given},
     {0, "exposure", CMD_REAL, 0, 1e30, "E", "factor for the scene's lights (default 0: chosen)",
@@ -65,14 +62,11 @@ static struct cmd_option table[] = {
      &uv_scale, NULL, NULL},
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "anisotropic filtering (default 8; 1: none)", &anisotropy,
      NULL, NULL},
-    {0, "camera", CMD_TEXT, 0, 0, "N|frame", "the scene's camera N, or frame the scene", &camera,
-     NULL, NULL},
+    {0, "camera", CMD_TEXT, 0, 0, "WHICH",
+     "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what", &camera, NULL, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)",
      from, NULL, &from_given},
-    {0, "eye", CMD_TEXT, 0, 0, "X,Y,Z", "the camera's place in the scene", &eye, NULL, NULL},
-    {0, "target", CMD_TEXT, 0, 0, "X,Y,Z", "what the eye looks at (default the middle)", &target,
-     NULL, NULL},
-    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "of framed and --eye views, vertical (default 30)",
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)",
      &fov, NULL, &fov_given},
     {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL,
      &frames_given},
@@ -111,17 +105,11 @@ static const struct cmd_program program = {
     .binary = true,
 };
 
-static void read_color(const char *option, const char *text, float rgb[3])
+static void read_color(const char *option, struct hatch_text text, float rgb[3])
 {
     if (!color_parse(text, rgb))
-        cmd_usage("--%s %s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
-                  text);
-}
-
-static void read_vector(const char *option, const char *text, double xyz[3])
-{
-    if (!vector_parse(text, xyz))
-        cmd_usage("--%s %s: want three numbers with commas between", option, text);
+        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
+                  (int)text.length, text.at);
 }
 
 static bool read_whole(const char *text, uint32_t most, uint32_t *value)
@@ -136,6 +124,18 @@ static bool read_whole(const char *text, uint32_t most, uint32_t *value)
     return *text && number <= most;
 }
 
+/* --camera X,Y,Z[:X,Y,Z]: the eye, and what it looks at. */
+static bool read_place(struct view_choice *view)
+{
+    size_t length = strcspn(camera, ":");
+    view->kind = VIEW_EYE;
+    view->has_target = camera[length] == ':';
+    const char *target = camera + length + 1;
+    return vector_parse((struct hatch_text){camera, length}, view->eye) &&
+           (!view->has_target ||
+            vector_parse((struct hatch_text){target, strlen(target)}, view->target));
+}
+
 static void read_view(struct view_choice *view)
 {
     *view = (struct view_choice){.kind = VIEW_FIRST_CAMERA,
@@ -143,33 +143,23 @@ static void read_view(struct view_choice *view)
                                  .elevation_rad = from[1] * RADIANS,
                                  .fov_rad = fov * RADIANS,
                                  .turns = turntable};
-    if (camera && (eye || target))
-        cmd_usage("--camera and --eye or --target exclude each other");
-    if (target && !eye)
-        cmd_usage("--target needs --eye");
-    if (from_given || fov_given || (camera && strcmp(camera, "frame") == 0))
+    bool frame = camera && strcmp(camera, "frame") == 0;
+    if (camera && !frame && (from_given || !(read_whole(camera, 65535, &view->index) || read_place(view))))
+        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from",
+                  camera);
+    if (frame || from_given || (fov_given && !camera))
         view->kind = VIEW_FRAMED;
-    else if (camera && read_whole(camera, 65535, &view->index))
+    else if (camera && view->kind != VIEW_EYE)
         view->kind = VIEW_CAMERA;
-    else if (camera)
-        cmd_usage("--camera %s: want a number or frame", camera);
-    if (eye) {
-        view->kind = VIEW_EYE;
-        read_vector("eye", eye, view->eye);
-    }
-    if (target) {
-        view->has_target = true;
-        read_vector("target", target, view->target);
-    }
 }
 
 static void read_style(struct style *style)
 {
-    *style = (struct style){.inks = {.two = light_ink != NULL},
+    *style = (struct style){.inks = {.two = strchr(ink, ',') != NULL},
                             .curve = {.low = range[0],
                                       .high = range[1],
                                       .gamma = gamma_exponent,
-                                      .ambient = ambient,
+                                      .ambient = AMBIENT,
                                       .specular = specular[0],
                                       .shininess = specular[1],
                                       .exposure = exposure},
@@ -178,10 +168,12 @@ static void read_style(struct style *style)
                                       .elevation_rad = light[1] * RADIANS},
                             .anisotropy = (float)anisotropy,
                             .base_tone = base_tone};
-    read_color("paper", paper, style->inks.paper);
-    read_color("ink", ink, style->inks.ink);
-    if (light_ink)
-        read_color("light-ink", light_ink, style->inks.light_ink);
+    size_t first = strcspn(ink, ",");
+    read_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
+    read_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
+    if (style->inks.two)
+        read_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)},
+                   style->inks.light_ink);
     if (specular_given && specular[0] > 10)
         cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
 }
@@ -221,9 +213,9 @@ static void read_lines(struct line_style *style)
                                  .width_px = line_width,
                                  .crease_rad = crease * RADIANS};
     if (line_color)
-        read_color("line-color", line_color, style->color);
+        read_color("line-color", (struct hatch_text){line_color, strlen(line_color)}, style->color);
     else
-        read_color("ink", ink, style->color);
+        read_color("ink", (struct hatch_text){ink, strcspn(ink, ",")}, style->color);
 }
 
 static double read_uv_scale(void)

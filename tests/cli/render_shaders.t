@@ -33,7 +33,7 @@ scene MASK >MASK.gltf
 for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-threshold; do
     for mode in OPAQUE MASK; do
         for tone in "" --texture-tone; do
-            for ink in "" "--paper grey --light-ink white"; do
+            for ink in "" "--paper grey --ink black,white"; do
                 # shellcheck disable=SC2086 # the options are words
                 ok "$technique $mode $tone $ink" render-gl $mode.gltf --technique $technique \
                     --tam map.exr --size 32x24 $tone $ink -o picture.png
