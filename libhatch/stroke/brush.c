@@ -107,9 +107,9 @@ static void draw_grain(struct hatch_brush *brush)
         look.softness = 0.3f;
         look.floor = 0.15f;
     } else if (brush->kind == HATCH_BRUSH_CHARCOAL) {
-        look.threshold = 0.45f;
-        look.softness = 0.35f;
-        look.floor = 0.12f;
+        look.threshold = 0.42f;
+        look.softness = 0.6f;
+        look.floor = 0.2f;
     }
     for (uint32_t y = 0; y < HATCH_GRAIN_SIZE; y++)
         for (uint32_t x = 0; x < HATCH_GRAIN_SIZE; x++) {
