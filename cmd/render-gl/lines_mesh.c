@@ -5,6 +5,7 @@
 #include "math/vector.h"
 #include "mesh/creases.h"
 #include "render-gl/lines_keys.h"
+#include "render-gl/lines_prune.h"
 
 #define COS_SAME_NORMAL 0.9999 /* of two normals that a crease was meant to have as one */
 
@@ -155,15 +156,8 @@ static enum hatch_status join_vertices(const struct hatch_mesh *taken, const dou
     return HATCH_OK;
 }
 
-static bool wanted(uint8_t kind, uint32_t kinds)
-{
-    return (kind == HATCH_EDGE_CREASE && kinds & LINES_CREASES) ||
-           (kind == HATCH_EDGE_BOUNDARY && kinds & LINES_BOUNDARIES);
-}
-
 /* Sorts an edge into what lines use of it. */
-static void add_edge(const struct welded *welded, uint32_t edge, uint32_t kinds,
-                     struct line_mesh *lines)
+static void add_edge(const struct welded *welded, uint32_t edge, struct line_mesh *lines)
 {
     const uint32_t *sides = &welded->edges.sides[welded->edges.first[edge]];
     const uint32_t *indices = lines->mesh.indices;
@@ -181,16 +175,19 @@ static void add_edge(const struct welded *welded, uint32_t edge, uint32_t kinds,
             (struct line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
                                     .high = {indices[a[1]], indices[b[1]]},
                                     .points = {welded->point[a[0]], welded->point[a[1]]}};
-    if (wanted(welded->kinds[edge], kinds))
+    if (welded->kinds[edge] != HATCH_EDGE_SMOOTH)
         lines->features[lines->feature_count++] =
-            (struct line_feature){.ends = {indices[a[0]], indices[a[1]]},
+            (struct line_feature){.kind = welded->kinds[edge] == HATCH_EDGE_CREASE
+                                              ? LINES_CREASES
+                                              : LINES_BOUNDARIES,
+                                  .ends = {indices[a[0]], indices[a[1]]},
                                   .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE}};
 }
 
-/* The features as a graph whose nodes are the points that they touch. */
-static enum hatch_status chain_features(const struct welded *welded, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct line_mesh *lines,
-                                        struct hatch_err *err)
+/* The features as a graph; its nodes are the points that they touch. */
+static enum hatch_status make_graph(const struct welded *welded, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct line_mesh *lines,
+                                    struct line_graph *graph, struct hatch_err *err)
 {
     size_t count = lines->feature_count, ends_count = 2 * count;
     uint32_t *node_of = HATCH_NEW(scratch, uint32_t, welded->point_count, err); /* number + 1 */
@@ -210,10 +207,44 @@ static enum hatch_status chain_features(const struct welded *welded, struct hatc
         }
         ends[i] = *node - 1;
     }
-    const struct line_graph graph = {.node_count = lines->node_count,
-                                     .segment_count = lines->feature_count,
-                                     .nodes = nodes,
-                                     .ends = ends};
+    *graph = (struct line_graph){lines->node_count, lines->feature_count, nodes, ends};
+    return HATCH_OK;
+}
+
+static double size_of(const struct hatch_mesh *mesh)
+{
+    float low[3], high[3];
+    double square = 0;
+    for (int k = 0; k < 3 && hatch_mesh_bounds(mesh, low, high); k++)
+        square += ((double)high[k] - (double)low[k]) * ((double)high[k] - (double)low[k]);
+    return sqrt(square);
+}
+
+/* Leaves out what noise makes and what was not asked for, and chains the rest. */
+static enum hatch_status chain_features(const struct welded *welded, uint32_t kinds,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct line_mesh *lines, struct hatch_err *err)
+{
+    struct line_graph graph;
+    HATCH_TRY(make_graph(welded, arena, scratch, lines, &graph, err));
+    uint8_t *bounds = HATCH_NEW(scratch, uint8_t, lines->feature_count, err);
+    uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, lines->feature_count, err) : NULL;
+    uint32_t *ends = pruned ? HATCH_NEW(scratch, uint32_t, 2 * (size_t)lines->feature_count, err) : NULL;
+    if (!ends)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < lines->feature_count; i++)
+        bounds[i] = lines->features[i].kind == LINES_BOUNDARIES;
+    HATCH_TRY(line_prune(&graph, bounds, size_of(&lines->mesh), scratch, arena, pruned, err));
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < lines->feature_count; i++) {
+        if (pruned[i] || !(lines->features[i].kind & kinds))
+            continue;
+        ends[2 * kept] = graph.ends[2 * i];
+        ends[2 * kept + 1] = graph.ends[2 * i + 1];
+        lines->features[kept++] = lines->features[i];
+    }
+    graph.segment_count = lines->feature_count = kept;
+    graph.ends = ends;
     return line_chains_make(&graph, arena, scratch, &lines->chains, err);
 }
 
@@ -234,10 +265,10 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
     if (!lines->features)
         return HATCH_LIMIT;
     for (uint32_t e = 0; e < edges; e++)
-        add_edge(&welded, e, kinds, lines);
+        add_edge(&welded, e, lines);
     lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
                      hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
-    return chain_features(&welded, arena, scratch, lines, err);
+    return chain_features(&welded, kinds, arena, scratch, lines, err);
 }
 
 enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],
