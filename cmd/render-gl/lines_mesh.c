@@ -3,56 +3,10 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "mesh/creases.h"
+#include "render-gl/lines_edges.h"
 #include "render-gl/lines_keys.h"
-#include "render-gl/lines_prune.h"
 
 #define COS_SAME_NORMAL 0.9999 /* of two normals that a crease was meant to have as one */
-
-/* The edges of a mesh with its vertices welded by position. */
-struct welded {
-    uint32_t *vertex_point; /* per vertex */
-    uint32_t *point;        /* per corner */
-    uint32_t point_count;
-    struct hatch_edges edges;
-    uint8_t *kinds; /* per edge */
-};
-
-static enum hatch_status weld(const struct hatch_mesh *mesh, double crease_rad,
-                              struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct welded *welded, struct hatch_err *err)
-{
-    size_t corners = 3 * (size_t)mesh->face_count;
-    struct welded w;
-    w.vertex_point = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err);
-    w.point = w.vertex_point ? HATCH_NEW(arena, uint32_t, corners, err) : NULL;
-    uint8_t *dropped = w.point ? HATCH_NEW(arena, uint8_t, mesh->face_count, err) : NULL;
-    if (!dropped)
-        return HATCH_LIMIT;
-    HATCH_TRY(hatch_mesh_weld(mesh, scratch, w.vertex_point, &w.point_count, err));
-    hatch_mesh_corner_points(mesh, w.vertex_point, w.point);
-    for (size_t f = 0; f < mesh->face_count; f++) {
-        const uint32_t *p = &w.point[3 * f];
-        dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
-    }
-    HATCH_TRY(hatch_edges_find(w.point, mesh->face_count, w.point_count, dropped, arena, scratch,
-                               &w.edges, err));
-    w.kinds = HATCH_NEW(arena, uint8_t, w.edges.count, err);
-    if (!w.kinds)
-        return HATCH_LIMIT;
-    hatch_edges_kinds(mesh, &w.edges, crease_rad, w.kinds);
-    *welded = w;
-    return HATCH_OK;
-}
-
-/* The corners at both ends of an edge on one of its sides, the lower point first. */
-static void corners_of(const uint32_t *point, uint32_t side, uint32_t corners[2])
-{
-    uint32_t end = hatch_side_end(side);
-    bool rising = point[side] < point[end];
-    corners[0] = rising ? side : end;
-    corners[1] = rising ? end : side;
-}
 
 static bool same_normal(const struct hatch_mesh *mesh, const float *normals, uint32_t a, uint32_t b)
 {
@@ -64,15 +18,15 @@ static bool same_normal(const struct hatch_mesh *mesh, const float *normals, uin
 
 /* Does one normal serve both faces of some crease? */
 static bool smooths_creases(const struct hatch_mesh *mesh, const float *normals,
-                            const struct welded *welded)
+                            const struct line_edges *edges)
 {
-    for (uint32_t e = 0; e < welded->edges.count; e++) {
-        const uint32_t *sides = &welded->edges.sides[welded->edges.first[e]];
-        if (welded->kinds[e] != HATCH_EDGE_CREASE)
-            continue;
+    for (uint32_t e = 0; e < edges->edges.count; e++) {
+        const uint32_t *sides = &edges->edges.sides[edges->edges.first[e]];
         uint32_t a[2], b[2];
-        corners_of(welded->point, sides[0], a);
-        corners_of(welded->point, sides[1], b);
+        if (edges->kinds[e] != HATCH_EDGE_CREASE)
+            continue;
+        line_side_corners(edges->point, sides[0], a);
+        line_side_corners(edges->point, sides[1], b);
         if (same_normal(mesh, normals, a[0], b[0]) || same_normal(mesh, normals, a[1], b[1]))
             return true;
     }
@@ -80,25 +34,28 @@ static bool smooths_creases(const struct hatch_mesh *mesh, const float *normals,
 }
 
 /* The mesh with the attributes that lines use, and normals that jump at creases. */
-static enum hatch_status take(const struct hatch_mesh *from, double crease_rad,
+static enum hatch_status take(const struct hatch_mesh *from, const struct line_edges *edges,
                               struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_mesh *mesh, struct hatch_err *err)
 {
     static const char *const used[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
-    struct hatch_mesh made = *from;
-    struct welded welded;
     const float *normals = hatch_mesh_find(from, "NORMAL", 3);
-    bool keep = false;
-    if (normals) {
-        HATCH_TRY(weld(from, crease_rad, scratch, arena, &welded, err));
-        keep = !smooths_creases(from, normals, &welded);
-    }
+    bool keep = normals && !smooths_creases(from, normals, edges);
+    struct hatch_mesh made = *from;
     made.attribute_count = 0;
     for (uint32_t i = 0; i < from->attribute_count; i++)
         for (size_t k = 0; k < sizeof used / sizeof *used; k++)
             if (strcmp(from->attributes[i].name, used[k]) == 0 && (k != 1 || keep))
                 made.attributes[made.attribute_count++] = from->attributes[i];
-    HATCH_TRY(hatch_mesh_add_normals(arena, scratch, &made, (float)crease_rad, err));
+    if (!keep) {
+        uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
+        if (!sharp)
+            return HATCH_LIMIT;
+        for (uint32_t e = 0; e < edges->edges.count; e++)
+            sharp[e] = edges->kinds[e] == HATCH_EDGE_CREASE;
+        HATCH_TRY(hatch_mesh_split_normals(edges->point, &edges->edges, sharp, arena, scratch, &made,
+                                           err));
+    }
     *mesh = made;
     return HATCH_OK;
 }
@@ -156,15 +113,19 @@ static enum hatch_status join_vertices(const struct hatch_mesh *taken, const dou
     return HATCH_OK;
 }
 
-/* Sorts an edge into what lines use of it. */
-static void add_edge(const struct welded *welded, uint32_t edge, struct line_mesh *lines)
+/* Sorts an edge into what lines use of it. points: of the features' ends. */
+static void add_edge(const struct line_edges *edges, uint32_t edge, uint32_t kinds,
+                     uint32_t *points, struct line_mesh *lines)
 {
-    const uint32_t *sides = &welded->edges.sides[welded->edges.first[edge]];
-    const uint32_t *indices = lines->mesh.indices;
-    uint32_t count = welded->edges.first[edge + 1] - welded->edges.first[edge];
+    const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
+    const uint32_t *indices = lines->mesh.indices, *point = edges->point;
+    uint32_t count = edges->edges.first[edge + 1] - edges->edges.first[edge];
     uint32_t a[2], b[2], other = sides[count > 1 ? 1 : 0];
-    corners_of(welded->point, sides[0], a);
-    corners_of(welded->point, other, b);
+    uint32_t kind = edges->kinds[edge] == HATCH_EDGE_CREASE     ? LINES_CREASES
+                    : edges->kinds[edge] == HATCH_EDGE_BOUNDARY ? LINES_BOUNDARIES
+                                                                : LINES_NONE;
+    line_side_corners(point, sides[0], a);
+    line_side_corners(point, other, b);
     bool smooth = count == 2 && indices[a[0]] == indices[b[0]] && indices[a[1]] == indices[b[1]];
     for (uint32_t i = 0; i < count && !smooth; i++)
         lines->hard_sides[sides[i] / 3] |= (uint8_t)(1u << sides[i] % 3);
@@ -174,31 +135,30 @@ static void add_edge(const struct welded *welded, uint32_t edge, struct line_mes
         lines->hards[lines->hard_count++] =
             (struct line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
                                     .high = {indices[a[1]], indices[b[1]]},
-                                    .points = {welded->point[a[0]], welded->point[a[1]]}};
-    if (welded->kinds[edge] != HATCH_EDGE_SMOOTH)
-        lines->features[lines->feature_count++] =
-            (struct line_feature){.kind = welded->kinds[edge] == HATCH_EDGE_CREASE
-                                              ? LINES_CREASES
-                                              : LINES_BOUNDARIES,
-                                  .ends = {indices[a[0]], indices[a[1]]},
-                                  .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE}};
+                                    .points = {point[a[0]], point[a[1]]}};
+    if (!(kind & kinds))
+        return;
+    points[2 * lines->feature_count] = point[a[0]];
+    points[2 * lines->feature_count + 1] = point[a[1]];
+    lines->features[lines->feature_count++] =
+        (struct line_feature){.ends = {indices[a[0]], indices[a[1]]},
+                              .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE}};
 }
 
-/* The features as a graph; its nodes are the points that they touch. */
-static enum hatch_status make_graph(const struct welded *welded, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct line_mesh *lines,
-                                    struct line_graph *graph, struct hatch_err *err)
+/* Chains the features; their nodes are the points that they touch. */
+static enum hatch_status chain_features(const struct line_edges *edges, const uint32_t *points,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct line_mesh *lines, struct hatch_err *err)
 {
-    size_t count = lines->feature_count, ends_count = 2 * count;
-    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, welded->point_count, err); /* number + 1 */
+    size_t ends_count = 2 * (size_t)lines->feature_count;
+    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, edges->point_count, err); /* number + 1 */
     uint32_t *ends = node_of ? HATCH_NEW(scratch, uint32_t, ends_count, err) : NULL;
     double *nodes = ends ? HATCH_NEW(scratch, double, 3 * ends_count, err) : NULL;
     lines->node_vertices = nodes ? HATCH_NEW(arena, uint32_t, ends_count, err) : NULL;
     if (!lines->node_vertices)
         return HATCH_LIMIT;
     for (size_t i = 0; i < ends_count; i++) {
-        uint32_t vertex = lines->features[i / 2].ends[i % 2];
-        uint32_t *node = &node_of[welded->vertex_point[vertex]];
+        uint32_t vertex = lines->features[i / 2].ends[i % 2], *node = &node_of[points[i]];
         if (*node == 0) {
             hatch_vec_of(&lines->mesh.attributes[0].data[3 * (size_t)vertex],
                          &nodes[3 * (size_t)lines->node_count]);
@@ -207,44 +167,7 @@ static enum hatch_status make_graph(const struct welded *welded, struct hatch_ar
         }
         ends[i] = *node - 1;
     }
-    *graph = (struct line_graph){lines->node_count, lines->feature_count, nodes, ends};
-    return HATCH_OK;
-}
-
-static double size_of(const struct hatch_mesh *mesh)
-{
-    float low[3], high[3];
-    double square = 0;
-    for (int k = 0; k < 3 && hatch_mesh_bounds(mesh, low, high); k++)
-        square += ((double)high[k] - (double)low[k]) * ((double)high[k] - (double)low[k]);
-    return sqrt(square);
-}
-
-/* Leaves out what noise makes and what was not asked for, and chains the rest. */
-static enum hatch_status chain_features(const struct welded *welded, uint32_t kinds,
-                                        struct hatch_arena *arena, struct hatch_arena *scratch,
-                                        struct line_mesh *lines, struct hatch_err *err)
-{
-    struct line_graph graph;
-    HATCH_TRY(make_graph(welded, arena, scratch, lines, &graph, err));
-    uint8_t *bounds = HATCH_NEW(scratch, uint8_t, lines->feature_count, err);
-    uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, lines->feature_count, err) : NULL;
-    uint32_t *ends = pruned ? HATCH_NEW(scratch, uint32_t, 2 * (size_t)lines->feature_count, err) : NULL;
-    if (!ends)
-        return HATCH_LIMIT;
-    for (uint32_t i = 0; i < lines->feature_count; i++)
-        bounds[i] = lines->features[i].kind == LINES_BOUNDARIES;
-    HATCH_TRY(line_prune(&graph, bounds, size_of(&lines->mesh), scratch, arena, pruned, err));
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < lines->feature_count; i++) {
-        if (pruned[i] || !(lines->features[i].kind & kinds))
-            continue;
-        ends[2 * kept] = graph.ends[2 * i];
-        ends[2 * kept + 1] = graph.ends[2 * i + 1];
-        lines->features[kept++] = lines->features[i];
-    }
-    graph.segment_count = lines->feature_count = kept;
-    graph.ends = ends;
+    const struct line_graph graph = {lines->node_count, lines->feature_count, nodes, ends};
     return line_chains_make(&graph, arena, scratch, &lines->chains, err);
 }
 
@@ -254,21 +177,22 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
                               struct hatch_err *err)
 {
     struct hatch_mesh taken;
-    struct welded welded;
-    HATCH_TRY(take(from, crease_rad, arena, scratch, &taken, err));
+    struct line_edges edges;
+    HATCH_TRY(line_edges_find(from, crease_rad, scratch, arena, &edges, err));
+    HATCH_TRY(take(from, &edges, arena, scratch, &taken, err));
     HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
-    HATCH_TRY(weld(&lines->mesh, crease_rad, scratch, arena, &welded, err));
-    size_t edges = welded.edges.count;
-    lines->hard_sides = HATCH_NEW(arena, uint8_t, from->face_count, err);
-    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct line_hard_edge, edges, err) : NULL;
-    lines->features = lines->hards ? HATCH_NEW(arena, struct line_feature, edges, err) : NULL;
+    size_t count = edges.edges.count;
+    uint32_t *points = HATCH_NEW(scratch, uint32_t, 2 * count, err);
+    lines->hard_sides = points ? HATCH_NEW(arena, uint8_t, from->face_count, err) : NULL;
+    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct line_hard_edge, count, err) : NULL;
+    lines->features = lines->hards ? HATCH_NEW(arena, struct line_feature, count, err) : NULL;
     if (!lines->features)
         return HATCH_LIMIT;
-    for (uint32_t e = 0; e < edges; e++)
-        add_edge(&welded, e, lines);
+    for (uint32_t e = 0; e < count; e++)
+        add_edge(&edges, e, kinds, points, lines);
     lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
                      hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
-    return chain_features(&welded, kinds, arena, scratch, lines, err);
+    return chain_features(&edges, points, arena, scratch, lines, err);
 }
 
 enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],

@@ -23,7 +23,6 @@ struct line_hard_edge {
 
 /* An edge that is always drawn where it can be seen. */
 struct line_feature {
-    uint32_t kind;     /* LINES_CREASES or LINES_BOUNDARIES */
     uint32_t ends[2];  /* vertices */
     uint32_t faces[2]; /* the second HATCH_NONE at a boundary */
 };

@@ -14,4 +14,12 @@ enum hatch_edge_kind { HATCH_EDGE_SMOOTH, HATCH_EDGE_CREASE, HATCH_EDGE_BOUNDARY
 void hatch_edges_kinds(const struct hatch_mesh *mesh, const struct hatch_edges *edges,
                        double crease_rad, uint8_t *kinds);
 
+/* Adds NORMAL to a mesh without: as hatch_mesh_add_normals does, but split where the caller says.
+ * point: of the corners; edges: found with them. sharp: per edge, not 0: normals jump there; edges of
+ * one face or of more than two split them always. Corners keep their order. */
+enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges,
+                                           const uint8_t *sharp, struct hatch_arena *arena,
+                                           struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                           struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

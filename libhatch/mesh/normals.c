@@ -1,7 +1,9 @@
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "math/vector.h"
+#include "mesh/creases.h"
 #include "mesh/fans.h"
 #include "mesh/mesh.h"
 
@@ -15,28 +17,24 @@ struct work {
     double *sum;        /* 3 per class */
 };
 
-static bool is_smooth(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
+static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
 {
     double corners[3][3], na[3], nb[3];
     hatch_mesh_corners(mesh, a, corners);
     hatch_vec_triangle(corners[0], corners[1], corners[2], na);
     hatch_mesh_corners(mesh, b, corners);
     hatch_vec_triangle(corners[0], corners[1], corners[2], nb);
-    return hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb);
+    return !(hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb));
 }
 
-static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
-                                           struct hatch_arena *scratch, struct hatch_err *err)
+/* Joins the corners on both sides of each edge of two faces that is not sharp. */
+static void classes_by_edges(struct work *w, const struct hatch_edges *edges, const uint8_t *sharp)
 {
     uint32_t corner_count = w->mesh->face_count * 3, *parent = w->class_of;
-    struct hatch_edges edges;
-    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch,
-                               &edges, err));
     hatch_sets_init(parent, corner_count);
-    for (uint32_t e = 0; e < edges.count; e++) {
-        const uint32_t *sides = &edges.sides[edges.first[e]];
-        if (edges.first[e + 1] - edges.first[e] != 2 ||
-            !is_smooth(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad)))
+    for (uint32_t e = 0; e < edges->count; e++) {
+        const uint32_t *sides = &edges->sides[edges->first[e]];
+        if (edges->first[e + 1] - edges->first[e] != 2 || sharp[e])
             continue;
         uint32_t end0 = hatch_side_end(sides[0]), end1 = hatch_side_end(sides[1]);
         bool same_way = w->point[sides[0]] == w->point[sides[1]];
@@ -49,6 +47,23 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
         parent[i] = hatch_sets_find(parent, i);
     for (uint32_t i = 0; i < corner_count; i++)
         parent[i] = parent[i] == i ? w->class_count++ : parent[parent[i]];
+}
+
+static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
+                                           struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_edges edges;
+    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch,
+                               &edges, err));
+    uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges.count, err);
+    if (!sharp)
+        return HATCH_LIMIT;
+    for (uint32_t e = 0; e < edges.count; e++) {
+        const uint32_t *sides = &edges.sides[edges.first[e]];
+        sharp[e] = edges.first[e + 1] - edges.first[e] == 2 &&
+                   is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
+    }
+    classes_by_edges(w, &edges, sharp);
     return HATCH_OK;
 }
 
@@ -160,6 +175,17 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
     return HATCH_OK;
 }
 
+static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena,
+                                       struct hatch_arena *scratch, struct hatch_mesh *out,
+                                       struct hatch_err *err)
+{
+    w->sum = HATCH_NEW(scratch, double, (size_t)w->class_count * 3, err);
+    if (!w->sum)
+        return HATCH_LIMIT;
+    sum_normals(w);
+    return build(w, arena, scratch, out, err);
+}
+
 static enum hatch_status add_normals(struct work *w, float crease_rad, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_mesh *out,
                                      struct hatch_err *err)
@@ -179,11 +205,31 @@ static enum hatch_status add_normals(struct work *w, float crease_rad, struct ha
         memcpy(w->class_of, w->point, corners * sizeof *w->point);
         w->class_count = point_count;
     }
-    w->sum = HATCH_NEW(scratch, double, (size_t)w->class_count * 3, err);
-    if (!w->sum)
-        return HATCH_LIMIT;
-    sum_normals(w);
-    return build(w, arena, scratch, out, err);
+    return sum_and_build(w, arena, scratch, out, err);
+}
+
+enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges,
+                                           const uint8_t *sharp, struct hatch_arena *arena,
+                                           struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                           struct hatch_err *err)
+{
+    assert(!hatch_mesh_find(mesh, "NORMAL", 3));
+    size_t corners = (size_t)mesh->face_count * 3;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work w = {.mesh = mesh};
+    struct hatch_mesh out;
+    enum hatch_status status = HATCH_LIMIT;
+    w.point = HATCH_NEW(scratch, uint32_t, corners, err);
+    w.class_of = w.point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    if (w.class_of) {
+        memcpy(w.point, point, corners * sizeof *point);
+        classes_by_edges(&w, edges, sharp);
+        status = sum_and_build(&w, arena, scratch, &out, err);
+    }
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *mesh = out;
+    return status;
 }
 
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -1,0 +1,113 @@
+#include "render-gl/lines_edges.h"
+
+#include <math.h>
+
+#include "math/vector.h"
+#include "render-gl/lines_prune.h"
+
+static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct line_edges *made, struct hatch_err *err)
+{
+    size_t corners = 3 * (size_t)mesh->face_count;
+    made->point = HATCH_NEW(arena, uint32_t, corners, err);
+    uint32_t *of_vertex = made->point ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL;
+    uint8_t *dropped = of_vertex ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
+    if (!dropped)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
+    hatch_mesh_corner_points(mesh, of_vertex, made->point);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *p = &made->point[3 * f];
+        dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+    }
+    HATCH_TRY(hatch_edges_find(made->point, mesh->face_count, made->point_count, dropped, arena,
+                               scratch, &made->edges, err));
+    made->kinds = HATCH_NEW(arena, uint8_t, made->edges.count, err);
+    if (!made->kinds)
+        return HATCH_LIMIT;
+    hatch_edges_kinds(mesh, &made->edges, crease_rad, made->kinds);
+    return HATCH_OK;
+}
+
+static double size_of(const struct hatch_mesh *mesh)
+{
+    float low[3], high[3];
+    double a[3], b[3];
+    if (!hatch_mesh_bounds(mesh, low, high))
+        return 0;
+    hatch_vec_of(low, a);
+    hatch_vec_of(high, b);
+    return hatch_vec_distance(a, b);
+}
+
+/* All that is not smooth as a graph whose nodes are points; edge_of: per segment. */
+static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct line_edges *edges,
+                                    struct hatch_arena *arena, struct line_graph *graph,
+                                    uint32_t **edge_of, struct hatch_err *err)
+{
+    uint32_t count = 0;
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        count += edges->kinds[e] != HATCH_EDGE_SMOOTH;
+    double *nodes = HATCH_NEW(arena, double, 3 * (size_t)edges->point_count, err);
+    uint32_t *ends = nodes ? HATCH_NEW(arena, uint32_t, 2 * (size_t)count, err) : NULL;
+    *edge_of = ends ? HATCH_NEW(arena, uint32_t, count, err) : NULL;
+    if (!*edge_of)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++)
+        hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[i]],
+                     &nodes[3 * (size_t)edges->point[i]]);
+    count = 0;
+    for (uint32_t e = 0; e < edges->edges.count; e++) {
+        if (edges->kinds[e] == HATCH_EDGE_SMOOTH)
+            continue;
+        uint32_t side = edges->edges.sides[edges->edges.first[e]];
+        ends[2 * count] = edges->point[side];
+        ends[2 * count + 1] = edges->point[hatch_side_end(side)];
+        (*edge_of)[count++] = e;
+    }
+    *graph = (struct line_graph){edges->point_count, count, nodes, ends};
+    return HATCH_OK;
+}
+
+static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad,
+                              struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct line_edges *made, struct hatch_err *err)
+{
+    struct line_graph graph;
+    uint32_t *edge_of;
+    HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
+    HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
+    uint8_t *bounds = HATCH_NEW(scratch, uint8_t, graph.segment_count, err);
+    uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, graph.segment_count, err) : NULL;
+    if (!pruned)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < graph.segment_count; i++)
+        bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
+    HATCH_TRY(line_prune(&graph, bounds, size_of(mesh), scratch, arena, pruned, err));
+    for (uint32_t i = 0; i < graph.segment_count; i++)
+        if (pruned[i])
+            made->kinds[edge_of[i]] = HATCH_EDGE_SMOOTH;
+    return HATCH_OK;
+}
+
+enum hatch_status line_edges_find(const struct hatch_mesh *mesh, double crease_rad,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct line_edges *edges, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct line_edges made;
+    enum hatch_status status = find(mesh, crease_rad, arena, scratch, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *edges = made;
+    return status;
+}
+
+void line_side_corners(const uint32_t *point, uint32_t side, uint32_t corners[2])
+{
+    uint32_t end = hatch_side_end(side);
+    bool rising = point[side] < point[end];
+    corners[0] = rising ? side : end;
+    corners[1] = rising ? end : side;
+}
