@@ -20,7 +20,7 @@ static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *lines, *line_color;
-static double line_width = 1.6, crease = 40;
+static double line_width = 2, crease = 40;
 static bool samples_given, time_given, animation_given, fov_given, frames_given, from_given;
 
 static struct cmd_option table[] = {
@@ -44,7 +44,7 @@ static struct cmd_option table[] = {
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
      "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
      NULL},
-    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "of lines (default 1.6)", &line_width, NULL, NULL},
+    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "of lines (default 2)", &line_width, NULL, NULL},
     {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "of lines (default the ink's)", &line_color, NULL,
      NULL},
     {0, "crease", CMD_REAL, 0, 180, "DEGREES", "edges that turn by more are creases (default 40)",
