@@ -71,6 +71,8 @@ COMPLETIONS := $(COMMANDS:%=$(B)/share/bash-completion/completions/%) \
 INSTALLED := $(BINARIES) $(PLUGIN) $(SHARED) $(COMPLETIONS)
 all: $(INSTALLED)
 
+# V=1 prints the commands in full.
+say = $(if $(V),,@echo "  $(1)" && )
 # Objects are made again when the flags change.
 FLAGS := $(CC) $(CXX) $(BASE) $(CFLAGS) $(CXXFLAGS) $(CPPFLAGS) $(LDFLAGS)
 ifneq ($(FLAGS),$(file <$(B)/flags))
@@ -79,17 +81,17 @@ $(file >$(B)/flags,$(FLAGS))
 endif
 $(B)/obj/%.c.o: %.c $(B)/flags
 	@mkdir -p $(@D)
-	$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
+	$(call say,cc $<)$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 $(B)/obj/%.cc.o: %.cc $(B)/flags
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -fPIC $(BASE) -Wall -Wextra -Wshadow $(CXXFLAGS) $(CPPFLAGS) -c -o $@ $<
+	$(call say,c++ $<)$(CXX) -std=c++17 -fPIC $(BASE) -Wall -Wextra -Wshadow $(CXXFLAGS) $(CPPFLAGS) -c -o $@ $<
 -include $(shell find $(B)/obj -name '*.d' 2>/dev/null)
 
 define archive_rule
 $(call archive,$(1)): $(call obj,$(SRC_$(1))) $(2)
 	@mkdir -p $$(@D)
 	@rm -f $$@
-	$(AR) rcsD $$@ $$^
+	$$(call say,ar $$@)$(AR) rcsD $$@ $$^
 endef
 $(foreach a,core cmd $(PACKAGES) $(filter-out render-gl,$(FOLDERS)),$(eval $(call archive_rule,$(a))))
 SHADER_OBJ := $(if $(SHADERS),$(B)/obj/gen/shader_files.o)
@@ -101,25 +103,25 @@ $(B)/gen/shader_files.c: $(SHADERS) cmd/render-gl/embed.sh
 	sh cmd/render-gl/embed.sh $(SHADERS) >$@.part && mv $@.part $@
 $(B)/obj/gen/%.o: $(B)/gen/%.c
 	@mkdir -p $(@D)
-	$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
+	$(call say,cc $<)$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 LINK = $(CC) $(CFLAGS) $(SANITIZERS) $(LDFLAGS) -o $@
 define command_rule
 $(B)/bin/$(1): $(call obj,$(wildcard cmd/$(1).c cmd/$(1)/main.c)) \
                $(call archive,$(filter $(1),$(FOLDERS)) cmd $(filter $(PACKAGES),$(LINK_$(1))) core)
 	@mkdir -p $$(@D)
-	$$(LINK) $$(filter %.o,$$^) -Wl,--start-group $$(filter %.a,$$^) -Wl,--end-group \
+	$$(call say,link $$@)$$(LINK) $$(filter %.o,$$^) -Wl,--start-group $$(filter %.a,$$^) -Wl,--end-group \
 	    $(foreach a,$(LINK_$(1)),$(libs_$(a))) -lm -pthread
 endef
 $(foreach c,$(COMMANDS),$(eval $(call command_rule,$(c))))
 
 $(B)/lib/hatch/hatch-oiio.so: $(call obj,$(PLUGIN_SRC))
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -shared -o $@ $^ -lOpenImageIO -lOpenImageIO_Util
+	$(call say,link $@)$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -shared -o $@ $^ -lOpenImageIO -lOpenImageIO_Util
 define copy_rule
 $(B)/share/$(2)/%: $(1)/%
 	@mkdir -p $$(@D)
-	cp $$< $$@
+	@cp $$< $$@
 endef
 $(eval $(call copy_rule,styles,hatch/styles))
 $(eval $(call copy_rule,man,man))
@@ -127,7 +129,7 @@ $(eval $(call copy_rule,cmd/render-gl/shaders,hatch/shaders))
 define completion_rule
 $(B)/share/$(2): $(B)/bin/% cmd/completions.sh
 	@mkdir -p $$(@D)
-	$$< --options-table | sh cmd/completions.sh $(1) $$* >$$@
+	@$$< --options-table | sh cmd/completions.sh $(1) $$* >$$@
 endef
 $(eval $(call completion_rule,bash,bash-completion/completions/%))
 $(eval $(call completion_rule,zsh,zsh/site-functions/_%))
@@ -162,7 +164,7 @@ TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
 $(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
+	$(call say,link $@)$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC)): BASE += -Itests/unit
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
@@ -175,10 +177,10 @@ fuzz_libs = -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 define fuzz_rule
 $(B)/tests/fuzz/$(2): $(call obj,$(1) tests/fuzz/replay.c) $(ARCHIVES)
 	@mkdir -p $$(@D)
-	$$(LINK) $$(filter %.o,$$^) $$(fuzz_libs) -lstdc++
+	$$(call say,link $$@)$$(LINK) $$(filter %.o,$$^) $$(fuzz_libs) -lstdc++
 $(B)/bin/$(2): $(call obj,$(1)) $(ARCHIVES)
 	@mkdir -p $$(@D)
-	$(CXX) -fsanitize=address,undefined,fuzzer $(LDFLAGS) -o $$@ $$< $$(fuzz_libs)
+	$$(call say,link $$@)$(CXX) -fsanitize=address,undefined,fuzzer $(LDFLAGS) -o $$@ $$< $$(fuzz_libs)
 endef
 $(foreach s,$(FUZZ_SRC),$(eval $(call fuzz_rule,$(s),$(patsubst fuzz_%,%,$(basename $(notdir $(s)))))))
 fuzz: $(FUZZERS)
@@ -188,17 +190,17 @@ check-long: fuzz
 INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels
 $(B)/tests/interop/samples: $(call obj,tests/interop/samples.c) $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(LINK) $< $(fuzz_libs)
+	$(call say,link $@)$(LINK) $< $(fuzz_libs)
 $(B)/tests/interop/oiio_texels: $(call obj,tests/interop/oiio_texels.cc)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -o $@ $< -lOpenImageIO -lOpenImageIO_Util
+	$(call say,link $@)$(CXX) $(CXXFLAGS) $(SANITIZERS) $(LDFLAGS) -o $@ $< -lOpenImageIO -lOpenImageIO_Util
 $(B)/interop/node_modules: tests/interop/package.json
 	@mkdir -p $(@D)
 	cp $< $(@D) && cd $(@D) && npm install --no-audit --no-fund && touch node_modules
 check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $(wildcard tests/interop/*.t)
 check: all $(TESTS) $(REPLAYS) $(INTEROP)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
-	B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
+	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
 lint:
 	B=$(B) perl tests/run $(wildcard tests/lint/*.t)
