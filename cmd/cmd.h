@@ -98,11 +98,23 @@ struct cmd_output;
 
 /* Opens an output before the work is done, so that a missing or read-only folder fails at once: a
  * hidden file beside path, or the file itself where it is no regular file, or standard output. Refuses
- * a terminal for binary data. Dies on failure. path: NULL or "-" is standard output. */
+ * a terminal for binary data, and a second output in the same place. Dies on failure. path: NULL or
+ * "-" is standard output. */
 struct cmd_output *cmd_open_output(const char *path, bool binary);
 
-/* Writes all of it, flushes, closes and checks each; a hidden file then takes its name. All outputs of
- * a command are written after all are encoded. Dies on failure, and nothing is left. */
+/* An output and all that goes into it. */
+struct cmd_file {
+    struct cmd_output *output;
+    const void *data;
+    size_t size;
+};
+
+/* Writes every file whole, closes it and checks each step; only when all of them are on disk do hidden
+ * files take their names. Dies on failure, and then every old file is as it was. The outputs are gone
+ * afterwards. */
+void cmd_write_all(const struct cmd_file *files, size_t count);
+
+/* The same for one output. A command that makes several writes them together, after all are encoded. */
 void cmd_write(struct cmd_output *output, const void *data, size_t size);
 
 /* Ends the command: frees, checks that standard output took everything, returns status for main. */

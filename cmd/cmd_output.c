@@ -25,6 +25,15 @@ struct cmd_output {
 /* The hidden files that exist now; a signal handler reads this. */
 static char *volatile unfinished[CMD_OUTPUTS_MAX];
 
+/* Where each of them goes: two spellings of a name are one place. */
+static struct place {
+    dev_t device;
+    ino_t folder;
+    const char *name; /* within the folder */
+} places[CMD_OUTPUTS_MAX];
+
+static bool stdout_taken;
+
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 #define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
 
@@ -125,10 +134,34 @@ static mode_t mode_for(const struct stat *existing)
     return 0666 & ~mask;
 }
 
+/* The place in its folder; that of a folder that does not exist is equal to no other. */
+static struct place place_of(const char *target)
+{
+    const char *slash = strrchr(target, '/');
+    char folder[PATH_MAX] = ".";
+    if (slash)
+        snprintf(folder, sizeof folder, "%.*s/", (int)(slash - target), target);
+    struct stat info;
+    if (stat(folder, &info) < 0)
+        return (struct place){.name = ""};
+    return (struct place){info.st_dev, info.st_ino, slash ? slash + 1 : target};
+}
+
+/* Of two outputs in one place one would be lost without a word. */
+static void refuse_second(const struct place *place, const char *name)
+{
+    for (size_t i = 0; i < CMD_OUTPUTS_MAX && *place->name; i++)
+        if (unfinished[i] && places[i].folder == place->folder &&
+            places[i].device == place->device && strcmp(places[i].name, place->name) == 0)
+            cmd_usage("two outputs go to %s", name);
+}
+
 static void make_hidden(struct cmd_output *output, const struct stat *existing)
 {
     const char *slash = strrchr(output->target, '/');
     int folder_length = slash ? (int)(slash - output->target) + 1 : 0;
+    struct place place = place_of(output->target);
+    refuse_second(&place, output->name);
     size_t size = (size_t)folder_length + strlen(cmd_current_program->name) + 16;
     char *hidden = obtain(size);
     snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target,
@@ -137,6 +170,7 @@ static void make_hidden(struct cmd_output *output, const struct stat *existing)
     while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
         slot++;
     assert(slot < CMD_OUTPUTS_MAX);
+    places[slot] = place;
     cmd_hold_signals(true);
     int descriptor = mkstemp(hidden);
     int error_number = errno;
@@ -155,6 +189,9 @@ struct cmd_output *cmd_open_output(const char *path, bool binary)
     struct cmd_output *output = obtain(sizeof *output);
     if (!path || strcmp(path, "-") == 0) {
         refuse_terminal(STDOUT_FILENO, binary);
+        if (stdout_taken)
+            cmd_usage("two outputs go to standard output");
+        stdout_taken = true;
         output->name = copy_text("standard output");
         output->descriptor = STDOUT_FILENO;
         return output;
@@ -192,31 +229,58 @@ static void write_all(const struct cmd_output *output, const char *data, size_t 
     }
 }
 
-static void take_name(struct cmd_output *output)
+static void put(const struct cmd_file *file)
+{
+    struct cmd_output *output = file->output;
+    if (output->hidden) {
+        output->descriptor = open(output->hidden, O_WRONLY | O_CLOEXEC);
+        if (output->descriptor < 0)
+            die_errno(output->name, "cannot write", errno);
+    }
+    write_all(output, file->data, file->size);
+    if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
+        die_errno(output->name, "cannot write", errno);
+}
+
+static void take_name(const struct cmd_output *output)
 {
     if (rename(output->hidden, output->target) < 0)
         die_errno(output->name, "cannot write", errno);
     for (size_t i = 0; i < CMD_OUTPUTS_MAX; i++)
         if (unfinished[i] == output->hidden)
             unfinished[i] = NULL;
+}
+
+static void free_output(struct cmd_output *output)
+{
     free(output->hidden);
     free(output->target);
+    free(output->name);
+    free(output);
+}
+
+/* What can fail comes before what replaces an old file; a pipe, which takes nothing back, comes after
+ * the files. */
+void cmd_write_all(const struct cmd_file *files, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (files[i].output->hidden)
+            put(&files[i]);
+    for (size_t i = 0; i < count; i++)
+        if (!files[i].output->hidden)
+            put(&files[i]);
+    cmd_hold_signals(true);
+    for (size_t i = 0; i < count; i++)
+        if (files[i].output->hidden)
+            take_name(files[i].output);
+    cmd_hold_signals(false);
+    for (size_t i = 0; i < count; i++)
+        free_output(files[i].output);
 }
 
 void cmd_write(struct cmd_output *output, const void *data, size_t size)
 {
-    if (output->hidden) {
-        output->descriptor = open(output->hidden, O_WRONLY | O_CLOEXEC);
-        if (output->descriptor < 0)
-            die_errno(output->name, "cannot write", errno);
-    }
-    write_all(output, data, size);
-    if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
-        die_errno(output->name, "cannot write", errno);
-    if (output->hidden)
-        take_name(output);
-    free(output->name);
-    free(output);
+    cmd_write_all(&(struct cmd_file){output, data, size}, 1);
 }
 
 void cmd_close_stdout(void)

@@ -44,7 +44,7 @@ void pictures_write(struct job *job)
     struct hatch_err err;
     struct hatch_image image;
     struct target target;
-    struct hatch_buffer *files = HATCH_NEW(keep, struct hatch_buffer, options->frames, &err);
+    struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL,
               &err);
@@ -56,10 +56,10 @@ void pictures_write(struct job *job)
         cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image,
                                &err),
                   NULL, &err);
-        files[frame].arena = keep;
-        pictures_encode(job->args.output, &image, scratch, &files[frame]);
+        struct hatch_buffer bytes = {.arena = keep};
+        pictures_encode(job->args.output, &image, scratch, &bytes);
+        files[frame] = (struct cmd_file){job->outputs[frame], bytes.data, bytes.size};
     }
-    for (uint32_t frame = 0; frame < options->frames; frame++)
-        cmd_write(job->outputs[frame], files[frame].data, files[frame].size);
+    cmd_write_all(files, options->frames);
     target_free(&target);
 }

@@ -99,11 +99,13 @@ static void write_outputs(struct cmd_args *args, const struct outputs *outputs, 
         cmd_check(hatch_png_write(&columns->sheet->picture, HATCH_PNG_SRGB, 8, NULL, &args->scratch, &picture,
                                   &err),
                   sheet_path, &err);
-    cmd_write(outputs->map, map.data, map.size);
+    struct cmd_file files[] = {{outputs->map, map.data, map.size}, {NULL, NULL, 0}, {NULL, NULL, 0}};
+    size_t count = 1;
     if (strokes_path)
-        cmd_write(outputs->strokes, script.data, script.size);
+        files[count++] = (struct cmd_file){outputs->strokes, script.data, script.size};
     if (sheet_path)
-        cmd_write(outputs->sheet, picture.data, picture.size);
+        files[count++] = (struct cmd_file){outputs->sheet, picture.data, picture.size};
+    cmd_write_all(files, count);
 }
 
 /* Fills the map; columns receives it. */

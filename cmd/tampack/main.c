@@ -78,23 +78,22 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     }
     if (count > 1 && !args->output)
         cmd_usage("--layout %s makes %u files here: -o says where", how->name, count);
-    struct cmd_output **outputs = HATCH_NEW(&args->keep, struct cmd_output *, count, &err);
-    cmd_check(outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t i = 0; i < count; i++)
-        outputs[i] = single       ? single
-                     : count == 1 ? cmd_open_output(args->output, true)
-                                  : open_file(job, how, input, i);
-    struct hatch_buffer *files = HATCH_NEW(&args->keep, struct hatch_buffer, count, &err);
+    struct cmd_file *files = HATCH_NEW(&args->keep, struct cmd_file, count, &err);
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++)
+        files[i].output = single       ? single
+                          : count == 1 ? cmd_open_output(args->output, true)
+                                       : open_file(job, how, input, i);
     for (uint32_t i = 0; i < count; i++) {
         struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-        files[i].arena = &args->keep;
-        cmd_check(how->encode(job, i, &files[i], &err), cmd_input_name(input), &err);
+        struct hatch_buffer bytes = {.arena = &args->keep};
+        cmd_check(how->encode(job, i, &bytes, &err), cmd_input_name(input), &err);
+        files[i].data = bytes.data;
+        files[i].size = bytes.size;
         hatch_arena_rewind(&args->scratch, mark);
         cmd_progress("packing", (double)(i + 1) / count);
     }
-    for (uint32_t i = 0; i < count; i++)
-        cmd_write(outputs[i], files[i].data, files[i].size);
+    cmd_write_all(files, count);
     cmd_note("%u tones, %u levels, %u files", job->tam.tones, job->tam.columns[0].level_count,
              count);
 }

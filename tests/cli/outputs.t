@@ -1,0 +1,26 @@
+# A command with several outputs writes all of them or none, and never two to one place.
+. "${TOP:-.}/tests/tap.sh"
+[ -x "$BIN/tamgen" ] || finish
+
+echo old >map.exr
+echo old >strokes.tsv
+try tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet /dev/full
+refused "the last of three outputs is a full disk" 4 1
+is "the other outputs stay as they were" "$(cat map.exr strokes.tsv)" "$(printf 'old\nold')"
+try sh -c 'tamgen --size 64 --strokes strokes.tsv >/dev/full'
+is "standard output is a full disk: the file beside it stays" "$status $(cat strokes.tsv)" "4 old"
+is "nothing is left over" "$(ls -A | grep -c '^\.tamgen')" 0
+
+ln -s map.exr link
+for second in map.exr ./map.exr "$WORK/map.exr" link; do
+    try tamgen --size 64 -o map.exr --strokes "$second"
+    refused "two outputs go to map.exr: $second" 2 2
+done
+try tamgen --size 64 -o new.exr --strokes ./new.exr
+refused "two outputs go to a file that is not there yet" 2 2
+try tamgen --size 64 --strokes -
+refused "two outputs go to standard output" 2 2
+is "the old output stays" "$(cat map.exr)" old
+ok "two outputs go to a device" tamgen --size 64 -o /dev/null --strokes /dev/null
+ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
+finish
