@@ -14,6 +14,7 @@ map     = $(WORK)/$(1).exr
 pictures := teapot torus ellipsoid stipple scratchboard grey threshold
 all: $(pictures:%=$(OUT)/%.png) $(OUT)/sheet.png
 
+comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
 
 $(OUT)/teapot.png: SIZE := 1280x720
@@ -28,7 +29,7 @@ $(OUT)/stipple.png: $(call map,stipple)
 $(OUT)/scratchboard.png: $(call map,ink)
 	$(call draw,teapot,ink,--paper '#101018' --ink white)
 $(OUT)/grey.png: $(call map,crayon)
-	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black,white)
+	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black$(comma)white)
 $(OUT)/threshold.png: $(call map,ink)
 	$(call draw,saddle,ink,--technique tam-threshold)
 
