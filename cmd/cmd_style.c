@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "io/foreign.h"
+#include "cmd_picture.h"
 
 /* A bare name is a style that comes with the commands before it is a file here, so that a folder's
  * content does not change what "ink" means. */
@@ -65,12 +65,8 @@ static void read_brush_image(struct cmd_args *args, const char *path, struct hat
 {
     struct hatch_err err;
     struct hatch_image image;
-    const char *name = cmd_input_name(path),
-               *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
-    cmd_check(hatch_image_read_any(cmd_read(args, path), path, plugin, &args->keep, &args->scratch,
-                                   &image, &err),
-              name, &err);
-    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), name, &err);
+    cmd_read_picture(args, path, 1, &args->keep, &image); /* what is no number is paper */
+    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), cmd_input_name(path), &err);
 }
 
 void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,

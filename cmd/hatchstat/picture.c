@@ -1,6 +1,4 @@
-#include <math.h>
-
-#include "io/foreign.h"
+#include "cmd_picture.h"
 #include "subject.h"
 
 static void encode_srgb(struct hatch_image *image)
@@ -14,31 +12,10 @@ static void encode_srgb(struct hatch_image *image)
         }
 }
 
-/* What is not finite would spoil every sum; it counts as 0, and the user hears of it. */
-static void replace_non_finite(const char *name, struct hatch_image *image)
-{
-    size_t count = (size_t)image->width * image->height * image->channel_count, replaced = 0;
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(image->pixels[i])) {
-            image->pixels[i] = 0;
-            replaced++;
-        }
-    if (replaced)
-        cmd_warn(name, "%zu numbers that are not finite count as 0", replaced);
-}
-
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb,
                        struct hatch_arena *arena, struct hatch_image *image)
 {
-    struct hatch_err err;
-    struct hatch_arena *to = arena ? arena : &args->keep;
-    struct hatch_bytes file = {0};
-    const char *name = cmd_input_name(path),
-               *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
-    cmd_check(cmd_try_read(to, path, &file, &err), name, &err);
-    cmd_check(hatch_image_read_any(file, path, plugin, to, &args->scratch, image, &err), name,
-              &err);
-    replace_non_finite(name, image);
+    cmd_read_picture(args, path, 0, arena ? arena : &args->keep, image);
     if (srgb)
         encode_srgb(image);
 }

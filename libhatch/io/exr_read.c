@@ -354,6 +354,12 @@ static enum hatch_status read_parts(const struct reading *r, struct hatch_mipmap
     return HATCH_OK;
 }
 
+static bool is_exr(struct hatch_bytes file)
+{
+    static const uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
+    return file.size >= sizeof magic && memcmp(file.data, magic, sizeof magic) == 0;
+}
+
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts,
                                  uint32_t *part_count, struct hatch_err *err)
@@ -361,6 +367,8 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *ar
     struct hatch_err own;
     struct reading r = {
         .stream = {.file = file}, .arena = arena, .scratch = scratch, .err = err ? err : &own};
+    if (!is_exr(file))
+        return hatch_fail(r.err, HATCH_BAD_INPUT, file.size ? "not an OpenEXR file" : "empty");
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     exr_result_t result = hatch_exr_open_read(&r.stream, &r.context);
     if (result != EXR_ERR_SUCCESS)

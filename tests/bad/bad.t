@@ -4,11 +4,18 @@
 bad=$TOP/../shared/bad
 [ -e "$bad/MANIFEST.tsv" ] || { skip "bad inputs" "no folder shared/bad beside the source"; finish; }
 
+meshgen plane --faces 2 -o plane.glb
+
 # expect, folder, file, command ... for each pair of a file and a command that reads it
 tail -n +2 "$bad/MANIFEST.tsv" | cut -f1,3 | while read -r file expect; do
     case $file in
     *.png | *.jpg | *.exr)
         echo "$expect $bad $file hatchstat diff IN IN -o OUT.tsv"
+        echo "$expect $bad $file tamgen --size 64 --tones 1 --brush IN -o OUT.exr"
+        # none of them is a tonal art map
+        echo "ERR $bad $file tampack IN -o OUT.ktx2"
+        echo "ERR $bad $file hatchstat tam IN -o OUT.tsv"
+        echo "ERR $bad $file render-gl plane.glb --tam IN --size 64x64 -o OUT.png"
         ;;
     *)
         echo "$expect $bad $file hatchstat mesh IN -o OUT.tsv"

@@ -180,6 +180,18 @@ START_TEST(every_cut_is_refused)
 }
 END_TEST
 
+START_TEST(what_is_no_exr_file_is_told_so)
+{
+    struct hatch_mipmap *got = NULL;
+    uint32_t count = 0;
+    struct hatch_bytes glb = {(const uint8_t *)"glTF....", 8}, nothing = {0};
+    ck_assert_int_eq(hatch_exr_read(glb, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "not an OpenEXR file");
+    ck_assert_int_eq(hatch_exr_read(nothing, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "empty");
+}
+END_TEST
+
 START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
 {
     struct hatch_mipmap part, *got = NULL;
@@ -256,6 +268,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, what_is_written_is_read, 0, sizeof kinds / sizeof *kinds);
     tcase_add_test(tests, bytes_do_not_depend_on_the_threads);
     tcase_add_test(tests, every_cut_is_refused);
+    tcase_add_test(tests, what_is_no_exr_file_is_told_so);
     tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_anything_is_taken);
     tcase_add_test(tests, a_writer_stops_at_its_limit);
     tcase_add_test(tests, each_allocation_may_fail);
