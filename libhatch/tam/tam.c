@@ -15,6 +15,16 @@ void hatch_tam_label_column(const struct hatch_tam_label *label, uint32_t tone, 
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, label->style);
 }
 
+static bool same_channels(const struct hatch_image *a, const struct hatch_image *b)
+{
+    if (a->channel_count != b->channel_count)
+        return false;
+    for (uint32_t c = 0; c < a->channel_count; c++)
+        if (strcmp(a->channels[c].name, b->channels[c].name) != 0)
+            return false;
+    return true;
+}
+
 static enum hatch_status check_shape(const struct hatch_mipmap *part, const struct hatch_mipmap *first,
                                      struct hatch_err *err)
 {
@@ -35,7 +45,7 @@ static enum hatch_status check_shape(const struct hatch_mipmap *part, const stru
                hatch_image_channel(finest, "B") == 2;
     if (!grey && !rgb)
         return hatch_fail(err, HATCH_BAD_INPUT, "no channel Y, and no channels R, G and B");
-    if (finest->channel_count != first->levels[0].channel_count)
+    if (!same_channels(finest, &first->levels[0]))
         return hatch_fail(err, HATCH_BAD_INPUT, "other channels than %s", first->name);
     return HATCH_OK;
 }

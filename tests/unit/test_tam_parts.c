@@ -73,6 +73,10 @@ START_TEST(channels_must_be_known_and_agree)
     strcpy(map.columns[0].levels[0].channels[0].name, "Y");
     map.columns[1].levels[0].channel_count = 2;
     refused(6, "tone.001: other channels than tone.000");
+    map.columns[1].levels[0].channel_count = 3;
+    strcpy(map.columns[1].levels[0].channels[1].name, "t");
+    strcpy(map.columns[1].levels[0].channels[2].name, "id");
+    refused(6, "tone.001: other channels than tone.000");
 }
 END_TEST
 
