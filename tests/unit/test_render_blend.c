@@ -1,0 +1,252 @@
+/* The techniques against their definition: the blend of real-time hatching §5, computed here for each
+ * pixel of a plane that is parallel to the screen, where a pixel is a texel. */
+#include <math.h>
+
+#include "base/random.h"
+#include "render_frame.h"
+
+enum { SIZE = 64, TONES = 6 };
+
+static struct test_frame frame;
+static struct hatch_tam map;
+static struct hatch_mipmap columns[TONES];
+
+/* Columns of random texels, every level by itself: nothing that a wrong level or column would pass. */
+static void make_map(uint32_t tones)
+{
+    map = (struct hatch_tam){.size_px = SIZE, .tones = tones, .levels = 3, .columns = columns};
+    for (uint32_t t = 0; t < tones; t++) {
+        columns[t].level_count = hatch_mip_chain_length(SIZE, SIZE);
+        columns[t].levels =
+            HATCH_NEW(&frame.arena, struct hatch_image, columns[t].level_count, &frame.err);
+        map.target[t] = 0.1f + 0.8f * powf((float)(t + 1) / (float)tones, 1.3f);
+        for (uint32_t level = 0; level < columns[t].level_count; level++) {
+            struct hatch_image *image = &columns[t].levels[level];
+            uint32_t side = hatch_mip_size(SIZE, level);
+            HATCH_TEST_OK(hatch_image_make(&frame.arena, side, side, "Y", image, &frame.err),
+                          &frame.err);
+            for (uint32_t i = 0; i < side * side; i++)
+                image->pixels[i] = hatch_random_unit(7, t * 16 + level, i);
+        }
+    }
+}
+
+/* The plane fills a square picture; v goes down, as the image's rows do. */
+static const struct view facing = {.eye = {0, 0, 2},
+                                   .right = {1, 0, 0},
+                                   .up = {0, 1, 0},
+                                   .back = {0, 0, 1},
+                                   .orthographic = true,
+                                   .half_height = 1,
+                                   .aspect = 1,
+                                   .near = 0.1,
+                                   .far = 10,
+                                   .pivot = 2};
+
+static void make_plane(uint32_t faces, struct hatch_mesh *mesh)
+{
+    struct hatch_shape_options how = {.faces = faces, .seed = 1};
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, mesh,
+                                   &frame.err),
+                  &frame.err);
+    const float *position = hatch_mesh_find(mesh, "POSITION", 3);
+    float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
+        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
+    }
+}
+
+/* A lamp before the upper left corner, so that every vertex has a tone of its own. */
+static const struct hatch_light lamp = {
+    .type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1.9f};
+static const double lamp_at[3] = {-0.8, 0.7, 0.9};
+
+static void add_lamp(void)
+{
+    struct hatch_scene *scene = &frame.scene;
+    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
+    nodes[0] = scene->nodes[0];
+    nodes[1] = nodes[0];
+    nodes[1].mesh_count = 0;
+    nodes[1].light = 0;
+    for (int k = 0; k < 3; k++)
+        nodes[1].translation[k] = (float)lamp_at[k];
+    scene->nodes = nodes;
+    scene->node_count = 2;
+    scene->lights = HATCH_NEW(&frame.arena, struct hatch_light, 1, &frame.err);
+    scene->lights[0] = lamp;
+    scene->light_count = 1;
+    HATCH_TEST_OK(pose_make(scene, &frame.arena, &frame.gpu.pose, &frame.err), &frame.err);
+    HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 0, &frame.scratch, &frame.err), &frame.err);
+    frame.renderer.style.curve.exposure = 1;
+}
+
+/* Darkness at a vertex of the plane z = 0: what is not lit, up to the darkest column. */
+static double amount_at(const float *position)
+{
+    double square = 0, to[3];
+    for (int k = 0; k < 3; k++) {
+        to[k] = lamp_at[k] - (double)position[k];
+        square += to[k] * to[k];
+    }
+    double light = (double)lamp.intensity * to[2] / sqrt(square) / square;
+    return (double)map.target[map.tones - 1] * (1 - fmin(light, 1));
+}
+
+/* What the 2-way blend of an amount puts at a texel, in ink. */
+static double blended(double amount, uint32_t level, size_t texel)
+{
+    double begin = 0, ink_before = 0;
+    for (uint32_t t = 0; t < map.tones; t++) {
+        double end = (double)map.target[t];
+        double ink = 1 - (double)columns[t].levels[level].pixels[texel];
+        if (amount <= end || t + 1 == map.tones) {
+            double share = fmin((amount - begin) / (end - begin), 1);
+            return ink_before + share * (ink - ink_before);
+        }
+        begin = end;
+        ink_before = ink;
+    }
+    return 0;
+}
+
+/* Barycentric coordinates in x and y; false outside. */
+static bool inside(const float *const p[3], double x, double y, double share[3])
+{
+    double x0 = (double)p[0][0], y0 = (double)p[0][1];
+    double ax = (double)p[1][0] - x0, ay = (double)p[1][1] - y0;
+    double bx = (double)p[2][0] - x0, by = (double)p[2][1] - y0, det = ax * by - bx * ay;
+    share[1] = ((x - x0) * by - (y - y0) * bx) / det;
+    share[2] = ((y - y0) * ax - (x - x0) * ay) / det;
+    share[0] = 1 - share[1] - share[2];
+    return share[0] >= -1e-9 && share[1] >= -1e-9 && share[2] >= -1e-9;
+}
+
+/* The reflectance of a pixel: the sum over the face's vertices of share × blend. */
+static double expected(const struct hatch_mesh *mesh, uint32_t column, uint32_t row, uint32_t level)
+{
+    const float *position = hatch_mesh_find(mesh, "POSITION", 3);
+    uint32_t side = hatch_mip_size(SIZE, level);
+    size_t texel = (size_t)(row % side) * side + column % side;
+    double x = 2 * (column + 0.5) / SIZE - 1, y = 1 - 2 * (row + 0.5) / SIZE;
+    for (uint32_t face = 0; face < mesh->face_count; face++) {
+        const float *p[3];
+        double share[3], ink = 0;
+        for (size_t i = 0; i < 3; i++)
+            p[i] = position + 3 * (size_t)mesh->indices[3 * (size_t)face + i];
+        if (!inside(p, x, y, share))
+            continue;
+        for (int i = 0; i < 3; i++)
+            ink += share[i] * blended(amount_at(p[i]), level, texel);
+        return 1 - ink;
+    }
+    return 1;
+}
+
+static double worst_against_definition(const char *technique, uint32_t tones, uint32_t level)
+{
+    struct hatch_mesh mesh;
+    struct hatch_image image;
+    frame_arenas(&frame);
+    make_map(tones);
+    make_plane(50, &mesh);
+    frame_begin(&mesh, &frame_unit, &map, &frame);
+    add_lamp();
+    frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)(1u << level);
+    frame_draw(&frame, technique, &facing, SIZE, SIZE, 1, &image);
+    double worst = 0, least = 1, most = 0;
+    for (uint32_t row = 0; row < SIZE; row++)
+        for (uint32_t column = 0; column < SIZE; column++) {
+            double drawn = (double)image.pixels[3 * (row * SIZE + column)];
+            double want = expected(&mesh, column, row, level);
+            worst = fmax(worst, fabs(drawn - want));
+            least = fmin(least, want);
+            most = fmax(most, want);
+        }
+    ck_assert_double_lt(least, 0.3); /* the picture holds lit and dark parts */
+    ck_assert_double_gt(most, 0.95);
+    frame_end(&frame);
+    return worst;
+}
+
+START_TEST(tam_is_the_six_way_blend)
+{
+    ck_assert_double_le(worst_against_definition("tam", 6, 0), 1.0 / 255);
+}
+END_TEST
+
+START_TEST(tam_with_fewer_columns)
+{
+    ck_assert_double_le(worst_against_definition("tam", 1, 0), 1.0 / 255);
+    ck_assert_double_le(worst_against_definition("tam", 4, 0), 1.0 / 255);
+}
+END_TEST
+
+START_TEST(tam_reads_the_level_that_was_drawn)
+{
+    ck_assert_double_le(worst_against_definition("tam", 6, 1), 1.0 / 255);
+    ck_assert_double_le(worst_against_definition("tam", 6, 2), 1.0 / 255);
+}
+END_TEST
+
+START_TEST(tam_triple_is_the_same_blend)
+{
+    ck_assert_double_le(worst_against_definition("tam-triple", 6, 0), 1.0 / 255);
+    ck_assert_double_le(worst_against_definition("tam-triple", 3, 1), 1.0 / 255);
+}
+END_TEST
+
+static void draw_teapot(const char *technique, struct hatch_image *image)
+{
+    struct view view;
+    struct view_choice choice = {.kind = VIEW_FRAMED,
+                                 .azimuth_rad = 0.5,
+                                 .elevation_rad = 0.4,
+                                 .fov_rad = 0.5};
+    struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, &span, &frame.gpu.bounds, 4.0 / 3,
+                            &frame.scratch, &view, &frame.err),
+                  &frame.err);
+    frame_draw(&frame, technique, &view, 320, 240, 2, image);
+}
+
+START_TEST(tam_triple_is_tam_on_a_teapot)
+{
+    struct hatch_shape_options how = {.faces = 4000, .seed = 1};
+    struct hatch_mesh mesh;
+    struct hatch_image one, three;
+    struct bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
+    frame_arenas(&frame);
+    make_map(TONES);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh,
+                                   &frame.err),
+                  &frame.err);
+    frame_begin(&mesh, &bounds, &map, &frame);
+    draw_teapot("tam", &one);
+    draw_teapot("tam-triple", &three);
+    double worst = 0, ink = 0;
+    for (size_t i = 0; i < 3u * 320 * 240; i++) {
+        worst = fmax(worst, fabs((double)(one.pixels[i] - three.pixels[i])));
+        ink += 1 - (double)one.pixels[i];
+    }
+    ck_assert_double_gt(ink / (3 * 320 * 240), 0.05);
+    ck_assert_double_le(worst, 2.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render blend");
+    TCase *tests = tcase_create("blend");
+    tcase_add_test(tests, tam_is_the_six_way_blend);
+    tcase_add_test(tests, tam_with_fewer_columns);
+    tcase_add_test(tests, tam_reads_the_level_that_was_drawn);
+    tcase_add_test(tests, tam_triple_is_the_same_blend);
+    tcase_add_test(tests, tam_triple_is_tam_on_a_teapot);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)

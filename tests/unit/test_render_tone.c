@@ -1,0 +1,160 @@
+/* What a picture looks like from afar: its tone, its edges, its tiles. */
+#include <math.h>
+
+#include "filter/difference.h"
+#include "render_frame.h"
+#include "tam_map.h"
+
+enum { WIDTH = 640, HEIGHT = 480 };
+
+static struct test_frame frame;
+static struct test_map map;
+static struct hatch_mesh mesh;
+static const struct bounds teapot_bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
+
+/* The default style at 256 texels, and the teapot. */
+static void begin(void)
+{
+    struct hatch_shape_options how = {.faces = 10000, .seed = 1};
+    map_begin();
+    map_style(NULL, NULL, &map);
+    map.options.size_px = 256;
+    map.options.levels = 4;
+    map_fill(&map);
+    frame_arenas(&frame);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh,
+                                   &frame.err),
+                  &frame.err);
+    frame_begin(&mesh, &teapot_bounds, &map.tam, &frame);
+    frame.renderer.style.light = (struct own_light){.azimuth_rad = -0.7, .elevation_rad = 0.7};
+}
+
+static void end(void)
+{
+    frame_end(&frame);
+    map_end();
+}
+
+/* From a distance in units of the distance that frames the teapot. */
+static struct view view_from(double distance)
+{
+    struct view view;
+    struct view_choice choice = {.kind = VIEW_FRAMED,
+                                 .azimuth_rad = 0.5,
+                                 .elevation_rad = 0.4,
+                                 .fov_rad = 0.5};
+    struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, &span, &frame.gpu.bounds,
+                            (double)WIDTH / HEIGHT, &frame.scratch, &view, &frame.err),
+                  &frame.err);
+    for (int k = 0; k < 3; k++)
+        view.eye[k] *= distance;
+    return view;
+}
+
+static void set_repeat(const struct view *view)
+{
+    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, view, HEIGHT, 256, 4, &frame.scratch, &frame.err),
+                  &frame.err);
+}
+
+/* The low pass is a box of half the map's side: what the eye blends at reading distance. */
+START_TEST(strokes_have_the_tone_of_the_light)
+{
+    static const double distances[] = {0.5, 1, 2};
+    struct view framed;
+    begin();
+    framed = view_from(1);
+    set_repeat(&framed);
+    for (int i = 0; i < 3; i++) {
+        struct view view = view_from(distances[i]);
+        struct hatch_image strokes, tone;
+        double low, ink = 1 - 0.99;
+        frame_draw(&frame, "tam", &view, WIDTH, HEIGHT, 2, &strokes);
+        frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
+        HATCH_TEST_OK(hatch_image_low_difference(&strokes, &tone, 128, &frame.scratch, &low,
+                                                 &frame.err),
+                      &frame.err);
+        ck_assert_msg(low <= 0.03, "at %g: %g", distances[i], low);
+        ck_assert_double_lt(hatch_image_mean(&tone), 1 - ink);
+    }
+    end();
+}
+END_TEST
+
+static double threshold_error(uint32_t side, const struct view *view,
+                              const struct hatch_image *reference)
+{
+    struct hatch_image image;
+    struct hatch_difference difference;
+    frame_draw(&frame, "tam-threshold", view, WIDTH, HEIGHT, side, &image);
+    hatch_image_difference(&image, reference, &difference);
+    return difference.rmse;
+}
+
+/* The jaggedness of an edge is its root mean square distance from 64 samples a pixel. */
+START_TEST(thresholded_strokes_have_smooth_edges)
+{
+    struct hatch_image reference;
+    begin();
+    struct view view = view_from(1);
+    set_repeat(&view);
+    frame_draw(&frame, "tam-threshold", &view, WIDTH, HEIGHT, 8, &reference);
+    ck_assert_double_gt(threshold_error(1, &view, &reference), 0.05); /* the paper's jaggies */
+    ck_assert_double_le(threshold_error(4, &view, &reference), 0.008);
+    end();
+}
+END_TEST
+
+START_TEST(tiles_join_without_a_seam)
+{
+    static const char *const drawn[] = {"gouraud", "tam", "tam-triple"};
+    begin();
+    struct view view = view_from(1);
+    set_repeat(&view);
+    for (int i = 0; i < 3; i++) {
+        struct hatch_image whole, tiled;
+        struct hatch_difference difference;
+        frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &whole);
+        frame.renderer.size_max_px = 300; /* of a target: tiles of 150 pixels */
+        frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &tiled);
+        frame.renderer.size_max_px = frame.context.size_max_px;
+        hatch_image_difference(&whole, &tiled, &difference);
+        ck_assert_msg(difference.rmse < 0.002, "%s: %g", drawn[i], difference.rmse);
+    }
+    end();
+}
+END_TEST
+
+/* The approximations have the tone too, from afar. */
+START_TEST(every_technique_has_the_tone)
+{
+    struct hatch_image tone;
+    begin();
+    struct view view = view_from(1);
+    set_repeat(&view);
+    frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
+    for (uint32_t i = 0; i < TECHNIQUE_GOURAUD; i++) {
+        struct hatch_image image;
+        double threshold = strcmp(techniques[i]->name, "tam-threshold") == 0 ? 0.05 : 0.01;
+        frame_draw(&frame, techniques[i]->name, &view, WIDTH, HEIGHT, 2, &image);
+        double apart = fabs(hatch_image_mean(&image) - hatch_image_mean(&tone));
+        ck_assert_msg(apart < threshold, "%s: %g", techniques[i]->name, apart);
+    }
+    end();
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render tone");
+    TCase *tests = tcase_create("tone");
+    tcase_add_test(tests, strokes_have_the_tone_of_the_light);
+    tcase_add_test(tests, thresholded_strokes_have_smooth_edges);
+    tcase_add_test(tests, tiles_join_without_a_seam);
+    tcase_add_test(tests, every_technique_has_the_tone);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
