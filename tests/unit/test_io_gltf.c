@@ -232,8 +232,8 @@ START_TEST(what_is_no_surface_is_skipped_and_noted)
     ck_assert_uint_eq(scene.mesh_count, 1);
     ck_assert_uint_eq(scene.textures[0].size, sizeof buffer);
     companion.size = 0;
-    HATCH_TEST_OK(read_scene("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"a.png\"}]}", 60),
-                  &err);
+    static const char lone[] = "{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"a.png\"}]}";
+    HATCH_TEST_OK(read_scene(lone, sizeof lone - 1), &err);
     ck_assert_uint_eq(notes.images_missing, 1);
     ck_assert_ptr_null(scene.textures[0].data);
 }
