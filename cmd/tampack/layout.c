@@ -70,41 +70,41 @@ static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, 
 }
 
 static enum hatch_status encode_rgb(const struct pack_job *job, uint32_t index,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     const uint32_t tones = HATCH_PACK_TONES_PER_TEXTURE;
     struct hatch_texels texture;
-    struct hatch_arena *scratch = &job->args->scratch;
     HATCH_TRY(hatch_tam_pack_rgb(&job->tam, index, job->ink_is_one, scratch, &texture, err));
     return write_ktx2(job, index * tones, tones, &texture, file, err);
 }
 
 static enum hatch_status encode_array(const struct pack_job *job, uint32_t index,
-                                      struct hatch_buffer *file, struct hatch_err *err)
+                                      struct hatch_arena *scratch, struct hatch_buffer *file,
+                                      struct hatch_err *err)
 {
     (void)index;
     struct hatch_texels texture;
-    struct hatch_arena *scratch = &job->args->scratch;
     HATCH_TRY(hatch_tam_pack_array(&job->tam, job->ink_is_one, scratch, &texture, err));
     return write_ktx2(job, 0, job->tam.tones, &texture, file, err);
 }
 
 static enum hatch_status encode_dds(const struct pack_job *job, uint32_t index,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     (void)index;
     struct hatch_texels texture;
-    struct hatch_arena *scratch = &job->args->scratch;
     HATCH_TRY(hatch_tam_pack_array(&job->tam, job->ink_is_one, scratch, &texture, err));
     return hatch_dds_write(&texture, file, err);
 }
 
 static enum hatch_status encode_png(const struct pack_job *job, uint32_t index,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     uint32_t levels = job->tam.columns[0].level_count;
     struct hatch_image picture = job->tam.columns[index / levels].levels[index % levels];
-    struct hatch_arena *scratch = &job->args->scratch;
     struct hatch_image shown;
     HATCH_TRY(hatch_image_make(scratch, picture.width, picture.height, job->tam.color ? "RGB" : "Y",
                                &shown, err));
@@ -119,11 +119,12 @@ static enum hatch_status encode_png(const struct pack_job *job, uint32_t index,
 }
 
 static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     struct hatch_exr_writer *writer = NULL;
     const struct hatch_mipmap *column = &job->parts[index];
-    HATCH_TRY(hatch_exr_begin(column, 1, &job->args->scratch, &writer, err));
+    HATCH_TRY(hatch_exr_begin(column, 1, scratch, &writer, err));
     enum hatch_status status = hatch_exr_add_part(writer, 0, column, err);
     if (status == HATCH_OK)
         return hatch_exr_end(writer, file, err);

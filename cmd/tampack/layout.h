@@ -24,8 +24,10 @@ struct pack_layout {
     uint32_t (*count)(const struct hatch_tam *tam);
     void (*suffix)(const struct hatch_tam *tam, uint32_t index, char *suffix, size_t size);
 
+    /* One file; several are encoded at once. What scratch holds afterwards is freed. */
     enum hatch_status (*encode)(const struct pack_job *job, uint32_t index,
-                                struct hatch_buffer *file, struct hatch_err *err);
+                                struct hatch_arena *scratch, struct hatch_buffer *file,
+                                struct hatch_err *err);
 };
 
 /* In the order of the option's choices. */

@@ -56,6 +56,28 @@ static void warn(const struct pack_layout *how, const struct hatch_tam *tam, con
                  "the strokes' ids are left out: only --layout exr holds them");
 }
 
+/* One file on its way; arena holds its bytes. */
+struct file {
+    const struct pack_job *job;
+    const struct pack_layout *how;
+    struct cmd_output *output;
+    struct hatch_arena arena;
+    struct hatch_buffer bytes;
+    enum hatch_status status;
+    struct hatch_err err;
+};
+
+static void encode(void *context, uint32_t index)
+{
+    struct file *file = (struct file *)context + index;
+    struct hatch_arena scratch;
+    hatch_arena_init(&file->arena, file->job->args->max_memory);
+    hatch_arena_init(&scratch, file->job->args->max_memory);
+    file->bytes.arena = &file->arena;
+    file->status = file->how->encode(file->job, index, &scratch, &file->bytes, &file->err);
+    hatch_arena_free(&scratch);
+}
+
 static struct cmd_output *open_file(const struct pack_job *job, const struct pack_layout *how,
                                     const char *input, uint32_t index)
 {
@@ -65,36 +87,43 @@ static struct cmd_output *open_file(const struct pack_job *job, const struct pac
                            true);
 }
 
-/* All files are encoded before the first is written, and opened before that. */
-static void pack(const struct pack_job *job, const struct pack_layout *how, const char *input,
-                 struct cmd_output *single)
+static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how,
+                            const char *input)
 {
     struct hatch_err err;
-    struct cmd_args *args = job->args;
     uint32_t count = how->count(&job->tam);
     if (count > CMD_OUTPUTS_MAX) {
         hatch_fail(&err, HATCH_LIMIT, "%u files, more than %u", count, CMD_OUTPUTS_MAX);
         cmd_die(cmd_input_name(input), &err);
     }
-    if (count > 1 && !args->output)
+    if (count > 1 && !job->args->output)
         cmd_usage("--layout %s makes %u files here: -o says where", how->name, count);
-    struct cmd_file *files = HATCH_NEW(&args->keep, struct cmd_file, count, &err);
+    return count;
+}
+
+/* All files are encoded before the first is written, and opened before that. */
+static void pack(const struct pack_job *job, const struct pack_layout *how, const char *input,
+                 struct cmd_output *single)
+{
+    struct hatch_err err;
+    uint32_t count = count_files(job, how, input);
+    struct file *files = HATCH_NEW(&job->args->keep, struct file, count, &err);
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t i = 0; i < count; i++)
-        files[i].output = single       ? single
-                          : count == 1 ? cmd_open_output(args->output, true)
-                                       : open_file(job, how, input, i);
     for (uint32_t i = 0; i < count; i++) {
-        struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-        struct hatch_buffer bytes = {.arena = &args->keep};
-        cmd_check(how->encode(job, i, &bytes, &err), cmd_input_name(input), &err);
-        files[i].data = bytes.data;
-        files[i].size = bytes.size;
-        hatch_arena_rewind(&args->scratch, mark);
-        cmd_progress("packing", (double)(i + 1) / count);
+        files[i].job = job;
+        files[i].how = how;
+        files[i].output = single       ? single
+                          : count == 1 ? cmd_open_output(job->args->output, true)
+                                       : open_file(job, how, input, i);
     }
-    cmd_write_all(files, count);
-    cmd_note("%u tones, %u levels, %u files", job->tam.tones, job->tam.columns[0].level_count,
+    hatch_parallel_for(cmd_pool(job->args), count, encode, files);
+    for (uint32_t i = 0; i < count; i++)
+        cmd_check(files[i].status, cmd_input_name(input), &files[i].err);
+    for (uint32_t i = 0; i < count; i++) {
+        cmd_write(files[i].output, files[i].bytes.data, files[i].bytes.size);
+        hatch_arena_free(&files[i].arena);
+    }
+    cmd_note("%u tones, %u levels; files: %u", job->tam.tones, job->tam.columns[0].level_count,
              count);
 }
 
