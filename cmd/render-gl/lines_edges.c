@@ -84,6 +84,7 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad,
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < graph.segment_count; i++)
         bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
+    HATCH_TRY(line_find_cracks(&graph, bounds, arena, pruned, err));
     HATCH_TRY(line_prune(&graph, bounds, size_of(mesh), scratch, arena, pruned, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         if (pruned[i])

@@ -9,8 +9,6 @@
 #define SEGMENTS_MIN 4u
 #define LENGTH_MIN 0.03   /* of the whole's size */
 #define TURN_MAX_RAD 0.7  /* from segment to segment, in the mean */
-#define CRACK 1e-3        /* area of a loop against the square of its length: a circle has 0.08 */
-#define CRACK_SEGMENTS_MAX 8u
 
 /* The part of a graph that is left, with its segments' numbers in the whole. */
 struct rest {
@@ -39,25 +37,20 @@ static void take_rest(const struct line_graph *graph, const uint8_t *pruned, str
     rest->graph.ends = rest->ends;
 }
 
-enum verdict { MEANT, STRAY, CRACK_OF_MESH };
-
-/* Length, area and turning of a chain. */
+/* Length and turning of a chain. */
 struct shape {
-    double length, area, turned;
+    double length, turned;
     bool alone; /* nothing else meets it */
 };
 
 static void measure(const struct rest *rest, const struct line_chain *chain, const uint32_t *nodes,
                     struct shape *shape)
 {
-    double along[3], before[3] = {0, 0, 0}, area[3] = {0, 0, 0}, cross[3];
-    const double *start = &rest->graph.nodes[3 * (size_t)nodes[0]];
+    double along[3], before[3] = {0, 0, 0};
     *shape = (struct shape){.alone = true};
     for (uint32_t i = 0; i < chain->segment_count; i++) {
         const double *a = &rest->graph.nodes[3 * (size_t)nodes[i]];
         const double *b = &rest->graph.nodes[3 * (size_t)nodes[i + 1]];
-        hatch_vec_triangle(start, a, b, cross);
-        hatch_vec_add_scaled(area, 0.5, cross, area);
         hatch_vec_sub(b, a, along);
         shape->length += hatch_vec_normalize(along);
         if (i > 0)
@@ -65,28 +58,19 @@ static void measure(const struct rest *rest, const struct line_chain *chain, con
         hatch_vec_copy(along, before);
         shape->alone = shape->alone && rest->meeting[nodes[i]] == 2;
     }
-    shape->area = hatch_vec_length(area);
 }
 
-static enum verdict judge(const struct rest *rest, const struct line_chain *chain,
-                          const uint32_t *nodes, double size)
+static bool is_stray(const struct rest *rest, const struct line_chain *chain, const uint32_t *nodes,
+                     double size)
 {
     struct shape shape;
     measure(rest, chain, nodes, &shape);
-    if (chain->closed) {
-        if (shape.alone && chain->segment_count <= CRACK_SEGMENTS_MAX &&
-            shape.area < CRACK * shape.length * shape.length)
-            return CRACK_OF_MESH;
-        return shape.alone && chain->segment_count <= SEGMENTS_MIN && shape.length < LENGTH_MIN * size
-                   ? STRAY
-                   : MEANT;
-    }
+    bool few = chain->segment_count < SEGMENTS_MIN, small = shape.length < LENGTH_MIN * size;
+    if (chain->closed)
+        return shape.alone && few && small;
     if (chain->joined[0] && chain->joined[1])
-        return MEANT;
-    return chain->segment_count < SEGMENTS_MIN || shape.length < LENGTH_MIN * size ||
-                   shape.turned > TURN_MAX_RAD * (chain->segment_count - 1)
-               ? STRAY
-               : MEANT;
+        return false;
+    return few || small || shape.turned > TURN_MAX_RAD * (chain->segment_count - 1);
 }
 
 /* One round. *found: how many segments go. */
@@ -99,10 +83,10 @@ static enum hatch_status prune_once(struct rest *rest, const uint8_t *bounds, do
     *found = 0;
     for (uint32_t i = 0; i < chains.count; i++) {
         const struct line_chain *chain = &chains.chains[i];
-        enum verdict verdict = judge(rest, chain, &chains.nodes[chain->first + i], size);
+        bool stray = is_stray(rest, chain, &chains.nodes[chain->first + i], size);
         for (uint32_t k = 0; k < chain->segment_count; k++) {
             uint32_t segment = rest->number[chains.segments[chain->first + k]];
-            pruned[segment] = verdict == CRACK_OF_MESH || (verdict == STRAY && !bounds[segment]);
+            pruned[segment] = stray && !bounds[segment];
             *found += pruned[segment];
         }
     }

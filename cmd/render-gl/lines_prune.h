@@ -4,15 +4,21 @@
 
 #include "render-gl/lines_chain.h"
 
-/* Finds segments to leave out. Creases that end nowhere and are short (in segments, or against the
- * whole's size) or crooked, and then those that hung on these: a scanned or coarse surface has many
- * single edges over any angle, while an edge that somebody modelled goes on, closes, or ends at others.
- * Small loops of creases around a fold of a few faces. Loops without area, which are cracks where a
- * face's corner lies on another face's side.
- * bounds: per segment, not 0: it is a boundary, which only a crack can be left out as. size: of the
- * whole, in the nodes' units. pruned: per segment, set to 1 where it is to go. */
+/* Finds creases to leave out: those that end nowhere and are short (in segments, or against the
+ * whole's size) or crooked, and then those that hung on these; and loops of two or three segments. A
+ * scanned or coarse surface has many single edges over any angle, while an edge that somebody modelled
+ * goes on, closes, or ends at others.
+ * bounds: per segment, not 0: it is a boundary and stays. size: of the whole, in the nodes' units.
+ * pruned: per segment; where it is set already the segment counts as gone; set to 1 where it is to go. */
 enum hatch_status line_prune(const struct line_graph *graph, const uint8_t *bounds, double size,
                              struct hatch_arena *arena, struct hatch_arena *scratch,
                              uint8_t *pruned, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds boundaries that lie on one another: a corner of one face on the side of another makes a gap
+ * without width, of one long edge and the straight path of short ones between its ends.
+ * bounds: per segment, not 0: it is a boundary. pruned: per segment, set to 1 where it is such a crack. */
+enum hatch_status line_find_cracks(const struct line_graph *graph, const uint8_t *bounds,
+                                   struct hatch_arena *scratch, uint8_t *pruned,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -6,6 +6,7 @@
 
 /* Faces that lie on one another leave an edge in directions that differ by rounding only. */
 #define COS_SAME 0.9999
+#define FLAT 1e-5 /* height over width: what a face of floats may have by rounding alone */
 
 /* The unit vector at a right angle to a side that points into its face. */
 static bool direction_of(const struct hatch_mesh *mesh, uint32_t side, double direction[3])
@@ -19,8 +20,9 @@ static bool direction_of(const struct hatch_mesh *mesh, uint32_t side, double di
     hatch_vec_sub(b, a, along);
     hatch_vec_sub(c, a, direction);
     hatch_vec_normalize(along);
+    double reach = hatch_vec_length(direction);
     hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, along), along, direction);
-    return hatch_vec_normalize(direction) > 0;
+    return hatch_vec_normalize(direction) > FLAT * reach;
 }
 
 static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_t *sides,

@@ -1,0 +1,216 @@
+/* Chains as they lie in a picture: cut at planes and borders, evenly visible. */
+#include "fail_alloc.h"
+#include "lines.h"
+#include "render-gl/lines_strip.h"
+
+static const struct tile whole = {0, 0, 400, 400, 400, 400};
+
+/* A polyline through points, closed when it ends where it begins. */
+static struct line_trace polyline(const double *points, uint32_t count)
+{
+    struct hatch_err err;
+    bool closed = hatch_vec_distance(points, points + 3 * (count - 1)) == 0;
+    struct line_trace trace = {.node_count = count - closed, .segment_count = count - 1};
+    trace.nodes = HATCH_NEW(&keep, double, 3 * (size_t)count, &err);
+    trace.ends = HATCH_NEW(&keep, uint32_t, 2 * (size_t)count, &err);
+    trace.slack = HATCH_NEW(&keep, float, count, &err);
+    memcpy(trace.nodes, points, 24 * (size_t)trace.node_count);
+    for (uint32_t s = 0; s < trace.segment_count; s++) {
+        trace.ends[2 * s] = s;
+        trace.ends[2 * s + 1] = (s + 1) % trace.node_count;
+    }
+    return trace;
+}
+
+static struct line_strips strips_of(const struct line_trace *trace, const struct view *view,
+                                    const struct tile *tile)
+{
+    struct line_chains chains = chains_of(trace);
+    struct line_strips strips = {.strip_count = 0};
+    struct hatch_err err;
+    HATCH_TEST_OK(line_strips_make(trace, &chains, view, tile, 4, &keep, &strips, &err), &err);
+    return strips;
+}
+
+START_TEST(a_segment_becomes_pieces_of_its_projection)
+{
+    static const double points[6] = {-1, 0.5, 0, 1, 0.5, 0};
+    struct line_trace trace = polyline(points, 2);
+    struct view view = view_from(0, 0, 4, true);
+    struct line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_eq(strips.strip_count, 1);
+    ck_assert_uint_eq(strips.piece_count, 134); /* 200 pixels, at most 1.5 a piece */
+    ck_assert_float_eq_tol(strips.pieces[0].a[0], 100, 1e-3f);
+    ck_assert_float_eq_tol(strips.pieces[133].b[0], 300, 1e-3f);
+    ck_assert_float_eq_tol(strips.pieces[70].a[1], 250, 1e-3f);
+    ck_assert_float_eq_tol(strips.samples[0].limit, 0.96f, 1e-3f); /* 4 of 100 deep */
+}
+END_TEST
+
+START_TEST(what_is_behind_the_eye_is_cut_off)
+{
+    static const double points[6] = {0.1, 0.1, -3, 0.2, 0.3, 9};
+    static const double behind[6] = {0.1, 0.1, 5, 0.2, 0.3, 9};
+    struct view view = view_from(0, 0, 4, false);
+    struct line_trace trace = polyline(points, 2), unseen = polyline(behind, 2);
+    struct line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_gt(strips.piece_count, 10);
+    for (uint32_t i = 0; i < strips.piece_count; i++) {
+        ck_assert(isfinite(strips.pieces[i].a[0] + strips.pieces[i].b[1] + strips.samples[i].limit));
+        ck_assert_float_ge(strips.pieces[i].b[0], 190);
+        ck_assert_float_le(strips.pieces[i].a[0], 406);
+    }
+    ck_assert(strips.strips[0].joined[1]);
+    ck_assert_uint_eq(strips_of(&unseen, &view, &whole).piece_count, 0);
+}
+END_TEST
+
+/* The pieces of a tile are the whole picture's, moved: its lines end where the neighbour's do. */
+START_TEST(tiles_cut_lines_alike)
+{
+    static const double points[9] = {-1.7, -1.1, 0, 0.4, 0.9, 0.5, 1.8, -1.6, 0.2};
+    struct line_trace trace = polyline(points, 3);
+    struct view view = view_from(0.3, 0.2, 5, false);
+    struct tile tile = {150, 90, 120, 160, 400, 400};
+    struct line_strips all = strips_of(&trace, &view, &whole);
+    struct line_strips part = strips_of(&trace, &view, &tile);
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < part.piece_count; i++)
+        for (uint32_t j = 0; j < all.piece_count; j++)
+            found += part.pieces[i].segment == all.pieces[j].segment &&
+                     hypotf(part.pieces[i].a[0] + 150 - all.pieces[j].a[0],
+                            part.pieces[i].a[1] + 90 - all.pieces[j].a[1]) < 1e-3f;
+    ck_assert_uint_gt(part.piece_count, 40);
+    ck_assert_uint_lt(part.piece_count, all.piece_count / 2);
+    ck_assert_uint_eq(found, part.piece_count);
+}
+END_TEST
+
+/* A closed square of 100 pixels a side. */
+static struct line_strips square(void)
+{
+    static const double points[15] = {-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0, -.5, -.5, 0};
+    struct line_trace trace = polyline(points, 5);
+    struct view view = view_from(0, 0, 4, true);
+    struct line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_eq(strips.strip_count, 1);
+    ck_assert(strips.strips[0].closed);
+    ck_assert_uint_eq(strips.piece_count, 268);
+    return strips;
+}
+
+static uint32_t sum(const uint8_t *visible, uint32_t count)
+{
+    uint32_t total = 0;
+    for (uint32_t i = 0; i < count; i++)
+        total += visible[i];
+    return total;
+}
+
+START_TEST(gaps_are_closed_and_crumbs_are_dropped)
+{
+    struct line_strips strips = square();
+    uint8_t visible[268];
+    memset(visible, 1, sizeof visible);
+    visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner is one of two pieces */
+    memset(visible + 100, 0, 40);
+    line_strips_smooth(&strips, 4, 8, visible);
+    ck_assert_uint_eq(sum(visible, 268), 228);
+    memset(visible, 0, sizeof visible);
+    memset(visible + 20, 1, 5);
+    memset(visible + 200, 1, 30);
+    visible[0] = visible[267] = 1;
+    line_strips_smooth(&strips, 4, 8, visible);
+    ck_assert_uint_eq(sum(visible, 268), 30);
+    ck_assert_uint_eq(visible[215], 1);
+    memset(visible, 0, sizeof visible);
+    line_strips_smooth(&strips, 1e9, 8, visible);
+    ck_assert_uint_eq(sum(visible, 268), 0);
+}
+END_TEST
+
+START_TEST(what_another_line_joins_is_no_crumb)
+{
+    struct line_strips strips = square();
+    uint8_t visible[268] = {1, 1};
+    strips.strips[0].closed = false;
+    strips.strips[0].joined[0] = true;
+    strips.strips[0].joined[1] = false;
+    visible[266] = visible[267] = 1;
+    line_strips_smooth(&strips, 4, 8, visible);
+    ck_assert_uint_eq(visible[0], 1);
+    ck_assert_uint_eq(visible[267], 0);
+}
+END_TEST
+
+START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
+{
+    struct line_strips strips = square();
+    uint8_t visible[268];
+    float segments[4 * 268];
+    memset(visible, 1, sizeof visible);
+    visible[30] = 0;
+    ck_assert_uint_eq(line_strips_visible(&strips, visible, segments), 5);
+    ck_assert_float_eq_tol(segments[4], strips.pieces[31].a[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[6], strips.pieces[66].b[0], 1e-6f);
+}
+END_TEST
+
+/* Two lines that cross at a node stay straight; a third that ends there is joined. */
+START_TEST(chains_go_straight_on)
+{
+    static const double nodes[18] = {0, 0, 0, -1, 0, 0, 1, 0.1, 0, 0, -1, 0, 0.1, 1, 0, 0.7, 0.7, 0};
+    static const uint32_t ends[10] = {1, 0, 0, 2, 3, 0, 4, 0, 5, 0};
+    const struct line_graph graph = {6, 5, nodes, ends};
+    struct line_chains chains;
+    struct hatch_err err;
+    HATCH_TEST_OK(line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
+    ck_assert_uint_eq(chains.count, 3);
+    uint32_t twos = 0, joined = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        twos += chains.chains[i].segment_count == 2;
+        joined += chains.chains[i].joined[0] + chains.chains[i].joined[1];
+    }
+    ck_assert_uint_eq(twos, 2);
+    ck_assert_uint_eq(joined, 1);
+}
+END_TEST
+
+static enum hatch_status make(void *context, struct hatch_arena *arena,
+                              struct hatch_arena *temporary, struct hatch_err *err)
+{
+    const struct line_trace *trace = context;
+    const struct line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
+                                     trace->ends};
+    struct view view = view_from(0, 0, 4, true);
+    struct line_chains chains;
+    struct line_strips strips;
+    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, err));
+    return line_strips_make(trace, &chains, &view, &whole, 4, arena, &strips, err);
+}
+
+START_TEST(strips_survive_every_failed_allocation)
+{
+    static const double points[9] = {-1.7, -1.1, 0, 0.4, 0.9, 0.5, 1.8, -1.6, 0.2};
+    struct line_trace trace = polyline(points, 3);
+    ck_assert_uint_ge(hatch_test_fail_alloc(make, &trace, NULL, 0), 7);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render lines strip");
+    TCase *tests = tcase_create("strips");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
+    tcase_add_test(tests, what_is_behind_the_eye_is_cut_off);
+    tcase_add_test(tests, tiles_cut_lines_alike);
+    tcase_add_test(tests, gaps_are_closed_and_crumbs_are_dropped);
+    tcase_add_test(tests, what_another_line_joins_is_no_crumb);
+    tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
+    tcase_add_test(tests, chains_go_straight_on);
+    tcase_add_test(tests, strips_survive_every_failed_allocation);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
