@@ -82,8 +82,10 @@ static void describe_range(const struct cmd_option *option, char *text, size_t s
     const char *kind = option->type == CMD_INT    ? "a whole number"
                        : option->type == CMD_REAL ? "a number"
                        : option->type == CMD_SIZE ? "a size in bytes"
-                                                  : "two numbers A:B";
-    snprintf(text, size, "%s from %.10g to %.10g", kind, option->minimum, option->maximum);
+                                                  : "two numbers";
+    bool is_pair = option->type == CMD_PAIR;
+    snprintf(text, size, "%s%s%s from %.16g to %.16g", kind, is_pair ? " " : "",
+             is_pair ? option->metavariable : "", option->minimum, option->maximum);
 }
 
 static noreturn void refuse_range(const struct cmd_option *option, const char *text)

@@ -27,12 +27,13 @@ static const struct cmd_option options[] = {
 static const struct {
     const char *name;
     int files_min, files_max; /* max -1: any number */
+    const char *want;         /* the same in words */
     stat_measure measure;
 } subjects[] = {
-    {"diff", 2, 2, stat_diff},
-    {"frames", 2, -1, stat_frames},
-    {"mesh", 0, -1, stat_mesh},
-    {"tam", 0, 1, stat_tam},
+    {"diff", 2, 2, "2", stat_diff},
+    {"frames", 2, -1, "2 or more", stat_frames},
+    {"mesh", 0, -1, "any number", stat_mesh},
+    {"tam", 0, 1, "1 at most", stat_tam},
 };
 
 static const char *const examples[] = {
@@ -65,8 +66,8 @@ int main(int argc, char **argv)
             continue;
         if (files < subjects[i].files_min ||
             (subjects[i].files_max >= 0 && files > subjects[i].files_max))
-            cmd_usage("%s: %d files, want %d%s", subjects[i].name, files, subjects[i].files_min,
-                      subjects[i].files_max < 0 ? " or more" : "");
+            cmd_usage("%s: %d file%s, want %s", subjects[i].name, files, files == 1 ? "" : "s",
+                      subjects[i].want);
         struct cmd_output *output = cmd_open_output(args.output, false);
         return cmd_end(&args, subjects[i].measure(&args, &values, output));
     }
