@@ -102,6 +102,10 @@ struct cmd_output;
  * "-" is standard output. */
 struct cmd_output *cmd_open_output(const char *path, bool binary);
 
+/* Refuses, as wrong usage, a name that ends like a file of another format than those listed ("png exr"):
+ * a picture called teapot.jpg that holds PNG misleads. Other names, and NULL, pass. */
+void cmd_check_ending(const char *path, const char *endings);
+
 /* An output and all that goes into it. */
 struct cmd_file {
     struct cmd_output *output;

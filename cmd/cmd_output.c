@@ -2,6 +2,7 @@
 #include "cmd_private.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -182,6 +183,27 @@ static void make_hidden(struct cmd_output *output, const struct stat *existing)
     if (fchmod(descriptor, mode_for(existing)) < 0 || close(descriptor) < 0)
         die_errno(output->name, "cannot write", errno);
     output->hidden = hidden;
+}
+
+static bool is_listed(const char *list, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = list; (at = strstr(at, word)); at += length)
+        if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == 0))
+            return true;
+    return false;
+}
+
+void cmd_check_ending(const char *path, const char *endings)
+{
+    static const char formats[] = "bmp dds exr gif glb gltf hdr jpeg jpg ktx2 obj off pdf ply png stl svg "
+                                  "tga tif tiff webp";
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    char ending[8] = "";
+    for (size_t i = 0; dot && i + 1 < sizeof ending && dot[i + 1]; i++)
+        ending[i] = (char)tolower((unsigned char)dot[i + 1]);
+    if (dot && *ending && is_listed(formats, ending) && !is_listed(endings, ending))
+        cmd_usage("%s: the ending is that of another format: want %s", path, endings);
 }
 
 struct cmd_output *cmd_open_output(const char *path, bool binary)

@@ -62,6 +62,7 @@ int main(int argc, char **argv)
         .seed = args.seed,
         .uv = (enum hatch_shape_uv)uv,
     };
+    cmd_check_ending(args.output, "glb");
     struct cmd_output *output = cmd_open_output(args.output, true);
 
     struct hatch_err err;

@@ -9,6 +9,8 @@ static void open_outputs(struct job *job)
     struct hatch_err err;
     if (options->window)
         return;
+    if (!report)
+        cmd_check_ending(job->args.output, "png exr");
     uint32_t count = report ? 1 : options->frames;
     job->outputs = HATCH_NEW(&job->args.keep, struct cmd_output *, count, &err);
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);

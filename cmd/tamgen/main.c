@@ -63,6 +63,8 @@ static void check_sizes(void)
 {
     if ((size_px & (size_px - 1)) != 0)
         cmd_usage("--size %d: want a power of two", (int)size_px);
+    if (candidates[0] != (double)(uint32_t)candidates[0] || candidates[1] != (double)(uint32_t)candidates[1])
+        cmd_usage("--candidates %g:%g: want whole numbers", candidates[0], candidates[1]);
     int64_t deepest = 1;
     while (size_px >> deepest >= SMALLEST_LEVEL_PX)
         deepest++;
@@ -80,6 +82,8 @@ struct outputs {
 
 static struct outputs open_outputs(const struct cmd_args *args)
 {
+    cmd_check_ending(args->output, "exr");
+    cmd_check_ending(sheet_path, "png");
     return (struct outputs){cmd_open_output(args->output, true),
                             strokes_path ? cmd_open_output(strokes_path, false) : NULL,
                             sheet_path ? cmd_open_output(sheet_path, true) : NULL};

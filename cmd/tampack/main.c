@@ -136,6 +136,7 @@ int main(int argc, char **argv)
     if (ink_given && !how->takes_ink)
         cmd_usage("--ink does not go with --layout %s, which is 0 for ink by its format",
                   how->name);
+    cmd_check_ending(args.output, how->ending + 1);
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};

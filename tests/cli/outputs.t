@@ -23,4 +23,15 @@ refused "two outputs go to standard output" 2 2
 is "the old output stays" "$(cat map.exr)" old
 ok "two outputs go to a device" tamgen --size 64 -o /dev/null --strokes /dev/null
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
+
+# A name that promises another format.
+for line in "meshgen plane -o plane.obj" "tamgen --size 64 -o map.png" "tampack map.exr -o map.dds" \
+    "tamgen --size 64 -o /dev/null --contact-sheet sheet.jpg"; do
+    try $line
+    refused "$line" 2 2
+done
+mkdir other.obj
+for name in plane plane.GLB plane.v2 other.obj/plane; do
+    ok "meshgen plane -o $name" meshgen plane --faces 2 -o $name
+done
 finish
