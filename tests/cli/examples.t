@@ -1,0 +1,47 @@
+# Every example of the manuals and of --help runs, as it stands, in the order in which it stands.
+. "${TOP:-.}/tests/tap.sh"
+[ -z "$SANITIZE" ] || { skip "examples" "they are run without sanitizers"; finish; }
+
+# What the examples take as given.
+mkdir given && cd given || exit 1
+meshgen torus --faces 2000 -o model.glb
+cp model.glb scene.glb
+for style in ink pencil; do
+    tamgen --style $style --size 128 -o $style.tam.exr
+done
+for turn in 000 001 002; do
+    render-gl model.glb --technique gouraud --size 64x48 --from ${turn#00}0:20 -o turn.$turn.png
+done
+for picture in a b picture reference; do
+    cp turn.000.png $picture.png
+done
+cd .. || exit 1
+
+# The lines of EXAMPLES, as a reader sees them.
+manual_examples() {
+    awk '/^\.Sh/ {inside = /EXAMPLES/; next}
+        inside && /^\.Bd -literal/ {literal = 1; next}
+        inside && /^\.Ed/ {literal = 0; next}
+        inside && literal {print}
+        inside && sub(/^\.Dl /, "") {print}' "$1" | sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g'
+}
+
+# run_examples NAME: the shell lines in .lines; they may warn, but not fail
+run_examples() {
+    cp -R given "in.$1"
+    # One frame is as good as forty-eight; what is installed stands in the build folder.
+    sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share|$BUILD/share|" .lines >lines
+    while IFS= read -r line; do
+        (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
+        is "$1: $line" "$? $(grep -v ': warning: ' .err)" "0 "
+    done <lines
+}
+for manual in "$TOP"/man/man[17]/*; do
+    manual_examples "$manual" >.lines
+    run_examples "$(basename "$manual")"
+done
+for command in $(ls "$BIN"); do
+    "$command" --help | sed '1,/^examples:/d' >.lines
+    run_examples "$command--help"
+done
+finish
