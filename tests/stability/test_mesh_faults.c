@@ -1,0 +1,199 @@
+/* Meshes on which the plain way of shading or cutting fails, and what is done here instead. */
+#include <math.h>
+#include <string.h>
+
+#include "io/mesh_file.h"
+#include "math/vector.h"
+#include "measure/mesh_figures.h"
+#include "mesh/shapes.h"
+#include "run.h"
+
+static struct hatch_arena keep, scratch;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+    hatch_arena_init(&scratch, (size_t)1 << 28);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+static struct hatch_mesh sphere(float scale)
+{
+    struct hatch_mesh mesh;
+    const struct hatch_shape_options options = {.faces = 1000, .jitter = 0.3f};
+    HATCH_TEST_OK(
+        hatch_shape_make(HATCH_SHAPE_SPHERE, &options, &keep, &scratch, &mesh, &err), &err);
+    mesh.attribute_count = 1;
+    for (uint32_t i = 0; i < mesh.vertex_count * 3; i++)
+        mesh.attributes[0].data[i] *= scale;
+    return mesh;
+}
+
+/* The plain way: the sum, in floats, of the faces' normals around each vertex as the file has it. */
+static float *plain_normals(const struct hatch_mesh *mesh)
+{
+    const float *p = mesh->attributes[0].data;
+    float *sums = HATCH_NEW(&keep, float, mesh->vertex_count * 3, &err);
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *i = &mesh->indices[f * 3];
+        float a[3], b[3];
+        for (int k = 0; k < 3; k++) {
+            a[k] = p[i[1] * 3 + (uint32_t)k] - p[i[0] * 3 + (uint32_t)k];
+            b[k] = p[i[2] * 3 + (uint32_t)k] - p[i[0] * 3 + (uint32_t)k];
+        }
+        float n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                      a[0] * b[1] - a[1] * b[0]};
+        float length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (uint32_t c = 0; c < 3; c++)
+            for (uint32_t k = 0; k < 3; k++)
+                sums[i[c] * 3 + k] += n[k] / length;
+    }
+    return sums;
+}
+
+static const float *our_normals(struct hatch_mesh *mesh)
+{
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, mesh, 0, &err), &err);
+    return hatch_mesh_find(mesh, "NORMAL", 3);
+}
+
+/* The largest angle between a normal and the direction from the centre, in degrees; 180 for one that
+ * is none. */
+static double worst_degrees(const struct hatch_mesh *mesh, const float *normals)
+{
+    double worst = 0;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        double p[3], n[3];
+        hatch_vec_of(&mesh->attributes[0].data[v * 3], p);
+        hatch_vec_of(&normals[v * 3], n);
+        double cosine = hatch_vec_dot(p, n) / hatch_vec_length(p) / hatch_vec_length(n);
+        double angle = isfinite(cosine) ? acos(fmin(1, fmax(-1, cosine))) * 57.29577951 : 180;
+        worst = fmax(worst, angle);
+    }
+    return worst;
+}
+
+START_TEST(sizes_that_floats_cannot_square)
+{
+    const float scales[] = {1e-30f, 1e25f};
+    for (int i = 0; i < 2; i++) {
+        struct hatch_mesh mesh = sphere(scales[i]);
+        ck_assert_double_eq(worst_degrees(&mesh, plain_normals(&mesh)), 180);
+        ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 4);
+    }
+}
+END_TEST
+
+START_TEST(vertices_that_are_not_joined)
+{
+    struct hatch_mesh mesh = sphere(1), soup;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, mesh.face_count * 3, mesh.face_count, &soup, &err), &err);
+    for (uint32_t i = 0; i < mesh.face_count * 3; i++) {
+        soup.indices[i] = i;
+        memcpy(&soup.attributes[0].data[i * 3], &mesh.attributes[0].data[mesh.indices[i] * 3], 12);
+    }
+    ck_assert_double_gt(worst_degrees(&soup, plain_normals(&soup)), 8);
+    ck_assert_double_lt(worst_degrees(&soup, our_normals(&soup)), 4);
+}
+END_TEST
+
+START_TEST(faces_that_do_not_agree)
+{
+    struct hatch_mesh mesh = sphere(1);
+    for (uint32_t f = 0; f < mesh.face_count; f += 3) {
+        uint32_t *index = &mesh.indices[f * 3], swap = index[1];
+        index[1] = index[2];
+        index[2] = swap;
+    }
+    struct hatch_mesh_notes notes = {0};
+    ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 80);
+    HATCH_TEST_OK(hatch_mesh_clean(&keep, &scratch, &mesh, &notes, &err), &err);
+    ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 4);
+}
+END_TEST
+
+/* A cube whose squares are cut as they come: at a corner one face may have one triangle or two. */
+START_TEST(corners_of_unequal_triangles)
+{
+    static const char cube[] =
+        "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+        "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    struct hatch_mesh mesh;
+    struct hatch_mesh_notes notes = {0};
+    HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)cube, sizeof cube - 1},
+                                  HATCH_MESH_OBJ, &keep, &scratch, &mesh, &notes, &err),
+                  &err);
+    ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 15);
+    ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 1e-4);
+}
+END_TEST
+
+START_TEST(polygons_that_are_not_convex)
+{
+    /* A comb: a fan from its first corner covers more than there is. */
+    static const char comb[] = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 6 1 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\n"
+                               "v 2 1 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9\n";
+    static const char fan[] = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 6 1 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\n"
+                              "v 2 1 0\nv 0 3 0\nf 4 5 6\nf 4 6 7\nf 4 7 8\nf 4 8 9\nf 4 9 1\n"
+                              "f 4 1 2\nf 4 2 3\n";
+    const char *const files[] = {comb, fan};
+    double areas[2];
+    for (int i = 0; i < 2; i++) {
+        struct hatch_mesh mesh;
+        struct hatch_mesh_figures figures;
+        struct hatch_mesh_notes notes = {0};
+        HATCH_TEST_OK(
+            hatch_mesh_read((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])},
+                            HATCH_MESH_OBJ, &keep, &scratch, &mesh, &notes, &err),
+            &err);
+        HATCH_TEST_OK(hatch_measure_mesh(&mesh, &scratch, &figures, &err), &err);
+        areas[i] = figures.area;
+    }
+    ck_assert_double_gt(areas[1], 14.5);
+    ck_assert_double_eq_tol(areas[0], 14, 1e-6);
+}
+END_TEST
+
+START_TEST(textures_without_an_area)
+{
+    struct hatch_mesh mesh = sphere(1);
+    float *uv;
+    our_normals(&mesh);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
+    /* The plain way divides by the texture triangle's area. */
+    const float plain = (uv[0] - uv[2]) / ((uv[0] - uv[2]) * (uv[1] - uv[3]));
+    ck_assert(!isfinite(plain));
+    HATCH_TEST_OK(hatch_mesh_add_tangents(&keep, &scratch, &mesh, &err), &err);
+    const float *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        double t[3], n[3];
+        hatch_vec_of(&tangent[v * 4], t);
+        hatch_vec_of(&hatch_mesh_find(&mesh, "NORMAL", 3)[v * 3], n);
+        ck_assert_double_eq_tol(hatch_vec_length(t), 1, 1e-6);
+        ck_assert_double_eq_tol(hatch_vec_dot(t, n), 0, 1e-6);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("stability mesh");
+    TCase *tests = tcase_create("faults");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, sizes_that_floats_cannot_square);
+    tcase_add_test(tests, vertices_that_are_not_joined);
+    tcase_add_test(tests, faces_that_do_not_agree);
+    tcase_add_test(tests, corners_of_unequal_triangles);
+    tcase_add_test(tests, polygons_that_are_not_convex);
+    tcase_add_test(tests, textures_without_an_area);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
