@@ -190,22 +190,22 @@ static void save(struct window *window, const struct view *view)
 {
     struct job *job = window->job;
     const char *pattern = job->args.output ? job->args.output : "render-gl-%03d.png";
-    struct hatch_arena *scratch = &job->args.scratch;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_buffer file = {.arena = scratch};
+    struct hatch_arena *keep = &job->args.keep;
+    struct hatch_arena_mark mark = hatch_arena_mark(keep);
+    struct hatch_buffer file = {.arena = keep};
     struct hatch_image image;
     struct hatch_err err;
     char name[4096];
     options_frame_name(pattern, ++window->saved, name, sizeof name);
-    cmd_check(hatch_image_make(scratch, window->target.width, window->target.height, "RGB", &image,
+    cmd_check(hatch_image_make(keep, window->target.width, window->target.height, "RGB", &image,
                                &err),
               NULL, &err);
     struct cmd_output *output = cmd_open_output(name, true);
     cmd_check(picture_draw(&job->renderer, window->technique, view, &window->target, &image, &err),
               NULL, &err);
-    pictures_encode(name, &image, scratch, &file);
+    pictures_encode(name, &image, &job->args.scratch, &file);
     cmd_write(output, file.data, file.size);
-    hatch_arena_rewind(scratch, mark);
+    hatch_arena_rewind(keep, mark);
     cmd_say("saved %s", name);
 }
 

@@ -1,0 +1,127 @@
+# The window, used as a person uses it: keys and mouse on a display of its own, saved pictures compared.
+. "${TOP:-.}/tests/tap.sh"
+
+for tool in Xvfb xdotool; do
+    command -v $tool >/dev/null || { skip "the window" "no $tool"; finish; exit; }
+done
+
+# The window is as large as the screen, so that the pointer is always in it.
+Xvfb -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
+server=$!
+trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
+window=
+tries=0
+until [ -s display ] || [ $tries -ge 100 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+DISPLAY=:$(cat display)
+export DISPLAY
+
+# A rectangle that turns about its middle once in two seconds.
+perl -e '
+    use MIME::Base64;
+    my $bytes = pack("f<12f<8S<6", -1,-0.4,0, 1,-0.4,0, 1,0.4,0, -1,0.4,0, 0,1, 1,1, 1,0, 0,0,
+            0,1,2, 0,2,3) .
+        pack("f<3f<12", 0,1,2, 0,0,0,1, 0,0,1,0, 0,0,0,-1);
+    my $data = encode_base64($bytes, "");
+    print qq({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0,"rotation":[0,0,0,1]}],
+        "meshes":[{"primitives":[{"indices":2,"attributes":{"POSITION":0,"TEXCOORD_0":1}}]}],
+        "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"rotation"}}],
+            "samplers":[{"input":3,"output":4}]}],
+        "buffers":[{"byteLength":152,"uri":"data:application/octet-stream;base64,$data"}],
+        "bufferViews":[{"buffer":0,"byteLength":152}],
+        "accessors":[
+            {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-0.4,0],"max":[1,0.4,0]},
+            {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC2"},
+            {"bufferView":0,"byteOffset":80,"componentType":5123,"count":6,"type":"SCALAR"},
+            {"bufferView":0,"byteOffset":92,"componentType":5126,"count":3,"type":"SCALAR","min":[0],"max":[2]},
+            {"bufferView":0,"byteOffset":104,"componentType":5126,"count":3,"type":"VEC4"}]});' >turning.gltf
+tamgen --size 64 --levels 2 -o map.exr
+meshgen teapot --faces 2000 -o teapot.glb
+
+open_window() {
+    render-gl "$1" --tam map.exr --window --size 320x240 --samples 1 -o "$2%d.png" 2>err &
+    window=$!
+    timeout 60 xdotool search --sync --name render-gl >/dev/null
+}
+
+# shot NAME: what s saves
+shot() {
+    xdotool key s
+    tries=0
+    until [ -s "$1.png" ] || [ $tries -ge 200 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    [ -s "$1.png" ] || fail "$1.png is saved" "$(cat err)"
+}
+
+# changed A B: by more than a hundredth of the pixels
+changed() {
+    hatchstat diff "$1.png" "$2.png" | awk 'NR == 2 {exit !($6 > 0.01)}'
+}
+
+drag() {
+    xdotool mousemove 100 120 mousedown "$1" mousemove 140 120 mousemove 180 130 mouseup "$1"
+}
+
+open_window teapot.glb shot
+shot shot1
+drag 1
+shot shot2
+ok "dragging turns" changed shot1 shot2
+xdotool key f
+shot shot3
+ok "f brings the view of the start back" cmp shot1.png shot3.png
+drag 3
+shot shot4
+ok "the right button pans" changed shot3 shot4
+xdotool key f click 4 click 4
+shot shot5
+ok "the wheel zooms" changed shot3 shot5
+xdotool key f Left Left Up
+shot shot6
+ok "arrows turn" changed shot3 shot6
+xdotool key f keydown ctrl
+drag 1
+xdotool keyup ctrl
+shot shot7
+ok "dragging with control moves the light" changed shot3 shot7
+xdotool key 7
+shot shot8
+ok "7 shows the tone alone" changed shot7 shot8
+xdotool key Left
+sleep 0.7
+xdotool key Right
+sleep 0.3
+xdotool search --name render-gl getwindowname | grep -qE '^render-gl: gouraud, [0-9]+\.[0-9] ms$'
+is "the title shows technique and milliseconds" $? 0
+xdotool key t
+shot shot9
+ok "t shows the next technique" changed shot8 shot9
+xdotool key question key q
+wait $window
+is "q closes" $? 0
+is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-7] (tam|gouraud)' err)" 7
+is "nothing else is said" "$(grep -vE '^render-gl: ([1-7] |saved shot|drag|arrows|1 to 7|s: )' err)" ""
+
+open_window turning.gltf turn
+shot turn1
+sleep 0.4
+shot turn2
+ok "animations play" changed turn1 turn2
+xdotool key space
+shot turn3
+sleep 0.4
+shot turn4
+ok "space pauses them" cmp turn3.png turn4.png
+xdotool key Escape
+wait $window
+is "escape closes" $? 0
+
+unset DISPLAY
+try render-gl teapot.glb --tam map.exr --window
+is "no display: one line, exit 4" "$status $(wc -l <.err)" "4 1"
+finish
