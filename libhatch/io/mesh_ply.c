@@ -82,6 +82,8 @@ static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
 {
     size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) : hatch_reader_left(&p->reader);
     size_t least = least_size(p, p->element);
+    if (!least && p->element->kind != HATCH_PLY_OTHER && p->element->count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no properties", p->element->name);
     if (least && p->element->count > left / least + 1)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu",
                           p->element->name, (unsigned long long)p->element->count, least, left);

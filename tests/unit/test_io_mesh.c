@@ -216,6 +216,9 @@ START_TEST(what_is_wrong_is_named_with_its_place)
     refused("ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nproperty float y\n"
             "property float z\nend_header\n0 0 0\n",
             "element vertex: 99999");
+    refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 999999999999999999\nend_header\n0 0 0\n",
+            "element face: no properties");
 }
 END_TEST
 
