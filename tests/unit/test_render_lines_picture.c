@@ -1,0 +1,286 @@
+/* Lines in pictures: width, hidden parts, tiles. Surfaces are as white as the paper, so that all ink is
+ * lines. */
+#include "lines.h"
+#include "render-gl/context.h"
+#include "render-gl/picture.h"
+
+#define CREASE_RAD 0.7
+
+static struct context context;
+static struct gpu_scene gpu;
+static struct hatch_scene scene;
+static struct lines lines;
+static struct renderer renderer;
+
+static void begin_context(void)
+{
+    struct hatch_err err;
+    begin();
+    HATCH_TEST_OK(context_open_headless(&context, 1, &err), &err);
+}
+
+static void end_context(void)
+{
+    lines_free(&lines);
+    renderer_free(&renderer);
+    scene_free(&gpu);
+    context_close(&context);
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+/* The unit scene is the mesh as it is. */
+static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
+{
+    static struct shader_source shaders;
+    const struct bounds bounds = {.radius = 1};
+    const struct line_style style = {
+        .kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
+    struct hatch_err err;
+    shaders = (struct shader_source){NULL, &scratch};
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &keep, &scene, &err), &err);
+    HATCH_TEST_OK(scene_upload(&scene, &bounds, &keep, &scratch, &gpu, &err), &err);
+    HATCH_TEST_OK(scene_set_pose(&gpu, HATCH_NONE, 0, &scratch, &err), &err);
+    HATCH_TEST_OK(
+        lines_make(&gpu, &style, &shaders, (uint64_t)1 << 30, &keep, &scratch, &lines, &err), &err);
+    renderer = (struct renderer){.shaders = shaders,
+                                 .style = {.inks = {.paper = {1, 1, 1}}, .curve = {.gamma = 1}},
+                                 .scene = &gpu,
+                                 .lines = &lines,
+                                 .size_max_px = context.size_max_px};
+    HATCH_TEST_OK(renderer_prepare(&renderer, TECHNIQUE_PROBE - 1, &scratch, &err), &err);
+}
+
+/* The ink of each pixel, lowest row last; drawn in tiles of target_px. */
+static struct hatch_image draw(const struct view *view, uint32_t target_px, uint32_t side)
+{
+    struct hatch_image image;
+    struct target target;
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_image_make(&keep, 400, 400, "RGB", &image, &err), &err);
+    HATCH_TEST_OK(target_make(target_px, target_px, side, &renderer.shaders, &target, &err), &err);
+    HATCH_TEST_OK(picture_draw(&renderer, TECHNIQUE_PROBE - 1, view, &target, &image, &err), &err);
+    target_free(&target);
+    for (uint32_t i = 0; i < 3 * 400 * 400; i++)
+        image.pixels[i] = 1 - image.pixels[i];
+    return image;
+}
+
+static double ink_at(const struct hatch_image *image, double x, double y)
+{
+    long column = lround(x - 0.5), row = 399 - lround(y - 0.5);
+    return column < 0 || column > 399 || row < 0 || row > 399
+               ? 0.0
+               : (double)image->pixels[3 * (400 * row + column)];
+}
+
+static double ink_of(const struct hatch_image *image)
+{
+    double sum = 0;
+    for (size_t i = 0; i < 400 * 400; i++)
+        sum += (double)image->pixels[3 * i];
+    return sum;
+}
+
+static void pixel_of(const struct view *view, const double point[3], double out[2])
+{
+    double from[3], depth = view->orthographic ? 1 : line_depth(view, point);
+    hatch_vec_sub(point, view->eye, from);
+    out[0] = 200 + 200 * hatch_vec_dot(from, view->right) / (depth * view->half_height);
+    out[1] = 200 + 200 * hatch_vec_dot(from, view->up) / (depth * view->half_height);
+}
+
+static double pixels_between(const struct view *view, const double a[3], const double b[3])
+{
+    double p[2], q[2];
+    pixel_of(view, a, p);
+    pixel_of(view, b, q);
+    return hypot(q[0] - p[0], q[1] - p[1]);
+}
+
+START_TEST(ink_is_width_times_length)
+{
+    static const double widths_px[] = {0.5, 1, 1.6, 2, 3, 7};
+    static const double corners[5][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}};
+    const double width_px = widths_px[_i];
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50);
+    show(&plane, LINES_ALL, width_px);
+    for (int turn = 0; turn < 4; turn++) {
+        struct view view = view_from(0.4 * turn, -0.3 * turn, 4, turn % 2);
+        struct hatch_image image = draw(&view, 400, 1 + (uint32_t)turn % 2);
+        double length = 0;
+        for (int i = 0; i < 4; i++)
+            length += pixels_between(&view, corners[i], corners[i + 1]);
+        ck_assert_double_eq_tol(ink_of(&image) / (width_px * length), 1, 0.03);
+    }
+}
+END_TEST
+
+START_TEST(nine_edges_of_a_cube_are_seen)
+{
+    struct hatch_mesh mesh = cube();
+    struct view view = view_from(7, 5, 6, false);
+    double length = 0;
+    show(&mesh, LINES_ALL, 2);
+    struct hatch_image image = draw(&view, 400, 2);
+    for (int a = 0; a < 8; a++)
+        for (int k = 0; k < 3; k++) {
+            int b = a | 1 << k;
+            if (a == b || a == 0) /* corner 0 is behind: its three edges are hidden */
+                continue;
+            double p[3], q[3];
+            for (int i = 0; i < 3; i++) {
+                p[i] = a >> i & 1 ? 1 : -1;
+                q[i] = b >> i & 1 ? 1 : -1;
+            }
+            length += pixels_between(&view, p, q);
+        }
+    ck_assert_double_eq_tol(ink_of(&image) / (2 * length), 1, 0.03);
+}
+END_TEST
+
+/* Marks a pixel and all ink that hangs together with it. */
+static void flood(const struct hatch_image *image, uint8_t *seen, size_t start)
+{
+    static size_t stack[400 * 400];
+    size_t count = 0;
+    stack[count++] = start;
+    seen[start] = 1;
+    while (count) {
+        size_t at = stack[--count];
+        for (int y = -1; y <= 1; y++)
+            for (int x = -1; x <= 1; x++) {
+                long column = (long)(at % 400) + x, row = (long)(at / 400) + y;
+                size_t next = (size_t)(400 * row + column);
+                if (column < 0 || column > 399 || row < 0 || row > 399 || seen[next] ||
+                    image->pixels[3 * next] < 0.02f)
+                    continue;
+                seen[next] = 1;
+                stack[count++] = next;
+            }
+    }
+}
+
+START_TEST(a_sphere_is_one_even_ring)
+{
+    static uint8_t seen[400 * 400];
+    static const uint32_t faces[] = {200, 2000, 60000};
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, faces[_i]);
+    struct view view = view_from(1, 2, 3, false);
+    double d = hatch_vec_length(view.eye), radius = 200 / view.half_height / sqrt(d * d - 1);
+    double tolerance_px = faces[_i] > 1000 ? 0.3 : 2.5;
+    show(&mesh, LINES_ALL, 2);
+    struct hatch_image image = draw(&view, 400, 1);
+    uint32_t parts = 0;
+    for (size_t i = 0; i < 400 * 400; i++) {
+        if (image.pixels[3 * i] < 0.02f)
+            continue;
+        double from = hypot((double)(i % 400) - 199.5, (double)(i / 400) - 199.5);
+        ck_assert_double_eq_tol(from, radius, 1.75 + tolerance_px);
+        if (!seen[i]) {
+            flood(&image, seen, i);
+            parts++;
+        }
+    }
+    ck_assert_uint_eq(parts, 1);
+    ck_assert_double_eq_tol(ink_of(&image) / (2 * 2 * 3.14159265 * radius), 1, 0.03);
+}
+END_TEST
+
+/* Is the way from a point of the torus to the eye free of the torus? */
+static bool torus_hides(const struct view *view, const double point[3])
+{
+    double way[3];
+    hatch_vec_sub(view->eye, point, way);
+    for (double t = 0; t < 0.6; t += 2e-4) {
+        double p[3];
+        hatch_vec_add_scaled(point, t, way, p);
+        if (hypot(hypot(p[0], p[2]) - 1, p[1]) < 0.4 - 2e-3)
+            return true;
+    }
+    return false;
+}
+
+/* Every point of the silhouette has ink where nothing is before it, and none where something is. */
+START_TEST(hidden_parts_of_a_torus_are_left_out)
+{
+    static double at[4000][2];
+    static bool hidden[4000];
+    static const double eyes[][3] = {{1, 1.6, 4}, {0.4, 1.2, 4}, {4, 0.7, 1}};
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TORUS, 20000);
+    show(&mesh, LINES_ALL, 2);
+    struct view view = view_from(eyes[_i][0], eyes[_i][1], eyes[_i][2], false);
+    struct hatch_image image = draw(&view, 400, 2);
+    struct line_mesh traced = lines_of(&mesh, LINES_SILHOUETTES, CREASE_RAD);
+    struct line_shape shape = shape_in_place(&traced);
+    struct line_trace trace = silhouettes_of(&shape, &view);
+    uint32_t counts[2] = {0, 0};
+    ck_assert_uint_lt(trace.node_count, 4000);
+    for (uint32_t i = 0; i < trace.node_count; i++) {
+        hidden[i] = torus_hides(&view, &trace.nodes[3 * i]);
+        pixel_of(&view, &trace.nodes[3 * i], at[i]);
+    }
+    for (uint32_t i = 0; i < trace.node_count; i++) {
+        bool near_other = false;
+        for (uint32_t j = 0; j < trace.node_count && !near_other; j++)
+            near_other = hidden[j] != hidden[i] &&
+                         hypot(at[i][0] - at[j][0], at[i][1] - at[j][1]) < 8;
+        if (near_other)
+            continue;
+        counts[hidden[i]]++;
+        if (hidden[i])
+            ck_assert_double_eq_tol(ink_at(&image, at[i][0], at[i][1]), 0, 1e-6);
+        else
+            ck_assert_double_ge(ink_at(&image, at[i][0], at[i][1]), 0.6);
+    }
+    ck_assert_uint_gt(counts[0], 200);
+    ck_assert_uint_gt(counts[1], 15);
+}
+END_TEST
+
+/* One picture, whole and in tiles of several sizes. */
+START_TEST(tiles_have_no_seams)
+{
+    static const uint32_t tiles_px[] = {130, 201, 399};
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TEAPOT, 6000);
+    struct view view = view_from(2, 2.5, 5, false);
+    show(&mesh, LINES_ALL, 3);
+    struct hatch_image one = draw(&view, 400, 2);
+    for (int k = 0; k < 3; k++) {
+        struct hatch_image tiled = draw(&view, tiles_px[k], 2);
+        for (uint32_t i = 0; i < 3 * 400 * 400; i++)
+            ck_assert_float_eq_tol(one.pixels[i], tiled.pixels[i], 0.01f);
+    }
+    ck_assert_double_gt(ink_of(&one), 2000);
+}
+END_TEST
+
+/* Nothing to check but that it ends well: the eye on a vertex, within, and on a plane's edge. */
+START_TEST(the_camera_may_stand_anywhere)
+{
+    static const double eyes[][3] = {{1, 1, 1}, {0, 0, 0.2}, {1, 0, 1e-9}, {0, 1, 0}};
+    struct hatch_mesh mesh = _i % 2 ? shape_of(HATCH_SHAPE_TORUS, 3000) : cube();
+    show(&mesh, LINES_ALL, 2);
+    for (size_t i = 0; i < 4; i++) {
+        struct view view = view_from(eyes[i][0], eyes[i][1], eyes[i][2], _i / 2);
+        struct hatch_image image = draw(&view, 400, 1);
+        ck_assert(isfinite(ink_of(&image)));
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render lines picture");
+    TCase *tests = tcase_create("pictures");
+    tcase_add_checked_fixture(tests, begin_context, end_context);
+    tcase_add_loop_test(tests, ink_is_width_times_length, 0, 6);
+    tcase_add_test(tests, nine_edges_of_a_cube_are_seen);
+    tcase_add_loop_test(tests, a_sphere_is_one_even_ring, 0, 3);
+    tcase_add_loop_test(tests, hidden_parts_of_a_torus_are_left_out, 0, 3);
+    tcase_add_test(tests, tiles_have_no_seams);
+    tcase_add_loop_test(tests, the_camera_may_stand_anywhere, 0, 4);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
