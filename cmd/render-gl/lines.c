@@ -4,6 +4,7 @@
 
 #define GAP_PX 4.0    /* hidden for shorter than this: a surface that grazes the line */
 #define CRUMB_PX 6.0  /* visible for shorter than this, and alone: dirt */
+#define TRIM_PX 1.0   /* visible because the test looks around itself */
 
 /* Skins pose a mesh from where it lies in the file, other nodes from around its middle. */
 static struct line_mesh *mesh_of(const struct lines *lines, const struct gpu_item *item)
@@ -83,7 +84,7 @@ static enum hatch_status draw_trace(struct lines *lines, const struct line_trace
     if (!segments)
         return HATCH_LIMIT;
     line_gl_test(&lines->gl, target, strips.samples, strips.piece_count, visible);
-    line_strips_smooth(&strips, GAP_PX, CRUMB_PX + 2 * width_px, visible);
+    line_strips_smooth(&strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, visible);
     uint32_t count = line_strips_visible(&strips, visible, segments);
     line_gl_stroke(&lines->gl, segments, count, width_px);
     return HATCH_OK;

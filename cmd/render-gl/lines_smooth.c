@@ -44,12 +44,34 @@ static void drop_runs(const struct line_strips *strips, const struct line_strip 
     }
 }
 
+/* Shortens visible runs where hidden ones follow. Marks what goes with 2 first, so that one run's end
+ * is not taken for the next one's. */
+static void trim_runs(const struct line_strips *strips, const struct line_strip *strip,
+                      double trim_px, uint8_t *visible)
+{
+    uint32_t count = strip->count, steps = strip->closed ? 2 * count : count;
+    for (int back = 0; back < 2; back++) {
+        double left_px = 0;
+        for (uint32_t i = 0; i < steps; i++) {
+            uint32_t at = strip->first + (back ? steps - 1 - i : i) % count;
+            if (visible[at] == 0)
+                left_px = trim_px;
+            else if (left_px > 0)
+                visible[at] = 2;
+            left_px -= visible[at] ? length_of(&strips->pieces[at]) : 0;
+        }
+    }
+    for (uint32_t i = strip->first; i < strip->first + count; i++)
+        visible[i] = visible[i] == 1;
+}
+
 void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
-                        uint8_t *visible)
+                        double trim_px, uint8_t *visible)
 {
     for (uint32_t s = 0; s < strips->strip_count; s++) {
         drop_runs(strips, &strips->strips[s], 0, gap_px, visible);
         drop_runs(strips, &strips->strips[s], 1, crumb_px, visible);
+        trim_runs(strips, &strips->strips[s], trim_px, visible);
     }
 }
 

@@ -42,9 +42,9 @@ enum hatch_status line_strips_make(const struct line_trace *trace, const struct 
 
 /* Makes visibility even along each strip. visible: per piece, 0 or 1. A hidden gap shorter than gap_px
  * between visible parts is closed; then a visible crumb shorter than crumb_px, which nothing joins, is
- * hidden. */
+ * hidden; then the ends of visible parts at hidden ones lose the pieces that begin within trim_px. */
 void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
-                        uint8_t *visible);
+                        double trim_px, uint8_t *visible);
 
 /* Writes the visible parts as segments, x y x y each, and returns how many there are: at most
  * piece_count. Pieces of one straight segment become one. */

@@ -114,18 +114,39 @@ START_TEST(gaps_are_closed_and_crumbs_are_dropped)
     memset(visible, 1, sizeof visible);
     visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner is one of two pieces */
     memset(visible + 100, 0, 40);
-    line_strips_smooth(&strips, 4, 8, visible);
+    line_strips_smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 228);
     memset(visible, 0, sizeof visible);
     memset(visible + 20, 1, 5);
     memset(visible + 200, 1, 30);
     visible[0] = visible[267] = 1;
-    line_strips_smooth(&strips, 4, 8, visible);
+    line_strips_smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 30);
     ck_assert_uint_eq(visible[215], 1);
     memset(visible, 0, sizeof visible);
-    line_strips_smooth(&strips, 1e9, 8, visible);
+    line_strips_smooth(&strips, 1e9, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 0);
+}
+END_TEST
+
+START_TEST(ends_at_hidden_parts_are_trimmed)
+{
+    struct line_strips strips = square();
+    uint8_t visible[268];
+    memset(visible, 1, sizeof visible);
+    memset(visible + 100, 0, 40);
+    line_strips_smooth(&strips, 4, 8, 2, visible); /* pieces are 1.49 long: two on each side */
+    ck_assert_uint_eq(sum(visible, 268), 224);
+    ck_assert_uint_eq(visible[97] + visible[142], 2);
+    ck_assert_uint_eq(visible[98] + visible[141], 0);
+    memset(visible, 1, sizeof visible);
+    memset(visible, 0, 40);
+    line_strips_smooth(&strips, 4, 8, 2, visible);
+    ck_assert_uint_eq(visible[267] + visible[41], 0);
+    strips.strips[0].closed = false;
+    memset(visible, 1, sizeof visible);
+    line_strips_smooth(&strips, 4, 8, 2, visible);
+    ck_assert_uint_eq(sum(visible, 268), 268);
 }
 END_TEST
 
@@ -137,7 +158,7 @@ START_TEST(what_another_line_joins_is_no_crumb)
     strips.strips[0].joined[0] = true;
     strips.strips[0].joined[1] = false;
     visible[266] = visible[267] = 1;
-    line_strips_smooth(&strips, 4, 8, visible);
+    line_strips_smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(visible[0], 1);
     ck_assert_uint_eq(visible[267], 0);
 }
@@ -206,6 +227,7 @@ static Suite *suite(void)
     tcase_add_test(tests, what_is_behind_the_eye_is_cut_off);
     tcase_add_test(tests, tiles_cut_lines_alike);
     tcase_add_test(tests, gaps_are_closed_and_crumbs_are_dropped);
+    tcase_add_test(tests, ends_at_hidden_parts_are_trimmed);
     tcase_add_test(tests, what_another_line_joins_is_no_crumb);
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
     tcase_add_test(tests, chains_go_straight_on);
