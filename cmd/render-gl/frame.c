@@ -104,6 +104,22 @@ static void set_own_light(struct frame_block *block, const struct view *view,
     block->counts[0] = 1;
 }
 
+double frame_strongest_light(const struct pose *pose, const struct bounds *bounds)
+{
+    const struct hatch_scene *scene = pose->scene;
+    double strongest = 0;
+    for (uint32_t node = 0; node < scene->node_count; node++) {
+        struct frame_light light;
+        double world[16];
+        if (scene->nodes[node].light == HATCH_NONE)
+            continue;
+        pose_matrix(pose, node, world);
+        strongest = fmax(strongest, set_scene_light(&light, &scene->lights[scene->nodes[node].light],
+                                                    world, bounds));
+    }
+    return strongest;
+}
+
 uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
                           const struct bounds *bounds, const struct view *view,
                           const struct own_light *own, double exposure)

@@ -67,4 +67,7 @@ uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
                           const struct bounds *bounds, const struct view *view,
                           const struct own_light *own, double exposure);
 
+/* The strength of the strongest of the scene's lights, in the unit scene; 0 where none shines. */
+double frame_strongest_light(const struct pose *pose, const struct bounds *bounds);
+
 #endif

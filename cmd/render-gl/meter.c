@@ -92,8 +92,11 @@ enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct vie
     struct frame_block *block = HATCH_NEW(scratch, struct frame_block, 1, err);
     struct meter *meter = HATCH_NEW(scratch, struct meter, 1, err);
     enum hatch_status status = block && meter ? HATCH_OK : HATCH_LIMIT;
+    /* Lamps that floats cannot tell from darkness may be all the light there is. */
+    double strongest = frame_strongest_light(&scene->pose, &scene->bounds);
+    double first = strongest > 0 ? 1 / strongest : 1;
     if (status == HATCH_OK) {
-        frame_set_lights(block, &scene->pose, &scene->bounds, view, &none, 1);
+        frame_set_lights(block, &scene->pose, &scene->bounds, view, &none, first);
         meter->lights = block;
     }
     for (uint32_t i = 0; status == HATCH_OK && i < scene->item_count; i++) {
@@ -102,7 +105,7 @@ enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct vie
         hatch_arena_rewind(scratch, before);
     }
     if (status == HATCH_OK)
-        *exposure = meter->lit ? 1 / white_point(meter) : 1;
+        *exposure = meter->lit ? first / white_point(meter) : 1;
     hatch_arena_rewind(scratch, mark);
     return status;
 }

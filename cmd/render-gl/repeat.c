@@ -31,7 +31,7 @@ static double median(const struct density *density, int axis)
 
 /* How long the steps of u and of v are on a face, by the inverse of its map from edges. */
 static void add_face(struct density *density, const double *const p[3], const float *const t[3],
-                     const struct view *view, double height_px)
+                     const struct view *view, double height_px, bool only_seen)
 {
     double e[2][3], d[2][2], center[3], step[2] = {0, 0}, n[3], area = 0;
     for (int i = 0; i < 2; i++) {
@@ -51,6 +51,8 @@ static void add_face(struct density *density, const double *const p[3], const fl
         step[1] += along_v * along_v;
         area += n[k] * n[k];
     }
+    if (only_seen && !view_sees(view, center))
+        return;
     double scale = view_pixels_per_unit(view, center, height_px);
     area = 0.5 * sqrt(area) * scale * scale;
     if (!(area > 0) || !isfinite(area) || !(fabs(det) > 0) || !(step[0] > 0) || !(step[1] > 0))
@@ -75,16 +77,18 @@ static enum hatch_status measure(struct gpu_scene *scene, const struct gpu_item 
         for (size_t k = 0; k < 3; k++)
             positions[3 * v + k] =
                 (positions[3 * v + k] - scene->bounds.center[k]) / scene->bounds.radius;
-    for (size_t face = 0; texcoord && face < mesh->face_count; face++) {
-        const double *p[3];
-        const float *t[3];
-        for (size_t i = 0; i < 3; i++) {
-            size_t vertex = mesh->indices[3 * face + i];
-            p[i] = positions + 3 * vertex;
-            t[i] = texcoord + 2 * vertex;
+    /* What the picture shows decides; a surface that comes into it later goes by its distance. */
+    for (int only_seen = 1; only_seen >= 0 && !(density->total > 0); only_seen--)
+        for (size_t face = 0; texcoord && face < mesh->face_count; face++) {
+            const double *p[3];
+            const float *t[3];
+            for (size_t i = 0; i < 3; i++) {
+                size_t vertex = mesh->indices[3 * face + i];
+                p[i] = positions + 3 * vertex;
+                t[i] = texcoord + 2 * vertex;
+            }
+            add_face(density, p, t, view, height_px, only_seen);
         }
-        add_face(density, p, t, view, height_px);
-    }
     return HATCH_OK;
 }
 

@@ -229,9 +229,19 @@ void view_matrix(const struct view *view, const struct tile *tile, float clip_fr
     }
 }
 
+bool view_sees(const struct view *view, const double point[3])
+{
+    double to[3] = {point[0] - view->eye[0], point[1] - view->eye[1], point[2] - view->eye[2]};
+    double depth = -dot(to, view->back);
+    double high = 1.1 * view->half_height * (view->orthographic ? 1.0 : depth);
+    return depth > view->near && fabs(dot(to, view->up)) < high &&
+           fabs(dot(to, view->right)) < high * view->aspect;
+}
+
 double view_pixels_per_unit(const struct view *view, const double point[3], double height_px)
 {
     double from[3] = {view->eye[0] - point[0], view->eye[1] - point[1], view->eye[2] - point[2]};
-    double distance = view->orthographic ? 1.0 : fmax(dot(from, view->back), view->near);
-    return height_px / (2 * view->half_height * distance);
+    double depth = dot(from, view->back);
+    double distance = depth > view->near ? depth : fmax(sqrt(dot(from, from)), view->near);
+    return height_px / (2 * view->half_height * (view->orthographic ? 1.0 : distance));
 }

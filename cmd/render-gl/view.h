@@ -58,7 +58,11 @@ void view_set_back(struct view *view, const double back[3]);
  * away, which floats resolve evenly. */
 void view_matrix(const struct view *view, const struct tile *tile, float clip_from_unit[16]);
 
-/* How many pixels a unit of the unit scene is long at a point, for a picture height_px high. */
+/* Is a point inside the picture's frame, or a little beside it? */
+bool view_sees(const struct view *view, const double point[3]);
+
+/* How many pixels a unit of the unit scene is long at a point, for a picture height_px high; what lies
+ * behind the camera goes by its distance. */
 double view_pixels_per_unit(const struct view *view, const double point[3], double height_px);
 
 #endif

@@ -1,0 +1,126 @@
+# Scenes, cameras, lights and sizes on which renderers stumble: each draws, and not nonsense.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --levels 2 -o map.exr
+meshgen teapot --faces 3000 -o teapot.glb
+
+# draws NAME ARGUMENT ...: a picture comes out, and nothing is said
+draws() {
+    name=$1
+    shift
+    try render-gl "$@" --tam map.exr -o picture.png
+    is "$name" "$status $(cat .err)" "0 "
+}
+
+# tone [FILE]: the mean of a picture, linear
+tone() {
+    hatchstat frames "${1:-picture.png}" "${1:-picture.png}" | awk 'NR == 2 {print $2}'
+}
+
+# between LOW HIGH: is the picture's tone?
+between() {
+    tone | awk -v low="$1" -v high="$2" '{exit !($1 > low && $1 < high)}'
+}
+
+# size FILE: width and height of a PNG
+size() {
+    perl -e 'open my $f, "<:raw", shift; read $f, my $b, 24; print join "x", unpack("x16NN", $b)' "$1"
+}
+
+# scene LIGHT NODE [POSITIONS [TEXCOORDS]]: a square from -1 to 1, a light and the node that holds it
+scene() {
+    perl -e '
+        use MIME::Base64;
+        my ($lights, $nodes, $positions, $texcoords) = @ARGV;
+        my @positions = split " ", $positions || "-1 -1 0 1 -1 0 1 1 0 -1 1 0";
+        my @texcoords = split " ", $texcoords || "0 1 1 1 1 0 0 0";
+        my $data = encode_base64(pack("f<12f<8S<6", @positions, @texcoords, 0,1,2, 0,2,3), "");
+        my $extent = sub { my $k = shift; my @all = sort { $a <=> $b } @positions[map { 3 * $_ + $k } 0..3];
+            ($all[0], $all[3]) };
+        my @box = map { [$extent->($_)] } 0..2;
+        my $list = sub { my $end = shift; join ",", map { unpack("f", pack("f", $_->[$end])) } @box };
+        print qq({"asset":{"version":"2.0"},"scene":0,
+            "extensionsUsed":["KHR_lights_punctual"],
+            "extensions":{"KHR_lights_punctual":{"lights":[$lights]}},
+            "scenes":[{"nodes":[0), $nodes ? ",1" : "", qq(]}],
+            "nodes":[{"mesh":0}), $nodes ? ",$nodes" : "", qq(],
+            "meshes":[{"primitives":[{"indices":2,"attributes":{"POSITION":0,"TEXCOORD_0":1}}]}],
+            "buffers":[{"byteLength":92,"uri":"data:application/octet-stream;base64,$data"}],
+            "bufferViews":[{"buffer":0,"byteLength":92}],
+            "accessors":[
+                {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[), $list->(0),
+                    q(],"max":[), $list->(1), q(]},
+                {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC2"},
+                {"bufferView":0,"byteOffset":80,"componentType":5123,"count":6,"type":"SCALAR"}]});
+    ' "$@"
+}
+point='{"type":"point","intensity":100}'
+at() {
+    printf '{"translation":[%s],"extensions":{"KHR_lights_punctual":{"light":0}}}' "$1"
+}
+
+draws "a picture of one pixel" teapot.glb --size 1x1
+is "it has one pixel" "$(size picture.png)" 1x1
+draws "a column of pixels" teapot.glb --size 1x500
+draws "a picture 16384 pixels wide" teapot.glb --size 16384x32 --samples 1
+is "it is as wide" "$(size picture.png)" 16384x32
+ok "it shows the teapot" between 0.5 0.9999
+draws "a picture wider than the driver's limit" teapot.glb --size 20000x16 --samples 1
+is "it is as wide" "$(size picture.png)" 20000x16
+
+draws "a camera inside" teapot.glb --camera 0,0.4,0:1,0.4,0.2 --size 160x120
+ok "it sees the inner wall, with strokes" between 0.05 0.98
+draws "a camera on what it looks at" teapot.glb --camera 0,0.4,0:0,0.4,0 --size 160x120
+draws "a camera straight above" teapot.glb --camera 0,5,0 --size 160x120
+draws "a camera very far away" teapot.glb --camera 1e30,0,0 --size 160x120
+scene "$point" "$(at 0,0,2)" >square.gltf
+draws "a camera on a vertex" square.gltf --camera 1,1,0:0,0,-1 --size 160x120
+draws "a camera in the plane of a face" square.gltf --camera 3,0,0:0,0,0 --size 160x120
+
+meshgen teapot --faces 500000 -o large.glb
+draws "500,000 triangles" large.glb --size 320x240 --lines none
+ok "they show the teapot" between 0.5 0.99
+
+# Light: near things are as bright as far ones, once the exposure is chosen; nothing is black.
+for place in 1,1,0 0,0,0 0,0,1e-20 0,0,1e30; do
+    scene "$point" "$(at $place)" >light.gltf
+    draws "a lamp at $place" light.gltf --technique gouraud --camera 0,0,4 --size 64x64
+    ok "it makes a tone" between 0.05 1.01
+done
+scene "$point" "$(at 0,0,1e30)" >far.gltf
+render-gl far.gltf --technique gouraud --camera 0,0,4 --size 64x64 -o far.png
+scene '{"type":"directional","intensity":1e30}' '{"extensions":{"KHR_lights_punctual":{"light":0}}}' \
+    >sun.gltf
+draws "a sun of 1e30 lux" sun.gltf --technique gouraud --camera 0,0,4 --size 64x64
+is "a lamp infinitely far away is a sun" "$(tone far.png)" "$(tone picture.png)"
+scene '{"type":"spot","intensity":9,"spot":{"innerConeAngle":0,"outerConeAngle":0.0001}}' "$(at 0,0,2)" \
+    >spot.gltf
+draws "a spot of no width" spot.gltf --technique gouraud --camera 0,0,4 --size 64x64
+scene '{"type":"point","intensity":0}' "$(at 0,0,2)" >dark.gltf
+draws "a lamp that is off" dark.gltf --camera 0,0,4 --size 64x64
+
+# Texture coordinates: all at one place, on one line, huge. Strokes are lost, the tone need not be.
+corners="-1 -1 0 1 -1 0 1 1 0 -1 1 0"
+for uv in "0 0 0 0 0 0 0 0" "0 0 1 1 2 2 3 3" "0 1e30 1e30 1e30 1e30 0 0 0" "0 1e-30 1e-30 1e-30 1e-30 0 0 0"; do
+    scene "$point" "$(at 0,0,2)" "$corners" "$uv" >uv.gltf
+    draws "texture coordinates $uv" uv.gltf --camera 0,0,4 --size 64x64
+done
+
+# Positions: tiny, huge, far from the origin. The picture is that of the plain square.
+scene "$point" "" >plain.gltf
+draws "a square" plain.gltf --size 64x64 --technique gouraud
+plain=$(tone)
+for scale in 1e-15 1e15; do
+    scene "$point" "" "$(echo "$corners" | sed "s/1/$scale/g")" >scaled.gltf
+    draws "a square of $scale" scaled.gltf --size 64x64 --technique gouraud
+    is "it looks like the plain one" "$(tone)" "$plain"
+done
+moved=$(echo "$corners" | awk '{for (i = 1; i <= NF; i++) printf "%d ", $i + 1000000}')
+scene "$point" "" "$moved" >moved.gltf
+draws "a square a million units away" moved.gltf --size 64x64 --technique gouraud
+is "it looks like the plain one" "$(tone)" "$plain"
+
+printf '{"asset":{"version":"2.0"}}' >empty.gltf
+try render-gl empty.gltf --tam map.exr --size 64x64 -o picture.png
+is "an empty scene is drawn, with a warning" "$status $(wc -l <.err) $(tone)" "0 1 1"
+finish
