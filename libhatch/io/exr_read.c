@@ -4,11 +4,8 @@
 #include <string.h>
 
 #include "io/exr_chunk.h"
+#include "io/exr_zip.h"
 
-/* No lossless compression of the format shrinks further: a header that claims more pixels than this
- * many bytes for each byte of the file lies, and is refused before anything is allocated. */
-#define PACK_RATIO_MAX 2048u
-#define SLACK_BYTES 65536u
 #define CHUNK_TABLE_ENTRY 8u
 #define WHOLE_MAX 0x1p24f
 
@@ -24,6 +21,7 @@ struct layout {
     const char *name;
     bool tiled;
     uint32_t width, height, level_count, channel_count;
+    uint32_t pack_ratio; /* its compression shrinks bytes at most to one in so many */
     uint32_t chunk_width, chunk_height; /* of a tile, or of rows that are packed together */
     int32_t top;                        /* scanlines count from the data window's top */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in the order of the image */
@@ -113,16 +111,23 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
     return HATCH_OK;
 }
 
-static enum hatch_status check_compression(const struct reading *r, int part)
+/* A header that claims more pixels than a compression can hold in the file's bytes lies. A run of
+ * RLE is 128 bytes in two, a match of deflate 258 in two bits; PIZ stays below that. */
+static enum hatch_status read_compression(const struct reading *r, int part, struct layout *layout)
 {
     exr_compression_t compression = EXR_COMPRESSION_NONE;
     TRY_EXR(r, exr_get_compression(r->context, part, &compression));
     switch (compression) {
     case EXR_COMPRESSION_NONE:
+        layout->pack_ratio = 1;
+        return HATCH_OK;
     case EXR_COMPRESSION_RLE:
+        layout->pack_ratio = 64;
+        return HATCH_OK;
     case EXR_COMPRESSION_ZIPS:
     case EXR_COMPRESSION_ZIP:
     case EXR_COMPRESSION_PIZ:
+        layout->pack_ratio = 1032;
         return HATCH_OK;
     default:
         return hatch_fail(r->err, HATCH_BAD_INPUT, "compression %d is not lossless, or unknown",
@@ -149,7 +154,7 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
     layout->width = (uint32_t)((int64_t)window.max.x - window.min.x + 1);
     layout->height = (uint32_t)((int64_t)window.max.y - window.min.y + 1);
     HATCH_TRY(read_channels(r, part, layout));
-    HATCH_TRY(check_compression(r, part));
+    HATCH_TRY(read_compression(r, part, layout));
     if (layout->tiled)
         return read_levels(r, part, layout);
     int32_t rows = 0;
@@ -167,18 +172,20 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
 static enum hatch_status check_size(const struct reading *r, int part, const struct layout *layout,
                                     uint64_t *total)
 {
-    uint64_t floats = 0;
+    uint64_t texels = 0, texel_bytes = 0;
+    for (uint32_t c = 0; c < layout->channel_count; c++)
+        texel_bytes += hatch_exr_channel_bytes(layout->channels[c].type);
     for (uint32_t level = 0; level < layout->level_count; level++)
-        floats +=
+        texels +=
             (uint64_t)hatch_mip_size(layout->width, level) * hatch_mip_size(layout->height, level);
     int32_t chunks = 0;
     TRY_EXR(r, exr_get_chunk_count(r->context, part, &chunks));
-    if (floats / PACK_RATIO_MAX > r->stream.file.size ||
+    if (texels * texel_bytes / layout->pack_ratio > r->stream.file.size ||
         (uint64_t)chunks * CHUNK_TABLE_ENTRY > r->stream.file.size)
         return hatch_fail(r->err, HATCH_BAD_INPUT,
                           "%ux%u pixels in a file of %zu bytes: cut, or not true", layout->width,
                           layout->height, r->stream.file.size);
-    *total += floats * layout->channel_count * sizeof(float);
+    *total += texels * layout->channel_count * sizeof(float);
     size_t left = r->arena->limit_bytes - r->arena->used_bytes;
     if (*total > left)
         return hatch_fail(r->err, HATCH_LIMIT, "%ux%u pixels need more than the %zu bytes allowed",

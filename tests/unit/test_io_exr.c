@@ -207,6 +207,30 @@ START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
 }
 END_TEST
 
+/* 40,000 pixels each way where there is one: too many for the file's bytes, however large the
+ * arena. */
+START_TEST(a_window_that_lies_is_refused_before_anything_is_taken)
+{
+    static const char name[] = "dataWindow\0box2i";
+    static const uint8_t corner[] = {0x3f, 0x9c, 0, 0, 0x3f, 0x9c, 0, 0};
+    struct hatch_mipmap part, *got = NULL;
+    struct hatch_arena large;
+    uint32_t count = 0;
+    make_part(&kinds[1], 0, &part);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    size_t at = 0;
+    while (memcmp(file.data + at, name, sizeof name) != 0)
+        at++;
+    memcpy(file.data + at + sizeof name + 4 + 8, corner, sizeof corner);
+    hatch_arena_init(&large, SIZE_MAX);
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, &large, &scratch,
+                                    &got, &count, &err),
+                     HATCH_BAD_INPUT);
+    ck_assert_uint_eq(large.peak_bytes, 0);
+    ck_assert(strstr(err.text, "40000x40000"));
+}
+END_TEST
+
 START_TEST(a_writer_stops_at_its_limit)
 {
     struct hatch_mipmap part;
@@ -270,6 +294,7 @@ static Suite *suite(void)
     tcase_add_test(tests, every_cut_is_refused);
     tcase_add_test(tests, what_is_no_exr_file_is_told_so);
     tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_anything_is_taken);
+    tcase_add_test(tests, a_window_that_lies_is_refused_before_anything_is_taken);
     tcase_add_test(tests, a_writer_stops_at_its_limit);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
