@@ -13,7 +13,6 @@ struct frame {
     float per_length, per_width;   /* 1 / px: to 0..1 along and across */
     float columns;                 /* of the brush image */
     float columns_per_px;
-    float ends;                    /* coverage along: at most the length, for strokes under a pixel */
     float tone;                    /* times the width: what a difference of two sums is to become */
     uint32_t grain_x, grain_y;
 };
@@ -55,7 +54,6 @@ static struct frame frame_of(const struct hatch_stroke *stroke, const struct hat
     f.per_width = 0.5f / f.half_width;
     f.columns = (float)brush->width;
     f.columns_per_px = f.columns * f.per_length;
-    f.ends = 2 * f.half_length < 1 ? 2 * f.half_length : 1;
     f.tone = stroke->tone * 2 * f.half_width;
     uint64_t place = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
     f.grain_x = (uint32_t)(place % HATCH_GRAIN_SIZE);
@@ -101,7 +99,7 @@ static float covered_around(const struct hatch_brush *brush, const struct frame 
     if (f->columns_per_px <= 1) {
         float inside = f->half_length - fabsf(along) + 0.5f;
         uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
-        return covered_by(brush, x, from, to) * (inside < f->ends ? inside : f->ends);
+        return covered_by(brush, x, from, to) * (inside < 1 ? inside : 1);
     }
     float low = place - 0.5f * f->columns_per_px, high = place + 0.5f * f->columns_per_px, sum = 0;
     low = low > 0 ? low : 0;

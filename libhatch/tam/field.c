@@ -3,8 +3,32 @@
 #include <math.h>
 #include <string.h>
 
+static float *shares_of(float *share, uint32_t parts)
+{
+    return share + (size_t)parts * (parts - 1) / 2;
+}
+
+/* How the brush's ink is spread over that many equal parts of its length. */
+static void spread_ink(const struct hatch_brush *brush, uint32_t parts, float *share)
+{
+    double ink[HATCH_FIELD_PARTS] = {0}, total = 0;
+    for (uint64_t x = 0; x < brush->width; x++) {
+        double alpha = (double)brush->cumulative[(x + 1) * (brush->height + 1) - 1];
+        uint64_t from = x * parts, to = from + parts; /* one column, in units of 1 / (width * parts) */
+        for (uint64_t i = from / brush->width; i * brush->width < to; i++) {
+            uint64_t begin = i * brush->width, end = begin + brush->width;
+            uint64_t covered = (end < to ? end : to) - (begin > from ? begin : from);
+            ink[i] += alpha * (double)covered;
+            total += alpha * (double)covered;
+        }
+    }
+    for (uint32_t i = 0; i < parts; i++)
+        share[i] = (float)(ink[i] / total);
+}
+
 enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   struct hatch_field *field, struct hatch_err *err)
+                                   const struct hatch_brush *brush, struct hatch_field *field,
+                                   struct hatch_err *err)
 {
     struct hatch_field made = {.canvas_size_px = canvas_size_px, .levels = levels};
     /* Measured: cells of two pixels at 256, of four at 1024 are as even as finer ones, for a fraction of
@@ -16,8 +40,11 @@ enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_si
     made.potential = HATCH_NEW(arena, float, cells, err);
     made.row = HATCH_NEW(arena, float, made.size + 2, err);
     made.used = HATCH_NEW(arena, bool, made.size, err);
-    if (!made.potential || !made.row || !made.used)
+    made.share = HATCH_NEW(arena, float, HATCH_FIELD_PARTS * (HATCH_FIELD_PARTS + 1) / 2, err);
+    if (!made.potential || !made.row || !made.used || !made.share)
         return HATCH_LIMIT;
+    for (uint32_t parts = 1; parts <= HATCH_FIELD_PARTS; parts++)
+        spread_ink(brush, parts, shares_of(made.share, parts));
     for (uint32_t size = made.size; size >= 2; size /= 2) {
         float *octave = HATCH_NEW(arena, float, (size_t)size * size, err);
         if (!octave)
@@ -164,9 +191,13 @@ float hatch_field_score(const struct hatch_field *field, const struct hatch_stro
     uint32_t x = (uint32_t)(int32_t)((stroke->x * size - back * dx) * 65536.0f);
     uint32_t y = (uint32_t)(int32_t)((stroke->y * size - back * dy) * 65536.0f);
     uint32_t step_x = (uint32_t)(int32_t)(dx * 65536.0f), step_y = (uint32_t)(int32_t)(dy * 65536.0f);
-    uint32_t mask = field->size - 1;
-    float sum = 0;
-    for (uint32_t i = 0; i < samples; i++, x += step_x, y += step_y)
-        sum += field->potential[(y >> 16 & mask) * field->size + (x >> 16 & mask)];
-    return sum / (float)samples;
+    uint32_t mask = field->size - 1, parts = samples < HATCH_FIELD_PARTS ? samples : HATCH_FIELD_PARTS;
+    const float *share = shares_of(field->share, parts);
+    float sum = 0, weight = 0;
+    for (uint32_t i = 0; i < samples; i++, x += step_x, y += step_y) {
+        float ink = share[parts == samples ? i : (uint64_t)i * parts / samples];
+        sum += ink * field->potential[(y >> 16 & mask) * field->size + (x >> 16 & mask)];
+        weight += ink;
+    }
+    return sum / weight;
 }

@@ -13,11 +13,14 @@
 #include "tam/canvas.h"
 
 #define HATCH_FIELD_OCTAVES_MAX 12u
+#define HATCH_FIELD_PARTS 64u
 
 struct hatch_field {
     uint32_t size;      /* cells each way, a power of two */
     uint32_t octaves;
     float *potential;   /* size² cells */
+    float *share;       /* of the ink: [n * (n - 1) / 2 + i] is in part i of n along the stroke, n = 1 ..
+                           HATCH_FIELD_PARTS; the shares of one n sum to 1 */
     float *octave[HATCH_FIELD_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
     bool *used;         /* rows of octave[0] that hold something */
     float *row;         /* work: one row and a cell on either side */
@@ -26,9 +29,10 @@ struct hatch_field {
     uint32_t grid[HATCH_MIP_LEVELS_MAX];    /* its size: the field's, or the level's if smaller */
 };
 
-/* A field for a white canvas. canvas_size_px: a power of two. */
+/* A field for a white canvas, and for strokes of that brush. canvas_size_px: a power of two. */
 enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   struct hatch_field *field, struct hatch_err *err) HATCH_MUST_USE;
+                                   const struct hatch_brush *brush, struct hatch_field *field,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
  * those levels. */
@@ -40,8 +44,8 @@ void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *c
 /* Spreads what was deposited over all scales: once per stroke. */
 void hatch_field_settle(struct hatch_field *field);
 
-/* The mean potential along the stroke's centre line, from at most samples_max evenly spaced places:
- * the lower the better. */
+/* The mean potential along the stroke's centre line, weighted by where the brush holds its ink, from at
+ * most samples_max evenly spaced places: the lower the better. */
 float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
                         uint32_t samples_max);
 

@@ -276,7 +276,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
                                                  options->levels, options->ids, &f.canvas, err);
     if (status == HATCH_OK)
         status = options->method == HATCH_FILL_FIELD
-                     ? hatch_field_make(scratch, options->size_px, options->levels, &f.field, err)
+                     ? hatch_field_make(scratch, options->size_px, options->levels, brush, &f.field, err)
                      : make_pyramids(&f, scratch, err);
     for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)

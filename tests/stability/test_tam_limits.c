@@ -234,6 +234,30 @@ START_TEST(a_stroke_image_of_one_pixel_draws_bars)
 }
 END_TEST
 
+/* A picture of a stroke that holds ink in its middle alone. Plain, candidates are judged by the
+ * paper all along them: the strokes stand in bands, no more even than chance. Ours: by the paper
+ * under their ink. */
+START_TEST(a_stroke_image_with_empty_ends_is_laid_evenly)
+{
+    struct hatch_image image;
+    double ratio[4 * HATCH_EVENNESS_BOXES], mean = 0;
+    map_style("ink", "width 8\nlength 0.3 0.6\nink 0.7", &map);
+    HATCH_TEST_OK(hatch_image_make(&map_arena, 30, 1, "Y", &image, &map_err), &map_err);
+    for (uint32_t x = 0; x < 30; x++)
+        image.pixels[x] = x < 10 || x >= 20;
+    HATCH_TEST_OK(hatch_brush_from_image(&image, &map_arena, &map.brush, &map_err), &map_err);
+    map.options.size_px = 256;
+    map.options.tones = 4;
+    map_fill(&map);
+    struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err),
+                  &map_err);
+    for (uint32_t i = 0; i < 4; i++)
+        mean += ratio[i * HATCH_EVENNESS_BOXES + 1] / 4;
+    ck_assert_double_lt(mean, 0.5);
+}
+END_TEST
+
 /* A stroke wider than the coarsest image: plain, one stroke makes that image black, and every
  * darker one. Ours: it stays white until its target is nearer to black than to white. */
 START_TEST(a_stroke_wider_than_an_image_waits_for_its_tone)
@@ -282,6 +306,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, one_of_everything_is_a_map, 0, MAP_STYLES);
     tcase_add_loop_test(tests, one_candidate_is_more_even_than_chance, 0, 2);
     tcase_add_test(tests, a_stroke_image_of_one_pixel_draws_bars);
+    tcase_add_test(tests, a_stroke_image_with_empty_ends_is_laid_evenly);
     tcase_add_test(tests, a_stroke_wider_than_an_image_waits_for_its_tone);
     tcase_add_test(tests, sizes_at_their_limits);
     suite_add_tcase(suite, tests);

@@ -24,7 +24,7 @@ static void begin(void)
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
     HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
                   &err);
-    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &field, &err), &err);
+    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
 static void end(void)
@@ -109,7 +109,7 @@ START_TEST(the_field_has_no_borders)
     draw(&stroke, 0);
     memcpy(was, field.potential, (size_t)size * size * sizeof *was);
     double scale = mean_potential();
-    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &field, &err), &err);
+    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
     HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
                   &err);
     stroke.x += 0.5f;
@@ -141,9 +141,54 @@ START_TEST(the_field_falls_away_from_a_stroke)
 }
 END_TEST
 
+/* A brush of so many columns, with ink in those from first to last - 1, and a field for it. */
+static void brush_of_columns(uint32_t columns, uint32_t first, uint32_t last)
+{
+    struct hatch_image image;
+    HATCH_TEST_OK(hatch_image_make(&keep, columns, 1, "Y", &image, &err), &err);
+    for (uint32_t x = 0; x < columns; x++)
+        image.pixels[x] = x < first || x >= last;
+    HATCH_TEST_OK(hatch_brush_from_image(&image, &keep, &brush, &err), &err);
+    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
+}
+
+/* Closed form: ink in the second eighth of the stroke, over any number of parts. */
+START_TEST(shares_of_ink_are_its_overlap_with_the_parts)
+{
+    brush_of_columns(80, 10, 20);
+    for (uint32_t n = 1; n <= HATCH_FIELD_PARTS; n++) {
+        double sum = 0;
+        for (uint32_t i = 0; i < n; i++) {
+            double from = fmax(0.125, (double)i / n), to = fmin(0.25, (i + 1.0) / n);
+            double share = (double)field.share[n * (n - 1) / 2 + i];
+            ck_assert_double_eq_tol(share, to > from ? (to - from) / 0.125 : 0, 1e-6);
+            sum += share;
+        }
+        ck_assert_double_eq_tol(sum, 1, 1e-6);
+    }
+}
+END_TEST
+
+/* Potential counts only where the brush would leave ink. */
+START_TEST(the_score_looks_where_the_ink_is)
+{
+    brush_of_columns(80, 10, 20);
+    for (uint32_t i = 0; i < field.size * field.size; i++)
+        field.potential[i] =
+            i % field.size >= field.size / 8 && i % field.size < field.size / 4 ? 1 : 0.25f;
+    struct hatch_stroke stroke = {.x = 0.5f, .y = 0.3f, .length = 1};
+    for (uint32_t most = 8; most <= 64; most *= 2)
+        ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, most), 1, 1e-5f);
+    ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, UINT32_MAX), 1, 1e-5f);
+    stroke.x = 0.75f;
+    ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, 24), 0.25f, 1e-5f);
+}
+END_TEST
+
 /* The score is the mean of the cells under evenly spaced points of the line. */
 START_TEST(the_score_is_the_mean_along_the_line)
 {
+    brush_of_columns(1, 0, 1);
     for (uint32_t i = 0; i < field.size * field.size; i++)
         field.potential[i] = hatch_random_unit(8, 1, i);
     for (uint64_t i = 0; i < 300; i++) {
@@ -234,7 +279,7 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
                               struct hatch_err *said)
 {
     (void)scratch;
-    return hatch_field_make(to, SIZE, LEVELS, context, said);
+    return hatch_field_make(to, SIZE, LEVELS, &brush, context, said);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -253,6 +298,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_start_finds_what_was_deposited);
     tcase_add_test(tests, the_field_has_no_borders);
     tcase_add_test(tests, the_field_falls_away_from_a_stroke);
+    tcase_add_test(tests, shares_of_ink_are_its_overlap_with_the_parts);
+    tcase_add_test(tests, the_score_looks_where_the_ink_is);
     tcase_add_test(tests, the_score_is_the_mean_along_the_line);
     tcase_add_test(tests, the_best_candidate_is_chosen_and_bettered);
     tcase_add_test(tests, candidates_are_as_the_style_says);
