@@ -1,5 +1,6 @@
 #include "io/gltf_reader.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace hatch {
@@ -89,6 +90,45 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
     return HATCH_OK;
 }
 
+/* One more than the largest joint; they must be whole numbers that 16 bits hold. */
+enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where,
+                               uint32_t *count)
+{
+    const float *joints = hatch_mesh_find(mesh, "JOINTS_0", 4);
+    *count = 0;
+    for (size_t i = 0; joints && i < static_cast<size_t>(mesh->vertex_count) * 4; i++) {
+        if (!(joints[i] >= 0 && joints[i] <= UINT16_MAX && std::floor(joints[i]) == joints[i]))
+            return bad(r, where, place("JOINTS_0: element", i / 4) + " is no joint's number");
+        uint32_t after = static_cast<uint32_t>(joints[i]) + 1;
+        *count = after > *count ? after : *count;
+    }
+    return HATCH_OK;
+}
+
+/* Some exporters leave normals of no length: those take a face's. */
+void mend_normals(struct hatch_mesh *mesh)
+{
+    float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    for (size_t i = 0; normals && i < static_cast<size_t>(mesh->face_count) * 3; i++) {
+        float *n = normals + static_cast<size_t>(mesh->indices[i]) * 3;
+        if (n[0] != 0 || n[1] != 0 || n[2] != 0)
+            continue;
+        double p[3][3];
+        n[2] = 1; /* stays where the face has no area */
+        if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
+            continue;
+        double length = 0, cross[3];
+        for (int k = 0; k < 3; k++) {
+            int a = (k + 1) % 3, b = (k + 2) % 3;
+            cross[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) -
+                       (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+            length += cross[k] * cross[k];
+        }
+        for (int k = 0; k < 3; k++)
+            n[k] = static_cast<float>(cross[k] / std::sqrt(length));
+    }
+}
+
 /* Corner k of triangle i of a strip: every other one is turned, so that all face the same way. */
 uint32_t strip_corner(uint32_t i, uint32_t k)
 {
@@ -138,6 +178,8 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     hatch_arena_rewind(r.scratch, mark);
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
+    HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
+    mend_normals(&mesh);
     out->file_vertices = mesh.vertex_count;
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;

@@ -105,6 +105,23 @@ int light_of(const tinygltf::Node &node)
     return extension->second.Get("light").GetNumberAsInt();
 }
 
+/* A skin has every joint that its meshes name. */
+enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std::string &where)
+{
+    if (node.skin == HATCH_NONE)
+        return HATCH_OK;
+    uint32_t joints = r.scene->skins[node.skin].joint_count;
+    if (joints == 0)
+        return bad(r, place("skin", node.skin), "a joint is not in the scene");
+    for (uint32_t m = 0; m < node.mesh_count; m++)
+        if (r.scene->meshes[node.first_mesh + m].joints_used > joints)
+            return bad(r, where,
+                       "its mesh names joint " +
+                           std::to_string(r.scene->meshes[node.first_mesh + m].joints_used - 1) +
+                           " of " + std::to_string(joints));
+    return HATCH_OK;
+}
+
 enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
                                 const std::string &where, struct hatch_material *material)
 {
@@ -169,8 +186,7 @@ enum hatch_status attach(Reader &r, const uint32_t *first_mesh)
             node->mesh_count = first_mesh[from.mesh + 1] - first_mesh[from.mesh];
             node->skin = static_cast<uint32_t>(from.skin);
         }
-        if (node->skin != HATCH_NONE && r.scene->skins[node->skin].joint_count == 0)
-            return bad(r, place("skin", node->skin), "a joint is not in the scene");
+        HATCH_TRY(check_skin(r, *node, where));
         node->camera = static_cast<uint32_t>(from.camera);
         node->light = static_cast<uint32_t>(light);
     }

@@ -25,6 +25,7 @@ struct hatch_texture {
 struct hatch_scene_mesh {
     struct hatch_mesh mesh; /* one glTF primitive */
     uint32_t material;      /* or HATCH_NONE */
+    uint32_t joints_used;   /* one more than the largest number in JOINTS_0; 0 without it */
     uint32_t file_vertices; /* vertices in the file: flat normals may have doubled some */
     bool had_texcoords;     /* TEXCOORD_0 stood in the file */
     bool had_normals;

@@ -156,7 +156,8 @@ static const struct {
     "\"indices\":{\"bufferView\":3,\"componentType\":5121},\"values\":{\"bufferView\":4}}},"       \
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                   \
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                     \
-    "{\"bufferView\":0,\"byteOffset\":4,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"}]"
+    "{\"bufferView\":0,\"byteOffset\":4,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"      \
+    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"}]"
 #define MESH(rest) HEAD ",\"meshes\":[{\"primitives\":[{" rest "}]}],\"nodes\":[{\"mesh\":0}]}"
 
 static enum hatch_status read_text(const char *json)
@@ -281,6 +282,25 @@ START_TEST(motion_is_checked)
 }
 END_TEST
 
+#define SKINNED(joints)                                                                            \
+    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":" joints \
+         "},\"mode\":5}]}],\"skins\":[{\"joints\":[0]}],\"nodes\":[{\"mesh\":0,\"skin\":0}]}"
+
+START_TEST(joints_exist_and_normals_have_a_length)
+{
+    /* The buffer's colours as joints: shares of 1 are no whole numbers, and 255 is too many. */
+    ck_assert_int_eq(read_text(SKINNED("2")), HATCH_BAD_INPUT);
+    ck_assert_msg(strstr(err.text, "JOINTS_0: element 1") != NULL, "%s", err.text);
+    ck_assert_int_eq(read_text(SKINNED("8")), HATCH_BAD_INPUT);
+    ck_assert_msg(strstr(err.text, "names joint 255 of 1") != NULL, "%s", err.text);
+    const struct hatch_mesh *mesh =
+        reads(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":4},\"mode\":5"), 2);
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    const float want[] = {0, 0, 1, 7, 7, 7};
+    ck_assert_mem_eq(normals, want, sizeof want);
+}
+END_TEST
+
 static void refused(const char *json, const char *place)
 {
     struct hatch_scene before = scene;
@@ -402,6 +422,7 @@ static Suite *suite(void)
     tcase_add_test(tests, what_is_no_surface_is_skipped_and_noted);
     tcase_add_test(tests, nodes_stand_after_their_parents);
     tcase_add_test(tests, motion_is_checked);
+    tcase_add_test(tests, joints_exist_and_normals_have_a_length);
     tcase_add_test(tests, what_is_wrong_is_named_with_its_place);
     tcase_add_test(tests, uris_stay_in_their_folder);
     tcase_add_test(tests, json_is_checked_before_it_is_parsed);
