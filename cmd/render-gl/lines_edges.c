@@ -77,6 +77,7 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad,
     struct line_graph graph;
     uint32_t *edge_of;
     HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
+    HATCH_TRY(line_drop_covered(mesh, arena, made, err));
     HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
     uint8_t *bounds = HATCH_NEW(scratch, uint8_t, graph.segment_count, err);
     uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, graph.segment_count, err) : NULL;

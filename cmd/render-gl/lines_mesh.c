@@ -142,7 +142,8 @@ static void add_edge(const struct line_edges *edges, uint32_t edge, uint32_t kin
     points[2 * lines->feature_count + 1] = point[a[1]];
     lines->features[lines->feature_count++] =
         (struct line_feature){.ends = {indices[a[0]], indices[a[1]]},
-                              .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE}};
+                              .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE},
+                              .more_faces = count > 2};
 }
 
 /* Chains the features; their nodes are the points that they touch. */

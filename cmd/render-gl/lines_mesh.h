@@ -25,6 +25,7 @@ struct line_hard_edge {
 struct line_feature {
     uint32_t ends[2];  /* vertices */
     uint32_t faces[2]; /* the second HATCH_NONE at a boundary */
+    bool more_faces;   /* than these two meet there */
 };
 
 struct line_mesh {

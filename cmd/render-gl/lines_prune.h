@@ -1,8 +1,8 @@
-/* Tells creases that were meant from those that noise makes. */
+/* Tells edges that were meant from those that noise and untidy faces make. */
 #ifndef RENDER_LINES_PRUNE_H
 #define RENDER_LINES_PRUNE_H
 
-#include "render-gl/lines_chain.h"
+#include "render-gl/lines_edges.h"
 
 /* Finds creases to leave out: those that end nowhere and are short (in segments, or against the
  * whole's size) or crooked, and then those that hung on these; and loops of two or three segments. A
@@ -20,5 +20,9 @@ enum hatch_status line_prune(const struct line_graph *graph, const uint8_t *boun
 enum hatch_status line_find_cracks(const struct line_graph *graph, const uint8_t *bounds,
                                    struct hatch_arena *scratch, uint8_t *pruned,
                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* Makes boundaries smooth that run within other faces at both their ends. */
+enum hatch_status line_drop_covered(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                    struct line_edges *edges, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -6,7 +6,7 @@
 
 #define SLACK_PX 1.5  /* own surface within a pixel or so of a line does not hide it, as far as it can
                        * rise there: this times its slope */
-#define SLOPE_MAX 30.0
+#define SLOPE_MAX 4.0 /* steeper faces are farther on their other side, or not seen */
 
 double line_depth(const struct view *view, const double point[3])
 {
@@ -54,10 +54,11 @@ static double facing(const struct line_shape *shape, const struct line_eye *eye,
 static float feature_slack(const struct line_shape *shape, const struct line_eye *eye,
                            const struct line_feature *feature, const double at[3])
 {
+    bool double_sided = shape->double_sided || feature->more_faces;
     double flattest = -1;
     for (int i = 0; i < 2 && feature->faces[i] != HATCH_NONE; i++) {
         double cosine = facing(shape, eye, feature->faces[i]);
-        flattest = fmax(flattest, shape->double_sided ? fabs(cosine) : cosine);
+        flattest = fmax(flattest, double_sided ? fabs(cosine) : cosine);
     }
     if (flattest < 0)
         return -1.0f;

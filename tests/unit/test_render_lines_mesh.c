@@ -86,6 +86,18 @@ START_TEST(a_crack_is_no_boundary)
 }
 END_TEST
 
+/* Every quadrangle is three triangles, of which two would do. */
+START_TEST(what_ends_within_a_face_is_no_boundary)
+{
+    static const float corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    static const uint32_t faces[9] = {0, 1, 2, 1, 2, 3, 2, 3, 0};
+    struct hatch_mesh mesh = mesh_of(corners, 4, faces, 3);
+    struct line_mesh lines = lines_of(&mesh, LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 4);
+    ck_assert_uint_eq(closed_chains(&lines), 1);
+}
+END_TEST
+
 /* Noise on a surface folds single edges over the angle of a crease; a fold from side to side is meant. */
 START_TEST(creases_of_noise_are_left_out)
 {
@@ -170,6 +182,7 @@ static Suite *suite(void)
     tcase_add_test(tests, two_sheets_on_one_another_have_the_boundary_of_one);
     tcase_add_test(tests, three_sheets_meet_in_a_crease);
     tcase_add_test(tests, a_crack_is_no_boundary);
+    tcase_add_test(tests, what_ends_within_a_face_is_no_boundary);
     tcase_add_test(tests, creases_of_noise_are_left_out);
     tcase_add_test(tests, scale_and_place_do_not_matter);
     tcase_add_test(tests, faces_without_area_are_no_lines);
