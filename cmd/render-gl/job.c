@@ -16,7 +16,7 @@ void job_read(struct job *job)
     if (options->map_path)
         load_map(&job->args, options->map_path, &job->map);
     if (techniques[options->technique]->columns != COLUMNS_NONE)
-        load_check_texcoords(&job->scene, options->scene_path);
+        cmd_check(load_check_texcoords(&job->scene, &err), cmd_input_name(options->scene_path), &err);
     if (options->animation > 0 && options->animation >= job->scene.animation_count) {
         hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
                    job->scene.animation_count);

@@ -24,16 +24,13 @@ void load_map(struct cmd_args *args, const char *path, struct hatch_tam *map)
     cmd_check(hatch_tam_from_mipmaps(parts, count, map, &err), name, &err);
 }
 
-void load_check_texcoords(const struct hatch_scene *scene, const char *path)
+enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        if (hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
-            continue;
-        struct hatch_err err;
-        hatch_fail(&err, HATCH_BAD_INPUT,
-                   "mesh %u has no texture coordinates for strokes to follow: give it some with "
-                   "your modelling program or with lapped-param",
-                   i);
-        cmd_die(cmd_input_name(path), &err);
-    }
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (!hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "mesh %u has no texture coordinates for strokes to follow: give it some "
+                              "with your modelling program or with lapped-param",
+                              i);
+    return HATCH_OK;
 }

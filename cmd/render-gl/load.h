@@ -1,4 +1,5 @@
-/* Reads what a picture is made of from files. Each dies with one line on what is wrong. */
+/* Reads what a picture is made of from files. Where no status is returned they die with one line on what
+ * is wrong. */
 #ifndef RENDER_LOAD_H
 #define RENDER_LOAD_H
 
@@ -11,7 +12,8 @@ void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *sce
 
 void load_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
 
-/* Dies when a mesh has no texture coordinates, naming the way to some. */
-void load_check_texcoords(const struct hatch_scene *scene, const char *path);
+/* HATCH_BAD_INPUT when a mesh has no texture coordinates, naming the way to some. */
+enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
+    HATCH_MUST_USE;
 
 #endif

@@ -7,10 +7,10 @@ static void open_outputs(struct job *job)
     const struct options *options = &job->options;
     bool report = options->timed_frames || options->probe;
     struct hatch_err err;
-    if (options->window)
-        return;
     if (!report)
         cmd_check_ending(job->args.output, "png exr");
+    if (options->window)
+        return;
     uint32_t count = report ? 1 : options->frames;
     job->outputs = HATCH_NEW(&job->args.keep, struct cmd_output *, count, &err);
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);

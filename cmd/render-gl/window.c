@@ -47,8 +47,12 @@ static void set_technique(struct window *window, uint32_t technique)
         cmd_say("%s needs a tonal art map: --tam FILE", techniques[technique]->name);
         return;
     }
-    load_check_texcoords(&job->scene, job->options.scene_path);
-    cmd_check(renderer_prepare(&job->renderer, technique, &job->args.scratch, &err), NULL, &err);
+    bool strokes = techniques[technique]->columns != COLUMNS_NONE;
+    if ((strokes && load_check_texcoords(&job->scene, &err) != HATCH_OK) ||
+        renderer_prepare(&job->renderer, technique, &job->args.scratch, &err) != HATCH_OK) {
+        cmd_say("%s", err.text);
+        return;
+    }
     window->technique = technique;
     window->title_s = 0;
 }

@@ -121,6 +121,18 @@ xdotool key Escape
 wait $window
 is "escape closes" $? 0
 
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >bare.off
+render-gl bare.off --technique gouraud --tam map.exr --window --size 320x240 -o bare%d.png 2>err &
+window=$!
+timeout 60 xdotool search --sync --name render-gl >/dev/null
+shot bare1
+xdotool key 1
+shot bare2
+is "a technique that the scene cannot have is refused by a word" "$(grep -c 'no texture coordinates' err)" 1
+xdotool key q
+wait $window
+is "and the window stays until it is closed" $? 0
+
 unset DISPLAY
 try render-gl teapot.glb --tam map.exr --window
 is "no display: one line, exit 4" "$status $(wc -l <.err)" "4 1"
