@@ -6,18 +6,35 @@
 
 #include "cmd_picture.h"
 
-/* A bare name is a style that comes with the commands before it is a file here, so that a folder's
- * content does not change what "ink" means. */
-static const char *find_style(struct cmd_args *args, const char *name)
+static bool is_path(const char *name)
+{
+    return strcmp(name, "-") == 0 || strpbrk(name, "/.");
+}
+
+/* NULL where none of that name comes with the commands. */
+static const char *own_style(struct cmd_args *args, const char *name)
 {
     struct hatch_err err;
-    if (strcmp(name, "-") == 0 || strchr(name, '/') || strchr(name, '.'))
-        return name;
     struct hatch_buffer relative = {.arena = &args->keep};
     cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.style%c", name, '\0'),
               NULL, &err);
     const char *path = cmd_own_file(args, (const char *)relative.data);
-    if (access(path, F_OK) == 0)
+    return access(path, F_OK) == 0 ? path : NULL;
+}
+
+bool cmd_has_style(struct cmd_args *args, const char *name)
+{
+    return !is_path(name) && own_style(args, name);
+}
+
+/* A bare name is a style that comes with the commands before it is a file here, so that a folder's
+ * content does not change what "ink" means. */
+static const char *find_style(struct cmd_args *args, const char *name)
+{
+    if (is_path(name))
+        return name;
+    const char *path = own_style(args, name);
+    if (path)
         return path;
     if (access(name, F_OK) != 0)
         cmd_usage("no style '%s': it is neither a style that comes with the commands nor a file",

@@ -14,4 +14,8 @@
 void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
                     const char *brush_path, struct hatch_style *style, struct hatch_brush *brush);
 
+/* Whether a style of that name comes with the commands. A path is no such name, so that what a file says
+ * of its style opens no other file. */
+bool cmd_has_style(struct cmd_args *args, const char *name);
+
 #endif

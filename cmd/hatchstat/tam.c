@@ -55,17 +55,28 @@ static double growth_of(const struct hatch_tam *tam)
     return growth && growth->number > 0 && growth->number < 1 ? growth->number : 0;
 }
 
+/* What the user says, else what the map says, where that can be had. */
+static const char *style_of(struct cmd_args *args, const struct stat_options *options,
+                            const struct hatch_tam *tam)
+{
+    const struct hatch_attribute *named =
+        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
+    if (options->style)
+        return options->style;
+    if (!named || !named->text)
+        return "ink";
+    if (!cmd_has_style(args, named->text))
+        cmd_usage("the map's style '%s' does not come with the commands: --style says where it is",
+                  named->text);
+    return named->text;
+}
+
 static void read_strokes(struct cmd_args *args, const struct stat_options *options,
                          struct subject *subject)
 {
     struct hatch_err err;
     struct hatch_tam *tam = &subject->tam;
-    const struct hatch_attribute *named =
-        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
-    const char *style = options->style         ? options->style
-                        : named && named->text ? named->text
-                                               : "ink";
-    cmd_read_style(args, style, options->settings, options->brush, &subject->style,
+    cmd_read_style(args, style_of(args, options, tam), options->settings, options->brush, &subject->style,
                    &subject->brush);
     cmd_check(hatch_script_parse(cmd_read(args, options->strokes), tam->size_px, &args->keep,
                                  &subject->list, &err),
@@ -174,6 +185,8 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
     struct subject subject = {.has_strokes = false};
     struct summary summary = {0};
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
+    if (!options->strokes && (options->style || options->settings || options->brush))
+        cmd_usage("--style, --set and --brush tell of the strokes: --strokes is missing");
     for (uint32_t level = 0; level < HATCH_MIP_LEVELS_MAX; level++)
         subject.stroke_darkness[level] = NAN;
     read_map(args, path, &subject);

@@ -50,4 +50,18 @@ sed 's/0\.5/x/' ink.tsv >bad.tsv
 try hatchstat tam ink.exr --strokes bad.tsv
 refused "a bad script is bad input" 3 1
 ok "its line is named" grep -q 'bad.tsv: line [0-9]' .err
+
+cp "$TOP/styles/ink.style" mine.style
+sed -i 's/^name .*/name mine/' mine.style
+tamgen --size 64 --tones 1 --style ./mine.style --strokes mine.tsv -o mine.exr
+try hatchstat tam mine.exr --strokes mine.tsv
+refused "a style of the user's must be named" 2 2
+is "and the message says how" "$(grep -c "'mine'.*--style" .err)" 1
+ok "named, it is taken" hatchstat tam mine.exr --strokes mine.tsv --style ./mine.style -o /dev/null
+sed -i 's/^name .*/name .\/mine.style/' mine.style
+tamgen --size 64 --tones 1 --style ./mine.style --strokes mine.tsv -o mine.exr
+try hatchstat tam mine.exr --strokes mine.tsv
+refused "a map that names a path opens nothing" 2 2
+try hatchstat tam ink.exr --style pencil
+refused "a style without the strokes" 2 2
 finish
