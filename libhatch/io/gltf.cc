@@ -39,9 +39,27 @@ struct Files {
     hatch_gltf_resolve resolve;
     void *context;
     struct hatch_arena *scratch;
+    struct hatch_gltf_lengths lengths; /* of the buffers' files, which are read first and in order */
+    size_t next;
     struct hatch_err err;
     bool left_folder;
 };
+
+/* A file may be longer than its buffer, which the package does not know; a shorter one is cut. */
+enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes,
+                             struct hatch_err *err)
+{
+    uint64_t length;
+    if (files.next + sizeof length > files.lengths.bytes.size)
+        return HATCH_OK; /* an image */
+    std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
+    files.next += sizeof length;
+    if (bytes->size < length)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, byteLength is %llu", uri,
+                          bytes->size, static_cast<unsigned long long>(length));
+    bytes->size = static_cast<size_t>(length);
+    return HATCH_OK;
+}
 
 bool file_exists(const std::string &, void *)
 {
@@ -63,7 +81,8 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
         files.left_folder = true;
     } else if (!files.resolve) {
         hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: no folder to look in", uri.c_str());
-    } else if (files.resolve(files.context, uri.c_str(), files.scratch, &bytes, &err) == HATCH_OK) {
+    } else if (files.resolve(files.context, uri.c_str(), files.scratch, &bytes, &err) == HATCH_OK &&
+               fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
         out->assign(bytes.data, bytes.data + bytes.size);
         return true;
     } else {
@@ -116,8 +135,9 @@ enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void
     if (file.size > UINT32_MAX || parts.json.size > scratch->limit_bytes / json_growth)
         return hatch_fail(err, HATCH_LIMIT, "%zu bytes of JSON need more memory than the limit",
                           parts.json.size);
-    HATCH_TRY(hatch_gltf_check_json(parts.json, err));
-    Files files = {resolve, context, scratch, {}, false};
+    Files files = {resolve, context, scratch, {}, 0, {}, false};
+    files.lengths.bytes.arena = scratch;
+    HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(keep_image, nullptr);
     parser.SetFsCallbacks({file_exists, keep_path, read_file, nullptr, &files});

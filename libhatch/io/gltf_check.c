@@ -71,6 +71,9 @@ struct scan {
     size_t size, at;
     uint32_t depth;
     struct level levels[HATCH_GLTF_DEPTH_MAX + 1]; /* [0] stands around the whole */
+    struct hatch_gltf_lengths *lengths;
+    uint64_t buffer_length; /* of the buffer being read, and whether it has a file */
+    bool buffer_has_file;
 };
 
 static bool is(struct text text, const char *word)
@@ -136,7 +139,7 @@ static struct text scan_word(struct scan *s)
     return (struct text){s->text + start, s->at - start};
 }
 
-static bool is_whole_number(struct text text, uint64_t most)
+static bool is_whole_number(struct text text, uint64_t most, uint64_t *number)
 {
     uint64_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
@@ -144,16 +147,28 @@ static bool is_whole_number(struct text text, uint64_t most)
             return false;
         value = value * 10 + (uint64_t)(text.start[i] - '0');
     }
+    *number = value;
     return text.length > 0 && value <= most;
 }
 
-static enum hatch_status check_value(const struct scan *s, struct text word, struct hatch_err *err)
+static bool in_buffer(const struct scan *s)
 {
+    return s->depth == 3 && s->levels[3].object && is(s->levels[2].name, "buffers");
+}
+
+static enum hatch_status check_value(struct scan *s, struct text word, struct hatch_err *err)
+{
+    static const char data[] = "\"data:";
     enum number_rule rule = rule_here(s);
-    uint64_t most = rule == RULE_SIZE ? (uint64_t)1 << 53 : INT32_MAX;
-    if (rule == RULE_NONE || is_whole_number(word, most))
-        return HATCH_OK;
+    uint64_t most = rule == RULE_SIZE ? (uint64_t)1 << 53 : INT32_MAX, number = 0;
     const struct level *level = &s->levels[s->depth];
+    bool good = rule == RULE_NONE || is_whole_number(word, most, &number);
+    if (in_buffer(s) && is(level->key, "uri"))
+        s->buffer_has_file = word.length < strlen(data) || memcmp(word.start, data, strlen(data)) != 0;
+    if (in_buffer(s) && is(level->key, "byteLength"))
+        s->buffer_length = number;
+    if (good)
+        return HATCH_OK;
     struct text key = level->object ? level->key : level->name;
     return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s, want a whole number, 0 .. %llu",
                       (size_t)(word.start - s->text), (int)(key.length < 32 ? key.length : 32),
@@ -173,6 +188,19 @@ static enum hatch_status open_level(struct scan *s, bool object, struct hatch_er
     return HATCH_OK;
 }
 
+static enum hatch_status close_level(struct scan *s, struct hatch_err *err)
+{
+    bool keep = in_buffer(s) && s->buffer_has_file && s->lengths;
+    uint64_t length = s->buffer_length;
+    if (in_buffer(s)) {
+        s->buffer_length = 0;
+        s->buffer_has_file = false;
+    }
+    s->depth -= s->depth > 0;
+    s->at++;
+    return keep ? hatch_buffer_add(&s->lengths->bytes, &length, sizeof length, err) : HATCH_OK;
+}
+
 static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
 {
     struct level *level = &s->levels[s->depth];
@@ -182,9 +210,7 @@ static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
         return open_level(s, s->text[s->at] == '{', err);
     case '}':
     case ']':
-        s->depth -= s->depth > 0;
-        s->at++;
-        return HATCH_OK;
+        return close_level(s, err);
     case ',':
         level->key_next = level->object;
         s->at++;
@@ -211,9 +237,10 @@ static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
     }
 }
 
-enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_err *err)
+enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_lengths *lengths,
+                                        struct hatch_err *err)
 {
-    struct scan s = {.text = (const char *)json.data, .size = json.size};
+    struct scan s = {.text = (const char *)json.data, .size = json.size, .lengths = lengths};
     s.levels[0].name = s.levels[0].key = (struct text){"", 0};
     while (s.at < s.size)
         HATCH_TRY(scan_token(&s, err));

@@ -22,12 +22,18 @@ struct hatch_gltf_parts {
 enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_parts *parts,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* What the buffers with a file of their own say of its length, in their order. */
+struct hatch_gltf_lengths {
+    struct hatch_buffer bytes; /* of uint64_t */
+};
+
 /* Refuses nesting deeper than HATCH_GLTF_DEPTH_MAX, and every index, count and offset that is not
  * written as a whole number within 0 .. 2^31 - 1 (offsets and lengths: 2^53): the package cuts larger
  * ones to 32 bits and skips others, both without a word. What stands in extras and in other
- * extensions than lights is let be. The syntax itself is the package's to check. */
-enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_err *err)
-    HATCH_MUST_USE;
+ * extensions than lights is let be. The syntax itself is the package's to check. lengths: begun with
+ * an arena, or NULL. */
+enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_lengths *lengths,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* Whether a decoded URI stays in its folder: relative, no scheme, no "..", no backslash. */
 bool hatch_gltf_uri_is_local(const char *uri);

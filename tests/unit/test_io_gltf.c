@@ -345,6 +345,21 @@ START_TEST(what_is_wrong_is_named_with_its_place)
 }
 END_TEST
 
+START_TEST(a_buffers_file_may_be_longer_and_not_shorter)
+{
+    static const char two[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":7,\"uri\":\"a\"},"
+        "{\"byteLength\":3,\"uri\":\"data:application/octet-stream;base64,AAAA\"},"
+        "{\"uri\":\"b\",\"byteLength\":9}],\"images\":[{\"uri\":\"c\"}]}";
+    companion = (struct hatch_bytes){(const uint8_t *)&buffer, 10};
+    HATCH_TEST_OK(read_scene(two, sizeof two - 1), &err);
+    ck_assert_uint_eq(scene.textures[0].size, 10);
+    companion.size = 8;
+    ck_assert_int_eq(read_scene(two, sizeof two - 1), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "b has 8 bytes, byteLength is 9");
+}
+END_TEST
+
 START_TEST(uris_stay_in_their_folder)
 {
     static const char *const inside[] = {"a", "a/b.bin", "..a/b..", "a/...", "./a", " "};
@@ -359,7 +374,8 @@ END_TEST
 
 static enum hatch_status check(const char *json)
 {
-    return hatch_gltf_check_json((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, &err);
+    return hatch_gltf_check_json((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, NULL,
+                                 &err);
 }
 
 START_TEST(json_is_checked_before_it_is_parsed)
@@ -424,6 +440,7 @@ static Suite *suite(void)
     tcase_add_test(tests, motion_is_checked);
     tcase_add_test(tests, joints_exist_and_normals_have_a_length);
     tcase_add_test(tests, what_is_wrong_is_named_with_its_place);
+    tcase_add_test(tests, a_buffers_file_may_be_longer_and_not_shorter);
     tcase_add_test(tests, uris_stay_in_their_folder);
     tcase_add_test(tests, json_is_checked_before_it_is_parsed);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
