@@ -120,21 +120,24 @@ double frame_strongest_light(const struct pose *pose, const struct bounds *bound
     return strongest;
 }
 
-uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
-                          const struct bounds *bounds, const struct view *view,
-                          const struct own_light *own, double exposure)
+uint32_t frame_lights_left_out(const struct hatch_scene *scene)
+{
+    uint32_t lights = 0;
+    for (uint32_t node = 0; node < scene->node_count; node++)
+        lights += scene->nodes[node].light != HATCH_NONE;
+    return lights > LIGHTS_MAX ? lights - LIGHTS_MAX : 0;
+}
+
+void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,
+                      const struct view *view, const struct own_light *own, double exposure)
 {
     const struct hatch_scene *scene = pose->scene;
-    uint32_t count = 0, left_out = 0;
+    uint32_t count = 0;
     double power[LIGHTS_MAX];
-    for (uint32_t node = 0; node < scene->node_count && !own->wanted; node++) {
+    for (uint32_t node = 0; node < scene->node_count && !own->wanted && count < LIGHTS_MAX; node++) {
         uint32_t index = scene->nodes[node].light;
         if (index == HATCH_NONE)
             continue;
-        if (count == LIGHTS_MAX) {
-            left_out++;
-            continue;
-        }
         double world[16];
         pose_matrix(pose, node, world);
         power[count] = set_scene_light(&block->lights[count], &scene->lights[index], world, bounds);
@@ -148,5 +151,4 @@ uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
     /* Strengths of lamps and exposures may each be far outside the range of floats. */
     for (uint32_t i = 0; i < count; i++)
         block->lights[i].direction[3] = (float)fmin(power[i] * exposure, 1e30);
-    return left_out;
 }

@@ -61,11 +61,12 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
 /* Camera and tile. */
 void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile);
 
-/* Lights of the scene at its pose, or the own light. Returns how many of the scene's lights were left
- * out because there are more than LIGHTS_MAX. */
-uint32_t frame_set_lights(struct frame_block *block, const struct pose *pose,
-                          const struct bounds *bounds, const struct view *view,
-                          const struct own_light *own, double exposure);
+/* Lights of the scene at its pose, the first LIGHTS_MAX of them, or the own light. */
+void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,
+                      const struct view *view, const struct own_light *own, double exposure);
+
+/* How many of the scene's lights that leaves out. */
+uint32_t frame_lights_left_out(const struct hatch_scene *scene);
 
 /* The strength of the strongest of the scene's lights, in the unit scene; 0 where none shines. */
 double frame_strongest_light(const struct pose *pose, const struct bounds *bounds);

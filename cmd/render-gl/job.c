@@ -70,6 +70,9 @@ static void upload(struct job *job)
     cmd_check(pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
     if (bounds.empty)
         cmd_warn(name, "the scene shows no faces");
+    uint32_t left_out = options->style.light.wanted ? 0 : frame_lights_left_out(&job->scene);
+    if (left_out)
+        cmd_warn(name, "%u lights are left out: %u are the most", left_out, LIGHTS_MAX);
     cmd_check(view_make(&options->view, &pose, &job->span, &bounds,
                         (double)options->width / options->height, scratch, &job->fixed_view, &err),
               name, &err);

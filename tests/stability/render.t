@@ -123,4 +123,10 @@ is "it looks like the plain one" "$(tone)" "$plain"
 printf '{"asset":{"version":"2.0"}}' >empty.gltf
 try render-gl empty.gltf --tam map.exr --size 64x64 -o picture.png
 is "an empty scene is drawn, with a warning" "$status $(wc -l <.err) $(tone)" "0 1 1"
+
+lamps=$(for i in $(seq 66); do printf ',%s' "$(at 0,0,3)"; done)
+scene "$point" "{\"children\":[$(seq -s, 2 67)]}$lamps" >lamps.gltf
+try render-gl lamps.gltf --tam map.exr --size 32x24 -o picture.png
+is "lights beyond the sixty-fourth are left out with a word" "$status $(cat .err)" \
+    "0 render-gl: lamps.gltf: warning: 2 lights are left out: 64 are the most"
 finish
