@@ -1,5 +1,7 @@
 #include "render-gl/lines.h"
 
+#include <string.h>
+
 #include "render-gl/lines_trace.h"
 
 #define GAP_PX 4.0    /* hidden for shorter than this: a surface that grazes the line */
@@ -66,41 +68,47 @@ static enum hatch_status place(struct lines *lines, const struct gpu_item *item,
     return HATCH_OK;
 }
 
-/* Cuts, tests and strokes the lines of one trace. */
-static enum hatch_status draw_trace(struct lines *lines, const struct line_trace *trace,
-                                    const struct line_chains *chains, const struct view *view,
-                                    const struct tile *tile, const struct target *target,
-                                    struct hatch_err *err)
-{
+/* A frame's strips, all of which are tested together: the GPU has to be waited for only once. */
+struct part {
     struct line_strips strips;
-    double width_px = lines->style.width_px;
-    HATCH_TRY(line_strips_make(trace, chains, view, tile, width_px + 2, &lines->frame, &strips, err));
-    if (!strips.piece_count)
-        return HATCH_OK;
-    uint8_t *visible =
-        HATCH_NEW(&lines->frame, uint8_t, (size_t)strips.piece_count + LINE_BATCH, err);
-    float *segments =
-        visible ? HATCH_NEW(&lines->frame, float, 4 * (size_t)strips.piece_count, err) : NULL;
-    if (!segments)
+    struct part *next;
+};
+
+struct frame_lines {
+    struct lines *lines;
+    const struct view *view;
+    const struct tile *tile;
+    struct part *parts;
+    size_t piece_count;
+};
+
+static enum hatch_status add_trace(struct frame_lines *frame, const struct line_trace *trace,
+                                   const struct line_chains *chains, struct hatch_err *err)
+{
+    struct lines *lines = frame->lines;
+    struct part *part = HATCH_NEW(&lines->frame, struct part, 1, err);
+    if (!part)
         return HATCH_LIMIT;
-    line_gl_test(&lines->gl, target, strips.samples, strips.piece_count, visible);
-    line_strips_smooth(&strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, visible);
-    uint32_t count = line_strips_visible(&strips, visible, segments);
-    line_gl_stroke(&lines->gl, segments, count, width_px);
+    HATCH_TRY(line_strips_make(trace, chains, frame->view, frame->tile, lines->style.width_px + 2,
+                               &lines->frame, &part->strips, err));
+    part->next = frame->parts;
+    frame->parts = part;
+    frame->piece_count += part->strips.piece_count;
     return HATCH_OK;
 }
 
-static enum hatch_status draw_item(struct lines *lines, const struct gpu_item *item,
-                                   const struct view *view, const struct tile *tile,
-                                   const struct target *target, struct hatch_err *err)
+static enum hatch_status add_item(struct frame_lines *frame, const struct gpu_item *item,
+                                  struct hatch_err *err)
 {
-    const struct line_eye eye = {view, 0.5 * tile->full_height / view->half_height};
+    struct lines *lines = frame->lines;
+    const struct line_eye eye = {frame->view,
+                                 0.5 * frame->tile->full_height / frame->view->half_height};
     struct line_shape shape;
     struct line_trace trace;
     HATCH_TRY(place(lines, item, &shape, err));
     if (shape.lines->feature_count) {
         HATCH_TRY(line_trace_features(&shape, &eye, &lines->frame, &trace, err));
-        HATCH_TRY(draw_trace(lines, &trace, &shape.lines->chains, view, tile, target, err));
+        HATCH_TRY(add_trace(frame, &trace, &shape.lines->chains, err));
     }
     if (!(lines->style.kinds & LINES_SILHOUETTES))
         return HATCH_OK;
@@ -108,22 +116,58 @@ static enum hatch_status draw_item(struct lines *lines, const struct gpu_item *i
     struct line_chains chains;
     const struct line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
     HATCH_TRY(line_chains_make(&graph, &lines->frame, lines->scratch, &chains, err));
-    return draw_trace(lines, &trace, &chains, view, tile, target, err);
+    return add_trace(frame, &trace, &chains, err);
+}
+
+static enum hatch_status stroke(const struct frame_lines *frame, const struct target *target,
+                                struct hatch_err *err)
+{
+    struct lines *lines = frame->lines;
+    double width_px = lines->style.width_px;
+    size_t count = frame->piece_count, at = 0, segment_count = 0;
+    struct line_sample *samples = HATCH_NEW(&lines->frame, struct line_sample, count, err);
+    uint8_t *visible =
+        samples ? HATCH_NEW(&lines->frame, uint8_t, count + LINE_BATCH, err) : NULL;
+    float *segments = visible ? HATCH_NEW(&lines->frame, float, 4 * count, err) : NULL;
+    if (!segments)
+        return HATCH_LIMIT;
+    for (const struct part *part = frame->parts; part; part = part->next) {
+        memcpy(samples + at, part->strips.samples, part->strips.piece_count * sizeof *samples);
+        at += part->strips.piece_count;
+    }
+    line_gl_test(&lines->gl, target, samples, count, visible);
+    at = 0;
+    for (const struct part *part = frame->parts; part; part = part->next) {
+        line_strips_smooth(&part->strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, visible + at);
+        segment_count += line_strips_visible(&part->strips, visible + at, segments + 4 * segment_count);
+        at += part->strips.piece_count;
+    }
+    line_gl_stroke(&lines->gl, segments, segment_count, width_px);
+    return HATCH_OK;
+}
+
+static enum hatch_status draw(struct frame_lines *frame, const struct target *target,
+                              struct hatch_err *err)
+{
+    struct lines *lines = frame->lines;
+    for (uint32_t i = 0; i < lines->scene->item_count; i++)
+        if (mesh_of(lines, &lines->scene->items[i])->mesh.face_count)
+            HATCH_TRY(add_item(frame, &lines->scene->items[i], err));
+    if (!frame->piece_count)
+        return HATCH_OK;
+    HATCH_TRY(line_gl_begin(&lines->gl, target, err));
+    HATCH_TRY(stroke(frame, target, err));
+    line_gl_end(&lines->gl, target, lines->style.color);
+    return HATCH_OK;
 }
 
 enum hatch_status lines_draw(struct lines *lines, const struct view *view, const struct tile *tile,
                              const struct target *target, struct hatch_err *err)
 {
-    HATCH_TRY(line_gl_begin(&lines->gl, target, err));
-    enum hatch_status status = HATCH_OK;
-    for (uint32_t i = 0; i < lines->scene->item_count && status == HATCH_OK; i++) {
-        struct hatch_arena_mark mark = hatch_arena_mark(&lines->frame);
-        const struct gpu_item *item = &lines->scene->items[i];
-        if (mesh_of(lines, item)->mesh.face_count)
-            status = draw_item(lines, item, view, tile, target, err);
-        hatch_arena_rewind(&lines->frame, mark);
-    }
-    line_gl_end(&lines->gl, target, lines->style.color);
+    struct frame_lines frame = {.lines = lines, .view = view, .tile = tile};
+    struct hatch_arena_mark mark = hatch_arena_mark(&lines->frame);
+    enum hatch_status status = draw(&frame, target, err);
+    hatch_arena_rewind(&lines->frame, mark);
     return status;
 }
 

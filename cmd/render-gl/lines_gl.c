@@ -8,7 +8,7 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
                                   struct hatch_err *err)
 {
     static const struct shader_stages stages[LINE_PROGRAMS] = {
-        [TEST] = {.vertex = "line_test.vert", .fragment = "line_test.frag"},
+        [TEST] = {.vertex = "screen.vert", .fragment = "line_test.frag"},
         [STROKE] = {.vertex = "line_stroke.vert", .fragment = "line_stroke.frag"},
         [OVER] = {.vertex = "screen.vert", .fragment = "line_over.frag"}};
     for (int i = 0; i < LINE_PROGRAMS; i++) {
@@ -18,16 +18,6 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
         gl->programs[i] = fresh;
     }
     return HATCH_OK;
-}
-
-static void make_array(GLuint *array, GLuint buffer, GLsizei stride, GLuint divisor)
-{
-    glCreateVertexArrays(1, array);
-    glVertexArrayVertexBuffer(*array, 0, buffer, 0, stride);
-    glEnableVertexArrayAttrib(*array, 0);
-    glVertexArrayAttribFormat(*array, 0, stride / 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(*array, 0, 0);
-    glVertexArrayBindingDivisor(*array, 0, divisor);
 }
 
 static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint *texture,
@@ -48,36 +38,55 @@ enum hatch_status line_gl_make(const struct shader_source *shaders, struct line_
         line_gl_free(&made);
         return status;
     }
-    glCreateBuffers(1, &made.samples);
     glCreateBuffers(1, &made.segments);
-    make_array(&made.array_samples, made.samples, sizeof(struct line_sample), 0);
-    make_array(&made.array_segments, made.segments, 4 * sizeof(float), 1);
+    glCreateVertexArrays(1, &made.array);
+    glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, 4 * sizeof(float));
+    glEnableVertexArrayAttrib(made.array, 0);
+    glVertexArrayAttribFormat(made.array, 0, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(made.array, 0, 0);
+    glVertexArrayBindingDivisor(made.array, 0, 1);
+    glCreateTextures(GL_TEXTURE_2D, 1, &made.samples);
+    glTextureStorage2D(made.samples, 1, GL_RGB32F, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
     make_texture(GL_R8UI, LINE_BATCH, RESULT_ROWS, &made.result, &made.result_framebuffer);
     *gl = made;
     return HATCH_OK;
+}
+
+/* Samples fill rows of the texture; the last may be shorter. */
+static void upload(const struct line_gl *gl, const struct line_sample *samples, size_t count)
+{
+    GLsizei rows = (GLsizei)(count / LINE_BATCH), rest = (GLsizei)(count % LINE_BATCH);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (rows)
+        glTextureSubImage2D(gl->samples, 0, 0, 0, (GLsizei)LINE_BATCH, rows, GL_RGB, GL_FLOAT, samples);
+    if (rest)
+        glTextureSubImage2D(gl->samples, 0, 0, rows, rest, 1, GL_RGB, GL_FLOAT,
+                            samples + (size_t)rows * LINE_BATCH);
 }
 
 void line_gl_test(const struct line_gl *gl, const struct target *target,
                   const struct line_sample *samples, size_t count, uint8_t *visible)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->result_framebuffer);
-    glViewport(0, 0, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glUseProgram(gl->programs[TEST]);
     glBindTextureUnit(0, target->depth);
+    glBindTextureUnit(1, gl->samples);
     glBindSampler(0, 0);
+    glBindSampler(1, 0);
     glUniform1f(0, (GLfloat)target->side);
-    glBindVertexArray(gl->array_samples);
+    glBindVertexArray(target->no_vertices);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     const size_t most = (size_t)LINE_BATCH * RESULT_ROWS;
     for (size_t done = 0; done < count; done += most) {
         size_t batch = count - done < most ? count - done : most;
-        glNamedBufferData(gl->samples, (GLsizeiptr)(batch * sizeof *samples), samples + done,
-                          GL_STREAM_DRAW);
-        glDrawArrays(GL_POINTS, 0, (GLsizei)batch);
-        glReadPixels(0, 0, (GLsizei)LINE_BATCH, (GLsizei)((batch + LINE_BATCH - 1) / LINE_BATCH),
-                     GL_RED_INTEGER, GL_UNSIGNED_BYTE, visible + done);
+        GLsizei rows = (GLsizei)((batch + LINE_BATCH - 1) / LINE_BATCH);
+        upload(gl, samples + done, batch);
+        glViewport(0, 0, (GLsizei)LINE_BATCH, rows);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glReadPixels(0, 0, (GLsizei)LINE_BATCH, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                     visible + done);
     }
 }
 
@@ -109,7 +118,7 @@ void line_gl_stroke(const struct line_gl *gl, const float *segments, size_t coun
     glUseProgram(gl->programs[STROKE]);
     glUniform2f(0, (GLfloat)gl->width, (GLfloat)gl->height);
     glUniform1f(1, (GLfloat)width_px);
-    glBindVertexArray(gl->array_segments);
+    glBindVertexArray(gl->array);
     glNamedBufferData(gl->segments, (GLsizeiptr)(4 * sizeof *segments * count), segments,
                       GL_STREAM_DRAW);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
@@ -138,10 +147,9 @@ void line_gl_free(struct line_gl *gl)
 {
     for (int i = 0; i < LINE_PROGRAMS; i++)
         glDeleteProgram(gl->programs[i]);
-    glDeleteVertexArrays(1, &gl->array_samples);
-    glDeleteVertexArrays(1, &gl->array_segments);
-    glDeleteBuffers(1, &gl->samples);
+    glDeleteVertexArrays(1, &gl->array);
     glDeleteBuffers(1, &gl->segments);
+    glDeleteTextures(1, &gl->samples);
     glDeleteTextures(1, &gl->result);
     glDeleteTextures(1, &gl->coverage);
     glDeleteFramebuffers(1, &gl->result_framebuffer);

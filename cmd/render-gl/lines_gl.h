@@ -9,8 +9,9 @@
 
 struct line_gl {
     GLuint programs[LINE_PROGRAMS];
-    GLuint array_samples, array_segments, samples, segments;
-    GLuint result, result_framebuffer;     /* a texel per sample */
+    GLuint array, segments;
+    GLuint samples;                        /* a texel per sample */
+    GLuint result, result_framebuffer;     /* the same */
     GLuint coverage, coverage_framebuffer; /* share of each pixel that lines cover */
     uint32_t width, height;                /* of coverage */
 };

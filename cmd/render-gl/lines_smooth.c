@@ -19,7 +19,8 @@ static uint32_t start_of(const struct line_strip *strip, const uint8_t *visible)
 
 static double length_of(const struct line_piece *piece)
 {
-    return hypot((double)piece->b[0] - (double)piece->a[0], (double)piece->b[1] - (double)piece->a[1]);
+    double x = (double)(piece->b[0] - piece->a[0]), y = (double)(piece->b[1] - piece->a[1]);
+    return sqrt(x * x + y * y);
 }
 
 /* Turns runs of `value` round that are shorter than short_px. A run that the strip's end cuts off is

@@ -100,7 +100,8 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
         keep_positive(a, b, &begin, &end);
         keep_positive(most - a, most - b, &begin, &end);
     }
-    double length = hypot(cut->at[1][0] - cut->at[0][0], cut->at[1][1] - cut->at[0][1]);
+    double x = cut->at[1][0] - cut->at[0][0], y = cut->at[1][1] - cut->at[0][1];
+    double length = sqrt(x * x + y * y);
     if (!(begin <= end) || !isfinite(length))
         return false;
     cut->count = fmax(ceil(length / PIECE_PX), 1);
