@@ -122,10 +122,11 @@ enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struc
         struct density *density = HATCH_NEW(scratch, struct density, 1, err);
         if (!density)
             return HATCH_LIMIT;
-        HATCH_TRY(measure(scene, item, view, height_px, scratch, density, err));
-        if (density->total > 0)
+        enum hatch_status status = measure(scene, item, view, height_px, scratch, density, err);
+        if (status == HATCH_OK && density->total > 0)
             choose(density, size_px, levels, item->repeat);
         hatch_arena_rewind(scratch, mark);
+        HATCH_TRY(status);
     }
     return HATCH_OK;
 }

@@ -190,11 +190,13 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         struct gpu_item *item = &gpu->items[i];
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        enum hatch_status status = HATCH_OK;
         if (item->posed)
-            HATCH_TRY(pose_item(gpu, item, scratch, err));
+            status = pose_item(gpu, item, scratch, err);
         else
             place_item(gpu, item);
         hatch_arena_rewind(scratch, mark);
+        HATCH_TRY(status);
     }
     return HATCH_OK;
 }
