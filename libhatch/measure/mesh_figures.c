@@ -159,16 +159,24 @@ static bool measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint
     return true;
 }
 
+/* Weights settle ties, so that their sums have one order on every machine. */
+static int by_weight(const struct stretch *x, const struct stretch *y)
+{
+    return (x->weight > y->weight) - (x->weight < y->weight);
+}
+
 static int by_angle(const void *a, const void *b)
 {
     const struct stretch *x = a, *y = b;
-    return (x->angle > y->angle) - (x->angle < y->angle);
+    int order = (x->angle > y->angle) - (x->angle < y->angle);
+    return order ? order : by_weight(x, y);
 }
 
 static int by_area(const void *a, const void *b)
 {
     const struct stretch *x = a, *y = b;
-    return (x->area > y->area) - (x->area < y->area);
+    int order = (x->area > y->area) - (x->area < y->area);
+    return order ? order : by_weight(x, y);
 }
 
 static void percentiles(const struct stretch *list, uint32_t count, bool angle, double total,
