@@ -150,9 +150,13 @@ static enum hatch_status draw(struct frame_lines *frame, const struct target *ta
                               struct hatch_err *err)
 {
     struct lines *lines = frame->lines;
-    for (uint32_t i = 0; i < lines->scene->item_count; i++)
-        if (mesh_of(lines, &lines->scene->items[i])->mesh.face_count)
-            HATCH_TRY(add_item(frame, &lines->scene->items[i], err));
+    for (uint32_t i = 0; i < lines->scene->item_count; i++) {
+        const struct gpu_item *item = &lines->scene->items[i];
+        /* Holes of a texture cut the surface's shape out of a larger face, whose edges nobody sees. */
+        bool cut_out = item->base_texture && item->alpha_cutoff > 0;
+        if (mesh_of(lines, item)->mesh.face_count && !cut_out)
+            HATCH_TRY(add_item(frame, item, err));
+    }
     if (!frame->piece_count)
         return HATCH_OK;
     HATCH_TRY(line_gl_begin(&lines->gl, target, err));

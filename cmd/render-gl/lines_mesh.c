@@ -48,7 +48,7 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct line_e
             if (strcmp(from->attributes[i].name, used[k]) == 0 && (k != 1 || keep))
                 made.attributes[made.attribute_count++] = from->attributes[i];
     if (!keep) {
-        uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
+        uint8_t *sharp = HATCH_NEW(arena, uint8_t, edges->edges.count, err);
         if (!sharp)
             return HATCH_LIMIT;
         for (uint32_t e = 0; e < edges->edges.count; e++)
@@ -113,37 +113,80 @@ static enum hatch_status join_vertices(const struct hatch_mesh *taken, const dou
     return HATCH_OK;
 }
 
-/* Sorts an edge into what lines use of it. points: of the features' ends. */
+/* What lines use of an edge. */
+struct use {
+    uint32_t a[2], b[2]; /* corners at its ends: of its first face, of its second */
+    bool smooth;         /* across it, so that a silhouette crosses it without a jump */
+    bool hard;           /* a silhouette may run along it */
+    bool feature;
+};
+
+static struct use use_of(const struct line_edges *edges, const struct hatch_mesh *mesh,
+                         uint32_t edge, uint32_t kinds)
+{
+    const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
+    const uint32_t *indices = mesh->indices;
+    uint32_t count = edges->edges.first[edge + 1] - edges->edges.first[edge];
+    uint32_t kind = edges->kinds[edge] == HATCH_EDGE_CREASE     ? LINES_CREASES
+                    : edges->kinds[edge] == HATCH_EDGE_BOUNDARY ? LINES_BOUNDARIES
+                                                                : LINES_NONE;
+    struct use use = {.feature = kind & kinds};
+    line_side_corners(edges->point, sides[0], use.a);
+    line_side_corners(edges->point, sides[count > 1 ? 1 : 0], use.b);
+    use.smooth = count == 2 && indices[use.a[0]] == indices[use.b[0]] &&
+                 indices[use.a[1]] == indices[use.b[1]];
+    /* Where more than two faces meet it is not told which two make a surface; such an edge is smooth
+     * only between sheets that lie on one another, and each sheet's silhouette crosses it. */
+    use.hard = count == 2 && !use.smooth;
+    return use;
+}
+
+/* points: of the features' ends. */
 static void add_edge(const struct line_edges *edges, uint32_t edge, uint32_t kinds,
                      uint32_t *points, struct line_mesh *lines)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     const uint32_t *indices = lines->mesh.indices, *point = edges->point;
     uint32_t count = edges->edges.first[edge + 1] - edges->edges.first[edge];
-    uint32_t a[2], b[2], other = sides[count > 1 ? 1 : 0];
-    uint32_t kind = edges->kinds[edge] == HATCH_EDGE_CREASE     ? LINES_CREASES
-                    : edges->kinds[edge] == HATCH_EDGE_BOUNDARY ? LINES_BOUNDARIES
-                                                                : LINES_NONE;
-    line_side_corners(point, sides[0], a);
-    line_side_corners(point, other, b);
-    bool smooth = count == 2 && indices[a[0]] == indices[b[0]] && indices[a[1]] == indices[b[1]];
-    for (uint32_t i = 0; i < count && !smooth; i++)
+    struct use use = use_of(edges, &lines->mesh, edge, kinds);
+    const uint32_t *a = use.a, *b = use.b;
+    for (uint32_t i = 0; i < count && !use.smooth; i++)
         lines->hard_sides[sides[i] / 3] |= (uint8_t)(1u << sides[i] % 3);
-    /* Where more than two faces meet it is not told which two make a surface; such an edge is smooth
-     * only between sheets that lie on one another, and each sheet's silhouette crosses it. */
-    if (count == 2 && !smooth)
+    if (use.hard)
         lines->hards[lines->hard_count++] =
             (struct line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
                                     .high = {indices[a[1]], indices[b[1]]},
                                     .points = {point[a[0]], point[a[1]]}};
-    if (!(kind & kinds))
+    if (!use.feature)
         return;
     points[2 * lines->feature_count] = point[a[0]];
     points[2 * lines->feature_count + 1] = point[a[1]];
     lines->features[lines->feature_count++] =
         (struct line_feature){.ends = {indices[a[0]], indices[a[1]]},
-                              .faces = {sides[0] / 3, count > 1 ? other / 3 : HATCH_NONE},
+                              .faces = {sides[0] / 3, count > 1 ? sides[1] / 3 : HATCH_NONE},
                               .more_faces = count > 2};
+}
+
+static enum hatch_status sort_edges(const struct line_edges *edges, uint32_t kinds,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct line_mesh *lines, uint32_t **points,
+                                    struct hatch_err *err)
+{
+    size_t hards = 0, features = 0;
+    for (uint32_t e = 0; e < edges->edges.count; e++) {
+        struct use use = use_of(edges, &lines->mesh, e, kinds);
+        hards += use.hard;
+        features += use.feature;
+    }
+    *points = HATCH_NEW(scratch, uint32_t, 2 * features, err);
+    lines->hard_sides = *points ? HATCH_NEW(arena, uint8_t, lines->mesh.face_count, err) : NULL;
+    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct line_hard_edge, hards, err) : NULL;
+    lines->features = lines->hards ? HATCH_NEW(arena, struct line_feature, features, err) : NULL;
+    if (!lines->features)
+        return HATCH_LIMIT;
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        add_edge(edges, e, kinds, *points, lines);
+    return HATCH_OK;
 }
 
 /* Chains the features; their nodes are the points that they touch. */
@@ -180,17 +223,10 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
     struct hatch_mesh taken;
     struct line_edges edges;
     HATCH_TRY(line_edges_find(from, crease_rad, scratch, arena, &edges, err));
-    HATCH_TRY(take(from, &edges, arena, scratch, &taken, err));
+    HATCH_TRY(take(from, &edges, scratch, arena, &taken, err));
     HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
-    size_t count = edges.edges.count;
-    uint32_t *points = HATCH_NEW(scratch, uint32_t, 2 * count, err);
-    lines->hard_sides = points ? HATCH_NEW(arena, uint8_t, from->face_count, err) : NULL;
-    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct line_hard_edge, count, err) : NULL;
-    lines->features = lines->hards ? HATCH_NEW(arena, struct line_feature, count, err) : NULL;
-    if (!lines->features)
-        return HATCH_LIMIT;
-    for (uint32_t e = 0; e < count; e++)
-        add_edge(&edges, e, kinds, points, lines);
+    uint32_t *points;
+    HATCH_TRY(sort_edges(&edges, kinds, arena, scratch, lines, &points, err));
     lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
                      hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
     return chain_features(&edges, points, arena, scratch, lines, err);
