@@ -1,5 +1,5 @@
 /* Vectors of three doubles, for geometry that must hold at any scale: floats are widened, worked on
- * here and rounded once at the end. (The renderer's float matrices are cglm's.) */
+ * here and rounded once at the end. */
 #ifndef HATCH_MATH_VECTOR_H
 #define HATCH_MATH_VECTOR_H
 
