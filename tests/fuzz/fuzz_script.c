@@ -1,0 +1,48 @@
+#include "fuzz.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "stroke/script.h"
+
+#define SIZE_PX 256
+
+/* Rounding to floats may take the narrowest stroke over the limit. */
+static bool has_narrowest(const struct hatch_stroke_list *strokes)
+{
+    for (uint32_t i = 0; i < strokes->count; i++)
+        if (strokes->items[i].width_px < 1.001e-9f * SIZE_PX)
+            return true;
+    return false;
+}
+
+/* What was read is printed and read again: the same strokes, bit by bit. */
+static void check_round_trip(const struct hatch_stroke_list *strokes, struct hatch_arena *arena)
+{
+    struct hatch_buffer text = {.arena = arena};
+    struct hatch_stroke_list again;
+    struct hatch_err err;
+    if (hatch_script_print(strokes->items, strokes->count, SIZE_PX, NULL, &text, &err) != HATCH_OK)
+        return;
+    struct hatch_bytes bytes = {text.data, text.size};
+    if (hatch_script_parse(bytes, SIZE_PX, arena, &again, &err) != HATCH_OK)
+        abort();
+    if (again.count != strokes->count)
+        abort();
+    if (again.count && memcmp(again.items, strokes->items, again.count * sizeof *again.items) != 0)
+        abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct fuzz_arenas arenas = fuzz_arenas_make();
+    struct hatch_stroke_list strokes;
+    struct hatch_err err;
+    enum hatch_status status =
+        hatch_script_parse((struct hatch_bytes){data, size}, SIZE_PX, &arenas.keep, &strokes, &err);
+    fuzz_check(status, &err, &arenas);
+    if (status == HATCH_OK && !has_narrowest(&strokes))
+        check_round_trip(&strokes, &arenas.keep);
+    fuzz_arenas_free(&arenas);
+    return 0;
+}
