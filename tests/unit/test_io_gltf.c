@@ -72,7 +72,7 @@ static void round_trip(const struct hatch_mesh *mesh)
 START_TEST(shapes_come_back_bit_for_bit)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
-        for (uint32_t faces = 50; faces < 500000; faces *= 100) {
+        for (uint32_t faces = 50; faces <= 200000; faces *= faces < 1000 ? 100 : 40) {
             struct hatch_mesh mesh;
             const struct hatch_shape_options options = {.faces = faces, .jitter = 0.5f};
             HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch, &mesh,
@@ -157,7 +157,8 @@ static const struct {
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                   \
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                     \
     "{\"bufferView\":0,\"byteOffset\":4,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"      \
-    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"}]"
+    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},"      \
+    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"}]"
 #define MESH(rest) HEAD ",\"meshes\":[{\"primitives\":[{" rest "}]}],\"nodes\":[{\"mesh\":0}]}"
 
 static enum hatch_status read_text(const char *json)
@@ -272,9 +273,8 @@ END_TEST
 
 START_TEST(motion_is_checked)
 {
-    /* Times 0 1 would need two values: there are three. */
     ck_assert_int_eq(read_text(MOVING("\"node\":0,\"path\":\"translation\"")), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.text, "animation 0, channel 0"));
+    ck_assert_str_eq(err.text, "animation 0, channel 0: time 1 is negative or does not rise");
     HATCH_TEST_OK(read_text(MOVING("\"node\":0,\"path\":\"weights\"")), &err);
     ck_assert_uint_eq(scene.animations[0].channel_count, 0);
     ck_assert_float_eq(scene.skins[0].inverse_bind[15], 1);
@@ -335,7 +335,9 @@ START_TEST(what_is_wrong_is_named_with_its_place)
             "../x leaves");
     refused("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"/etc/passwd\"}]}", "leaves");
     refused(MESH("\"attributes\":{\"NORMAL\":0}"), "mesh 0, primitive 0: no POSITION");
-    refused(MESH("\"attributes\":{\"POSITION\":9}"), "POSITION: accessor 9");
+    refused(MESH("\"attributes\":{\"POSITION\":19}"), "POSITION: accessor 19");
+    refused(MESH("\"attributes\":{\"POSITION\":0},\"indices\":9,\"mode\":5"),
+            "index 0 is the primitive restart value");
     refused(MESH("\"attributes\":{\"POSITION\":2}"), "POSITION: 4 components, want 3");
     refused(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":6}"), "NORMAL: 3 elements");
     refused(MESH("\"attributes\":{\"POSITION\":0}"), "4 corners make no triangles");

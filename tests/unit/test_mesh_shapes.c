@@ -294,6 +294,36 @@ START_TEST(teapot_is_newells)
 }
 END_TEST
 
+/* Six times the volume, about the region's own middle, of the faces beyond a plane of constant x. */
+static double volume_beyond(const struct hatch_mesh *mesh, double x, double side)
+{
+    double middle[3] = {0, 0, 0}, sum = 0, count = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (uint32_t f = 0; f < mesh->face_count; f++) {
+            double c[3][3], normal[3];
+            hatch_mesh_corners(mesh, f, c);
+            if (side * c[0][0] < x || side * c[1][0] < x || side * c[2][0] < x)
+                continue;
+            hatch_vec_triangle(c[0], c[1], c[2], normal);
+            if (pass == 0) {
+                hatch_vec_add_scaled(middle, 1, c[0], middle);
+                count += 1;
+                continue;
+            }
+            hatch_vec_add_scaled(c[0], -1 / count, middle, c[0]);
+            sum += hatch_vec_dot(c[0], normal);
+        }
+    return sum;
+}
+
+START_TEST(handle_and_spout_are_not_inside_out)
+{
+    struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 30000, 0, 0, 1);
+    ck_assert_double_gt(volume_beyond(&mesh, 1.1, -1), 0.05);
+    ck_assert_double_gt(volume_beyond(&mesh, 0.95, 1), 0.05);
+}
+END_TEST
+
 START_TEST(even_texture_is_more_even_than_natural)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 20000, 0, 0, 1), even;
@@ -382,6 +412,7 @@ static Suite *suite(void)
     tcase_add_test(tests, seams_differ_by_whole_tiles);
     tcase_add_test(tests, curvatures_are_those_of_the_formulas);
     tcase_add_test(tests, teapot_is_newells);
+    tcase_add_test(tests, handle_and_spout_are_not_inside_out);
     tcase_add_test(tests, even_texture_is_more_even_than_natural);
     tcase_add_test(tests, face_counts_come_near_the_wish);
     tcase_add_test(tests, seeds_decide_alone);
