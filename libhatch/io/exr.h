@@ -7,11 +7,13 @@
 #include "base/parallel.h"
 #include "image/image.h"
 
-/* Reads every part: scanline or tiled, one level or mip-mapped, HALF, FLOAT or UINT channels, any
- * lossless compression; float, int and string attributes. Deep data, rip-maps and sub-sampled
- * channels are HATCH_BAD_INPUT. Sizes are checked against the arena's limit before anything is
- * allocated: HATCH_LIMIT. Pixels that are not finite are kept; the caller decides. arena and
- * scratch may be one. */
+/* Reads every part: scanline or tiled, one level or mip-mapped, HALF, FLOAT or UINT channels (at
+ * most 8: R, G, B, Y and A come first, then the others as in the file), any lossless compression;
+ * float, int and string attributes that the format itself does not need, the first 16 of them. Deep
+ * data, rip-maps, sub-sampled channels and cut or damaged files are HATCH_BAD_INPUT; so is a header
+ * that claims more than its compression can have packed into the file. Sizes are checked against
+ * the arena's limit before anything is allocated: HATCH_LIMIT. Pixels that are not finite are kept;
+ * the caller decides. arena and scratch may be one. */
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts,
                                  uint32_t *part_count, struct hatch_err *err) HATCH_MUST_USE;
