@@ -185,6 +185,7 @@ endef
 $(foreach s,$(FUZZ_SRC),$(eval $(call fuzz_rule,$(s),$(patsubst fuzz_%,%,$(basename $(notdir $(s)))))))
 fuzz: $(FUZZERS)
 check-long: fuzz
+	LONG=1 $(MAKE) check
 	sh tests/fuzz/long.sh $(FUZZERS)
 # Readers that are not ours; those from npm are fetched once, and their tests skip without them.
 INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels

@@ -15,13 +15,13 @@ void hatch_style_default(struct hatch_style *style)
         .width_px = 1.8f,
         .length_min = 0.3f,
         .length_max = 1.0f,
-        .jitter_rad = 0.015f,
+        .jitter_rad = 0.01570796327f, /* 0.9 degrees */
         .ink = 1,
         .overlap_darkens = true,
         .tone_max = 0.9f,
         .tone_gamma = 1,
         .direction_count = 3,
-        .directions = {{0, 0, 0.5f}, {1.5707963f, 0.5f, 1}, {0, 0.8f, 1}},
+        .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
         .candidates_light = 1000,
         .candidates_dark = 100,
     };

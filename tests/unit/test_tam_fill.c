@@ -184,6 +184,40 @@ START_TEST(growing_strokes_begin_small)
 }
 END_TEST
 
+/* How many strokes of the lightest column stand at their full size in a column's finest image. */
+static uint32_t full_grown(uint32_t tone)
+{
+    struct hatch_canvas canvas;
+    uint32_t count = 0;
+    HATCH_TEST_OK(
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, &canvas, &map_err),
+        &map_err);
+    for (uint32_t i = 0; i < map.strokes.count && map.strokes.items[i].column == 0; i++) {
+        bool whole = true;
+        (void)hatch_canvas_try(&canvas, &map.strokes.items[i], 0, 1);
+        for (uint32_t k = 0; k < canvas.footprint.count; k++)
+            whole &= map.columns[tone].levels[0].pixels[canvas.footprint.at[k]] <=
+                     1.001f - canvas.footprint.alpha[k];
+        count += whole;
+    }
+    return count;
+}
+
+START_TEST(growing_strokes_end_at_their_full_size)
+{
+    map_style("ink", NULL, &map);
+    map.options.tones = 12;
+    map.options.growth = 0.6f;
+    map_fill(&map);
+    uint32_t all = 0;
+    while (map.strokes.items[all].column == 0)
+        all++;
+    ck_assert_uint_gt(all, 5);
+    ck_assert_uint_lt(full_grown(0), all / 3);
+    ck_assert_uint_eq(full_grown(5), all); /* they grow over a third of the columns */
+}
+END_TEST
+
 static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                 struct hatch_err *err)
 {
@@ -285,6 +319,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_exhaustive_choice_goes_where_paper_is_left);
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
     tcase_add_test(tests, growing_strokes_begin_small);
+    tcase_add_test(tests, growing_strokes_end_at_their_full_size);
     tcase_add_test(tests, a_sink_that_fails_ends_the_work);
     tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
     tcase_add_test(tests, the_sheet_shows_every_image_in_its_place);
