@@ -5,6 +5,10 @@
 
 #include "cmd.h"
 
+/* Copies are floats, twice what a column takes in the file: with many threads they would outweigh the
+ * map itself. A third of its columns at once is more than the filling can feed. */
+#define COPIES_DIVISOR 3u
+
 /* A column that waits for its compression: the canvas goes on changing, so its pixels are copied. */
 struct column_copy {
     struct hatch_exr_writer *writer;
@@ -28,8 +32,8 @@ static enum hatch_status begin(struct columns *columns, const struct hatch_mipma
                                struct hatch_err *err)
 {
     HATCH_TRY(hatch_exr_begin(column, columns->tones, columns->arena, &columns->writer, err));
-    uint32_t others = hatch_pool_threads(columns->pool) - 1;
-    columns->copy_count = others ? others + 1 : 0;
+    uint32_t threads = hatch_pool_threads(columns->pool), most = columns->tones / COPIES_DIVISOR;
+    columns->copy_count = threads < 2 ? 0 : threads < most ? threads : most;
     columns->copies = HATCH_NEW(columns->arena, struct column_copy, columns->copy_count, err);
     if (!columns->copies)
         return HATCH_LIMIT;
