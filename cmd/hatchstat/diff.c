@@ -2,8 +2,10 @@
 #include "filter/difference.h"
 #include "subject.h"
 
-static const char *const columns[] = {"max",       "mean",     "bias",      "rmse", "psnr_db",
-                                      "differing", "max_box8", "max_box16", NULL};
+static const char *const columns[] = {"max",       "mean",      "bias",      "rmse",      "psnr_db", "differing",
+                                      "max_box8", "max_box16", "max_box32", "max_box64", NULL};
+static const uint32_t boxes_px[] = {8, 16, 32, 64};
+#define BOXES (sizeof boxes_px / sizeof *boxes_px)
 
 enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options,
                             struct cmd_output *output)
@@ -16,10 +18,10 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
 
     struct hatch_err err;
     struct hatch_difference difference;
-    double low8, low16;
+    double low[BOXES];
     hatch_image_difference(&a, &b, &difference);
-    cmd_check(hatch_image_low_difference(&a, &b, 8, &args->scratch, &low8, &err), NULL, &err);
-    cmd_check(hatch_image_low_difference(&a, &b, 16, &args->scratch, &low16, &err), NULL, &err);
+    for (size_t i = 0; i < BOXES; i++)
+        cmd_check(hatch_image_low_difference(&a, &b, boxes_px[i], &args->scratch, &low[i], &err), NULL, &err);
 
     struct cmd_report report;
     cmd_report_begin(&report, args, columns);
@@ -29,8 +31,8 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
     cmd_report_number(&report, difference.rmse);
     cmd_report_number(&report, difference.psnr_db);
     cmd_report_number(&report, difference.differing);
-    cmd_report_number(&report, low8);
-    cmd_report_number(&report, low16);
+    for (size_t i = 0; i < BOXES; i++)
+        cmd_report_number(&report, low[i]);
     cmd_report_write(&report, output);
     bool passed = options->max_difference < 0 || difference.max <= options->max_difference;
     return passed ? HATCH_OK : HATCH_DIFFERS;

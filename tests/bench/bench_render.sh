@@ -1,0 +1,41 @@
+#!/bin/sh
+# render-gl's techniques: time per frame against the error of the tone that they draw, over the teapot at
+# three distances, 1280x720. Milliseconds are the timer's, for the surfaces alone; gouraud stands in each
+# run as the reference, so that `ratio` is of one run. The error is the largest difference from gouraud,
+# in linear light, over windows of 64 pixels, the mean over the distances: strokes are averaged away there.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+printf 'method\tsize\tms\tms_min\tms_max\tgouraud_ms\tratio\tpeak_kib\ttone_error_box64\tbias\n'
+tamgen --size 512 -o "$work/map.exr"
+meshgen teapot --faces 20000 -o "$work/scene.glb"
+
+# picture NAME TECHNIQUE DISTANCE ANISOTROPY
+picture() {
+    render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --camera "$3" --anisotropy "$4" \
+        --lines none -o "$work/$1.exr"
+}
+
+# row NAME TECHNIQUE ANISOTROPY
+row() {
+    "$MEASURE" 1 render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --anisotropy "$3" \
+        --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
+    for camera in 2,1.6,4:0,0,0 4,3.2,8:0,0,0 8,6.4,16:0,0,0; do
+        picture tone gouraud $camera 1
+        picture strokes "$2" $camera "$3"
+        hatchstat diff "$work/strokes.exr" "$work/tone.exr" | tail -n 1
+    done >"$work/errors.tsv"
+    awk -F'\t' -v name="$1" -v technique="$2" '
+        FILENAME ~ /times/ && $2 == "frame" && $1 == technique {ms = $4; low = $5; high = $6}
+        FILENAME ~ /times/ && $2 == "frame" && $1 == "gouraud" {reference = $4}
+        FILENAME ~ /whole/ {peak = $5}
+        FILENAME ~ /errors/ {error += $10; bias += $3; n++}
+        END {printf "%s\t1280x720\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%.5f\t%.5f\n", name, ms, low, high,
+            reference, ms / reference, peak, error / n, bias / n}
+    ' "$work/times.tsv" "$work/whole.tsv" "$work/errors.tsv"
+}
+for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-threshold; do
+    row $technique $technique 1
+done
+row "tam anisotropy 8" tam 8
