@@ -124,6 +124,7 @@ static enum hatch_status print(const struct job *job, const struct probe *probe,
                         "of the picture's pixels", text, err));
     HATCH_TRY(print_map(job, probe, text, err));
     for (uint32_t i = 0; i < gpu->item_count; i++) {
+        HATCH_TRY(print_row(job, "charts", i, gpu->items[i].chart_count, "", text, err));
         HATCH_TRY(print_row(job, "repeat-u", i, (double)gpu->items[i].repeat[0], "tiles", text, err));
         HATCH_TRY(print_row(job, "repeat-v", i, (double)gpu->items[i].repeat[1], "tiles", text, err));
     }

@@ -82,7 +82,7 @@ static void draw_items(const struct renderer *renderer, uint32_t technique, uint
             glBindTextureUnit(3, item->base_texture);
         glUniformMatrix4fv(0, 1, GL_FALSE, item->to_unit);
         glUniformMatrix3fv(1, 1, GL_FALSE, item->normal);
-        glUniform2fv(2, 1, item->repeat);
+        glVertexAttrib2fv(REPEAT_ATTRIBUTE, item->repeat); /* where vertices have none */
         glUniform1i(4, (GLint)pass);
         glUniform4f(5, renderer->style.base_tone ? item->base_lightness : 1.0f, item->base_lod,
                     item->alpha_cutoff, 0.0f);

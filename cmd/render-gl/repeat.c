@@ -1,104 +1,149 @@
 #include "render-gl/repeat.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-/* Areas by the logarithm of pixels per unit of a texture coordinate, in eighths of an octave. */
-#define STEPS 8
-#define OCTAVES 64
-#define BINS (OCTAVES * STEPS)
-
-struct density {
-    double area[2][BINS]; /* along u, along v */
-    double total;
+/* A part of a surface that hangs together in the texture's plane. Sums over its faces, weighted by
+ * their area: of the logarithms of the lengths that a unit of u and of v has in the unit scene. */
+struct chart {
+    double area, log_u, log_v;
 };
 
-static void add(struct density *density, int axis, double pixels, double area)
+struct survey {
+    const struct gpu_scene *scene;
+    const struct hatch_mesh *mesh;
+    const float *texcoord;
+    double *positions;     /* in the unit scene */
+    uint32_t *parent;      /* of each vertex, in the forest of charts */
+    struct chart *charts;  /* of each vertex; those of roots count */
+    float *repeats;        /* two for each vertex */
+    double seen_weight, seen_log; /* of pixels per unit, where the picture shows the surface */
+    double all_weight, all_log;   /* everywhere */
+};
+
+static uint32_t root_of(uint32_t *parent, uint32_t vertex)
 {
-    double bin = floor((log2(pixels) + OCTAVES / 2) * STEPS);
-    if (bin >= 0 && bin < BINS)
-        density->area[axis][(int)bin] += area;
+    while (parent[vertex] != vertex)
+        vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
 }
 
-/* The logarithm that half of the area is below. */
-static double median(const struct density *density, int axis)
+/* The lower index becomes the root, so that charts do not depend on the order of faces. */
+static void join(uint32_t *parent, uint32_t a, uint32_t b)
 {
-    double sum = 0;
-    int bin = 0;
-    while (bin < BINS - 1 && (sum += density->area[axis][bin]) < 0.5 * density->total)
-        bin++;
-    return (bin + 0.5) / STEPS - OCTAVES / 2;
+    a = root_of(parent, a);
+    b = root_of(parent, b);
+    parent[a > b ? a : b] = a > b ? b : a;
 }
 
-/* How long the steps of u and of v are on a face, by the inverse of its map from edges. */
-static void add_face(struct density *density, const double *const p[3], const float *const t[3],
-                     const struct view *view, double height_px, bool only_seen)
+struct place {
+    uint32_t point, vertex;
+    float u, v;
+};
+
+static int compare_places(const void *a, const void *b)
 {
-    double e[2][3], d[2][2], center[3], step[2] = {0, 0}, n[3], area = 0;
+    const struct place *x = a, *y = b;
+    if (x->point != y->point)
+        return x->point < y->point ? -1 : 1;
+    if (x->u < y->u || x->u > y->u)
+        return x->u < y->u ? -1 : 1;
+    return (x->v > y->v) - (x->v < y->v);
+}
+
+/* Vertices that differ in nothing but their normal are one to the texture. */
+static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch,
+                                     struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = survey->mesh;
+    uint32_t point_count;
+    uint32_t *points = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    struct place *places = HATCH_NEW(scratch, struct place, mesh->vertex_count, err);
+    if (!points || !places)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, points, &point_count, err));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        survey->parent[v] = v;
+        places[v] = (struct place){points[v], v, survey->texcoord[2 * (size_t)v],
+                                   survey->texcoord[2 * (size_t)v + 1]};
+    }
+    qsort(places, mesh->vertex_count, sizeof *places, compare_places);
+    for (uint32_t i = 1; i < mesh->vertex_count; i++)
+        if (compare_places(&places[i - 1], &places[i]) == 0)
+            join(survey->parent, places[i - 1].vertex, places[i].vertex);
+    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i += 3) {
+        join(survey->parent, mesh->indices[i], mesh->indices[i + 1]);
+        join(survey->parent, mesh->indices[i], mesh->indices[i + 2]);
+    }
+    return HATCH_OK;
+}
+
+/* How long the steps of u and of v are on a face, by the inverse of its map from edges. false where
+ * its texture coordinates or its corners are on a line. */
+static bool measure_face(const double *const p[3], const float *const t[3], double step[2],
+                         double *area)
+{
+    double e[2][3], d[2][2], normal = 0;
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < 3; k++)
             e[i][k] = p[i + 1][k] - p[0][k];
         for (int k = 0; k < 2; k++)
             d[i][k] = (double)t[i + 1][k] - (double)t[0][k];
     }
-    double det = d[0][0] * d[1][1] - d[1][0] * d[0][1];
+    double det = fabs(d[0][0] * d[1][1] - d[1][0] * d[0][1]);
+    step[0] = step[1] = 0;
     for (int k = 0; k < 3; k++) {
         int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
         double along_u = e[0][k] * d[1][1] - e[1][k] * d[0][1];
         double along_v = e[1][k] * d[0][0] - e[0][k] * d[1][0];
-        n[k] = e[0][k1] * e[1][k2] - e[0][k2] * e[1][k1];
-        center[k] = (p[0][k] + p[1][k] + p[2][k]) / 3;
+        double n = e[0][k1] * e[1][k2] - e[0][k2] * e[1][k1];
         step[0] += along_u * along_u;
         step[1] += along_v * along_v;
-        area += n[k] * n[k];
+        normal += n * n;
     }
-    if (only_seen && !view_sees(view, center))
-        return;
-    double scale = view_pixels_per_unit(view, center, height_px);
-    area = 0.5 * sqrt(area) * scale * scale;
-    if (!(area > 0) || !isfinite(area) || !(fabs(det) > 0) || !(step[0] > 0) || !(step[1] > 0))
-        return;
     for (int axis = 0; axis < 2; axis++)
-        add(density, axis, sqrt(step[axis]) / fabs(det) * scale, area);
-    density->total += area;
+        step[axis] = sqrt(step[axis]) / det;
+    *area = 0.5 * sqrt(normal);
+    return *area > 0 && step[0] > 0 && step[1] > 0 && isfinite(step[0]) && isfinite(step[1]) &&
+           isfinite(*area);
 }
 
-static enum hatch_status measure(struct gpu_scene *scene, const struct gpu_item *item,
-                                 const struct view *view, double height_px,
-                                 struct hatch_arena *scratch, struct density *density,
-                                 struct hatch_err *err)
+static void add_face(struct survey *survey, size_t face, const struct view *view, double height_px)
 {
-    const struct hatch_mesh *mesh = &scene->scene->meshes[item->mesh].mesh;
-    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
-    double *positions = HATCH_NEW(scratch, double, 3 * (size_t)mesh->vertex_count, err);
-    if (!positions)
-        return HATCH_LIMIT;
-    pose_vertices(&scene->pose, item->node, item->mesh, positions, NULL);
-    for (size_t v = 0; v < mesh->vertex_count; v++)
-        for (size_t k = 0; k < 3; k++)
-            positions[3 * v + k] =
-                (positions[3 * v + k] - scene->bounds.center[k]) / scene->bounds.radius;
-    /* What the picture shows decides; a surface that comes into it later goes by its distance. */
-    for (int only_seen = 1; only_seen >= 0 && !(density->total > 0); only_seen--)
-        for (size_t face = 0; texcoord && face < mesh->face_count; face++) {
-            const double *p[3];
-            const float *t[3];
-            for (size_t i = 0; i < 3; i++) {
-                size_t vertex = mesh->indices[3 * face + i];
-                p[i] = positions + 3 * vertex;
-                t[i] = texcoord + 2 * vertex;
-            }
-            add_face(density, p, t, view, height_px, only_seen);
-        }
-    return HATCH_OK;
+    const double *p[3];
+    const float *t[3];
+    double center[3] = {0, 0, 0}, step[2], area;
+    for (size_t i = 0; i < 3; i++) {
+        size_t vertex = survey->mesh->indices[3 * face + i];
+        p[i] = survey->positions + 3 * vertex;
+        t[i] = survey->texcoord + 2 * vertex;
+        for (int k = 0; k < 3; k++)
+            center[k] += p[i][k] / 3;
+    }
+    if (!measure_face(p, t, step, &area))
+        return;
+    struct chart *chart =
+        &survey->charts[root_of(survey->parent, survey->mesh->indices[3 * face])];
+    chart->area += area;
+    chart->log_u += area * log2(step[0]);
+    chart->log_v += area * log2(step[1]);
+    double scale = view_pixels_per_unit(view, center, height_px);
+    double weight = area * scale * scale;
+    if (!(scale > 0) || !isfinite(weight))
+        return;
+    survey->all_weight += weight;
+    survey->all_log += weight * log2(scale);
+    if (view_sees(view, center)) {
+        survey->seen_weight += weight;
+        survey->seen_log += weight * log2(scale);
+    }
 }
 
-/* The direction with fewer pixels decides, and the other one repeats more often, so that strokes are
- * not stretched. Repeats below 1 cut a closed surface's seam: they are only used where otherwise no
- * stroke would be left. */
-static void choose(const struct density *density, uint32_t size_px, uint32_t levels,
-                   float repeat[2])
+/* want: logarithms of the repeats by which texels are pixels. The direction with fewer pixels decides,
+ * and the other one repeats more often, so that strokes are not stretched. Repeats below 1 cut a closed
+ * surface's seam: they are only used where otherwise no stroke would be left. */
+static void choose(const double want[2], uint32_t levels, float repeat[2])
 {
-    double want[2] = {median(density, 0) - log2(size_px), median(density, 1) - log2(size_px)};
     int fewer = want[1] < want[0];
     double room = levels > 1 ? (double)levels - 2 : 0, power = 0;
     if (want[fewer] > 0)
@@ -109,6 +154,81 @@ static void choose(const struct density *density, uint32_t size_px, uint32_t lev
     repeat[!fewer] = (float)exp2(power + round(want[!fewer] - want[fewer]));
 }
 
+/* All charts of an item go by one scale, so that equal charts repeat equally, near or far. What the
+ * picture shows decides it; a surface that comes into it later goes by its distance. */
+static void choose_all(struct survey *survey, struct gpu_item *item, uint32_t size_px,
+                       uint32_t levels)
+{
+    bool seen = survey->seen_weight > 0;
+    double pixels = seen ? survey->seen_log / survey->seen_weight
+                         : survey->all_log / survey->all_weight;
+    double largest = 0;
+    item->chart_count = 0;
+    for (uint32_t v = 0; v < survey->mesh->vertex_count; v++) {
+        uint32_t root = root_of(survey->parent, v);
+        const struct chart *chart = &survey->charts[root];
+        float *repeat = survey->repeats + 2 * (size_t)v;
+        repeat[0] = repeat[1] = 1.0f;
+        if (root != v) { /* roots come first */
+            repeat[0] = survey->repeats[2 * (size_t)root];
+            repeat[1] = survey->repeats[2 * (size_t)root + 1];
+            continue;
+        }
+        if (!(chart->area > 0))
+            continue;
+        double want[2] = {chart->log_u / chart->area + pixels - log2(size_px),
+                          chart->log_v / chart->area + pixels - log2(size_px)};
+        choose(want, levels, repeat);
+        item->chart_count++;
+        if (chart->area > largest) {
+            largest = chart->area;
+            item->repeat[0] = repeat[0];
+            item->repeat[1] = repeat[1];
+        }
+    }
+}
+
+static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_item *item,
+                                     struct hatch_arena *scratch, struct survey *survey,
+                                     struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = &scene->scene->meshes[item->mesh].mesh;
+    size_t count = mesh->vertex_count;
+    *survey = (struct survey){.scene = scene,
+                              .mesh = mesh,
+                              .texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
+    survey->positions = HATCH_NEW(scratch, double, 3 * count, err);
+    survey->parent = HATCH_NEW(scratch, uint32_t, count, err);
+    survey->charts = HATCH_NEW(scratch, struct chart, count, err);
+    survey->repeats = HATCH_NEW(scratch, float, 2 * count, err);
+    if (!survey->positions || !survey->parent || !survey->charts || !survey->repeats)
+        return HATCH_LIMIT;
+    pose_vertices(&scene->pose, item->node, item->mesh, survey->positions, NULL);
+    for (size_t i = 0; i < 3 * count; i++)
+        survey->positions[i] =
+            (survey->positions[i] - scene->bounds.center[i % 3]) / scene->bounds.radius;
+    return HATCH_OK;
+}
+
+static enum hatch_status set_item(struct gpu_scene *scene, struct gpu_item *item,
+                                  const struct view *view, double height_px, uint32_t size_px,
+                                  uint32_t levels, struct hatch_arena *scratch,
+                                  struct hatch_err *err)
+{
+    struct survey survey;
+    HATCH_TRY(make_survey(scene, item, scratch, &survey, err));
+    if (!survey.texcoord)
+        return HATCH_OK;
+    HATCH_TRY(join_charts(&survey, scratch, err));
+    for (size_t face = 0; face < survey.mesh->face_count; face++)
+        add_face(&survey, face, view, height_px);
+    if (survey.all_weight > 0) {
+        choose_all(&survey, item, size_px, levels);
+        scene_set_repeats(item, survey.repeats, survey.mesh->vertex_count);
+    }
+    return HATCH_OK;
+}
+
 enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct view *view,
                              double height_px, uint32_t size_px, uint32_t levels,
                              struct hatch_arena *scratch, struct hatch_err *err)
@@ -116,15 +236,12 @@ enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struc
     for (uint32_t i = 0; i < scene->item_count; i++) {
         struct gpu_item *item = &scene->items[i];
         item->repeat[0] = item->repeat[1] = repeat > 0 ? (float)repeat : 1.0f;
+        scene_set_repeats(item, NULL, 0);
         if (repeat > 0)
             continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        struct density *density = HATCH_NEW(scratch, struct density, 1, err);
-        if (!density)
-            return HATCH_LIMIT;
-        enum hatch_status status = measure(scene, item, view, height_px, scratch, density, err);
-        if (status == HATCH_OK && density->total > 0)
-            choose(density, size_px, levels, item->repeat);
+        enum hatch_status status =
+            set_item(scene, item, view, height_px, size_px, levels, scratch, err);
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);
     }

@@ -201,11 +201,27 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
     return HATCH_OK;
 }
 
+void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t count)
+{
+    glDeleteBuffers(1, &item->repeats);
+    item->repeats = 0;
+    glDisableVertexArrayAttrib(item->vertex_array, REPEAT_ATTRIBUTE);
+    if (!repeats || !count)
+        return;
+    glCreateBuffers(1, &item->repeats);
+    glNamedBufferStorage(item->repeats, (GLsizeiptr)(2 * sizeof *repeats * count), repeats, 0);
+    glVertexArrayVertexBuffer(item->vertex_array, 1, item->repeats, 0, 2 * sizeof *repeats);
+    glEnableVertexArrayAttrib(item->vertex_array, REPEAT_ATTRIBUTE);
+    glVertexArrayAttribFormat(item->vertex_array, REPEAT_ATTRIBUTE, 2, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(item->vertex_array, REPEAT_ATTRIBUTE, 1);
+}
+
 void scene_free(struct gpu_scene *gpu)
 {
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         glDeleteVertexArrays(1, &gpu->items[i].vertex_array);
         glDeleteBuffers(1, &gpu->items[i].posed);
+        glDeleteBuffers(1, &gpu->items[i].repeats);
     }
     for (uint32_t i = 0; gpu->meshes && i < gpu->scene->mesh_count; i++) {
         glDeleteBuffers(1, &gpu->meshes[i].vertices);

@@ -15,6 +15,8 @@ struct vertex {
     float base_texcoord[2];
 };
 
+#define REPEAT_ATTRIBUTE 4u /* its place among the vertex stage's inputs */
+
 struct gpu_mesh {
     GLuint vertices, indices;
     uint32_t index_count;
@@ -27,7 +29,10 @@ struct gpu_item {
     GLuint posed;         /* a skinned item's own vertices, renewed with the pose; else 0 */
     float to_unit[16];    /* what the buffer holds, to the unit scene; column-major */
     float normal[9];
-    float repeat[2];      /* tiles of the tonal art map per unit of u and of v */
+    GLuint repeats;       /* two floats a vertex: tiles of the tonal art map per unit of u and of v;
+                             0: `repeat` for all */
+    float repeat[2];      /* that of the largest chart */
+    uint32_t chart_count; /* parts of the surface that have repeats of their own */
     bool mirrored;        /* the node turns the faces' winding round */
     bool double_sided;
     float alpha_cutoff;   /* 0: no holes */
@@ -56,6 +61,9 @@ enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bou
 enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
                                  struct hatch_arena *scratch, struct hatch_err *err)
     HATCH_MUST_USE;
+
+/* Gives the vertices of an item repeats of their own; count of them. NULL takes them away. */
+void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t count);
 
 void scene_free(struct gpu_scene *gpu);
 

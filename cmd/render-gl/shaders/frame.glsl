@@ -20,7 +20,6 @@ layout(std140, binding = 0) uniform Frame {
 // One draw: an item seen from one side.
 layout(location = 0) uniform mat4 unit_from_mesh;
 layout(location = 1) uniform mat3 normal_from_mesh;
-layout(location = 2) uniform vec2 repeat;
 layout(location = 3) uniform float side;
 layout(location = 4) uniform int pass;
 layout(location = 5) uniform vec4 base; // lightness of the material, its texture's level, alpha cutoff

@@ -7,6 +7,6 @@ out vec2 v_amounts;
 void main()
 {
     float light = place();
-    v_texcoord = a_texcoord * repeat;
+    v_texcoord = a_texcoord * a_repeat;
     v_amounts = ink_amounts(light);
 }

@@ -5,6 +5,7 @@ layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_texcoord;
 layout(location = 3) in vec2 a_base_texcoord;
+layout(location = 4) in vec2 a_repeat; // tiles of the map per unit of u and of v
 
 invariant gl_Position;
 
