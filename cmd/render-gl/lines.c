@@ -30,8 +30,9 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
         if (mesh->mesh.face_count)
             continue;
         const double *origin = item->posed ? zero : scene->meshes[item->mesh].origin;
-        HATCH_TRY(line_mesh_make(&scene->scene->meshes[item->mesh].mesh, origin, style->kinds,
-                                 style->crease_rad, arena, scratch, mesh, err));
+        const struct hatch_scene_mesh *from = &scene->scene->meshes[item->mesh];
+        const struct line_choice choice = {style->kinds, style->crease_rad, from->had_normals};
+        HATCH_TRY(line_mesh_make(&from->mesh, origin, &choice, arena, scratch, mesh, err));
     }
     HATCH_TRY(line_gl_make(shaders, &made.gl, err));
     hatch_arena_init(&made.frame, max_memory);

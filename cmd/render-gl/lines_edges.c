@@ -5,6 +5,9 @@
 #include "math/vector.h"
 #include "render-gl/lines_prune.h"
 
+#define COS_SAME_NORMAL 0.9999 /* of two normals that are one but for rounding */
+#define SMOOTHED_CREASE_RAD 1.0471975511965976
+
 static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad,
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct line_edges *made, struct hatch_err *err)
@@ -27,6 +30,40 @@ static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease
     if (!made->kinds)
         return HATCH_LIMIT;
     hatch_edges_kinds(mesh, &made->edges, crease_rad, made->kinds);
+    return HATCH_OK;
+}
+
+static bool same_normal(const struct hatch_mesh *mesh, uint32_t a, uint32_t b)
+{
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    double na[3], nb[3];
+    hatch_vec_of(&normals[(size_t)mesh->indices[a] * 3], na);
+    hatch_vec_of(&normals[(size_t)mesh->indices[b] * 3], nb);
+    return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
+}
+
+bool line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct line_edges *edges,
+                           uint32_t edge)
+{
+    const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
+    uint32_t a[2], b[2];
+    line_side_corners(edges->point, sides[0], a);
+    line_side_corners(edges->point, sides[1], b);
+    return same_normal(mesh, a[0], b[0]) || same_normal(mesh, a[1], b[1]);
+}
+
+/* Makes creases smooth that the mesh's maker smoothed, but for sharp ones. */
+static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                       struct line_edges *edges, struct hatch_err *err)
+{
+    uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
+    if (!sharp)
+        return HATCH_LIMIT;
+    hatch_edges_kinds(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH &&
+            line_edge_is_smoothed(mesh, edges, e))
+            edges->kinds[e] = HATCH_EDGE_SMOOTH;
     return HATCH_OK;
 }
 
@@ -70,13 +107,15 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
-static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad,
+static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
                               struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct line_edges *made, struct hatch_err *err)
 {
     struct line_graph graph;
     uint32_t *edge_of;
     HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
+    if (normals_meant && hatch_mesh_find(mesh, "NORMAL", 3))
+        HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(line_drop_covered(mesh, arena, made, err));
     HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
     uint8_t *bounds = HATCH_NEW(scratch, uint8_t, graph.segment_count, err);
@@ -94,12 +133,12 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad,
 }
 
 enum hatch_status line_edges_find(const struct hatch_mesh *mesh, double crease_rad,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  bool normals_meant, struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct line_edges *edges, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct line_edges made;
-    enum hatch_status status = find(mesh, crease_rad, arena, scratch, &made, err);
+    enum hatch_status status = find(mesh, crease_rad, normals_meant, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *edges = made;

@@ -6,30 +6,12 @@
 #include "render-gl/lines_edges.h"
 #include "render-gl/lines_keys.h"
 
-#define COS_SAME_NORMAL 0.9999 /* of two normals that a crease was meant to have as one */
-
-static bool same_normal(const struct hatch_mesh *mesh, const float *normals, uint32_t a, uint32_t b)
-{
-    double na[3], nb[3];
-    hatch_vec_of(&normals[(size_t)mesh->indices[a] * 3], na);
-    hatch_vec_of(&normals[(size_t)mesh->indices[b] * 3], nb);
-    return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
-}
-
 /* Does one normal serve both faces of some crease? */
-static bool smooths_creases(const struct hatch_mesh *mesh, const float *normals,
-                            const struct line_edges *edges)
+static bool smooths_creases(const struct hatch_mesh *mesh, const struct line_edges *edges)
 {
-    for (uint32_t e = 0; e < edges->edges.count; e++) {
-        const uint32_t *sides = &edges->edges.sides[edges->edges.first[e]];
-        uint32_t a[2], b[2];
-        if (edges->kinds[e] != HATCH_EDGE_CREASE)
-            continue;
-        line_side_corners(edges->point, sides[0], a);
-        line_side_corners(edges->point, sides[1], b);
-        if (same_normal(mesh, normals, a[0], b[0]) || same_normal(mesh, normals, a[1], b[1]))
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        if (edges->kinds[e] == HATCH_EDGE_CREASE && line_edge_is_smoothed(mesh, edges, e))
             return true;
-    }
     return false;
 }
 
@@ -39,8 +21,7 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct line_e
                               struct hatch_mesh *mesh, struct hatch_err *err)
 {
     static const char *const used[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
-    const float *normals = hatch_mesh_find(from, "NORMAL", 3);
-    bool keep = normals && !smooths_creases(from, normals, edges);
+    bool keep = hatch_mesh_find(from, "NORMAL", 3) && !smooths_creases(from, edges);
     struct hatch_mesh made = *from;
     made.attribute_count = 0;
     for (uint32_t i = 0; i < from->attribute_count; i++)
@@ -216,31 +197,31 @@ static enum hatch_status chain_features(const struct line_edges *edges, const ui
 }
 
 static enum hatch_status make(const struct hatch_mesh *from, const double origin[3],
-                              uint32_t kinds, double crease_rad, struct hatch_arena *arena,
+                              const struct line_choice *choice, struct hatch_arena *arena,
                               struct hatch_arena *scratch, struct line_mesh *lines,
                               struct hatch_err *err)
 {
     struct hatch_mesh taken;
     struct line_edges edges;
-    HATCH_TRY(line_edges_find(from, crease_rad, scratch, arena, &edges, err));
+    HATCH_TRY(line_edges_find(from, choice->crease_rad, choice->normals_meant, scratch, arena, &edges,
+                              err));
     HATCH_TRY(take(from, &edges, scratch, arena, &taken, err));
     HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
     uint32_t *points;
-    HATCH_TRY(sort_edges(&edges, kinds, arena, scratch, lines, &points, err));
+    HATCH_TRY(sort_edges(&edges, choice->kinds, arena, scratch, lines, &points, err));
     lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
                      hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
     return chain_features(&edges, points, arena, scratch, lines, err);
 }
 
 enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                 uint32_t kinds, double crease_rad, struct hatch_arena *arena,
+                                 const struct line_choice *choice, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct line_mesh *lines,
                                  struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct line_mesh made = {.skinned = false};
-    enum hatch_status status =
-        make(from, origin, kinds, crease_rad, arena, scratch, &made, err);
+    enum hatch_status status = make(from, origin, choice, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *lines = made;

@@ -28,6 +28,13 @@ struct line_feature {
     bool more_faces;   /* than these two meet there */
 };
 
+/* Which of a mesh's lines are wanted. */
+struct line_choice {
+    uint32_t kinds;     /* enum line_kind, joined */
+    double crease_rad;  /* 0 .. π: edges that turn by more are creases */
+    bool normals_meant; /* the mesh's normals are its maker's, not made from its faces */
+};
+
 struct line_mesh {
     struct hatch_mesh mesh; /* a vertex for each position and normal; positions minus the origin */
     bool skinned;           /* mesh has JOINTS_0 and WEIGHTS_0 */
@@ -40,12 +47,12 @@ struct line_mesh {
     struct line_chains chains; /* of features */
 };
 
-/* Welds, finds edges and their kinds, and chains those that `kinds` asks for (enum line_kind). Where
- * the mesh's normals smooth over a crease, all its normals are made anew: a silhouette would cross
- * the faces of a box otherwise. crease_rad: 0 .. π. origin: subtracted from positions; of a skinned
+/* Welds, finds edges and their kinds, and chains those that are wanted. Where the mesh's normals smooth
+ * over a crease, all its normals are made anew: a silhouette would cross the faces of a box otherwise.
+ * origin: subtracted from positions; of a skinned
  * mesh 0 0 0. arena and scratch must not be the same. */
 enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                 uint32_t kinds, double crease_rad, struct hatch_arena *arena,
+                                 const struct line_choice *choice, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct line_mesh *lines,
                                  struct hatch_err *err) HATCH_MUST_USE;
 

@@ -132,6 +132,24 @@ START_TEST(creases_of_noise_are_left_out)
 }
 END_TEST
 
+/* A coarse torus turns by more than the angle at every edge; whoever gave it smooth normals did not mean
+ * these, but would have meant the edges of a cube. */
+START_TEST(normals_tell_what_was_meant)
+{
+    static const double origin[3] = {0, 0, 0};
+    const struct line_choice choice = {LINES_CREASES, CREASE_RAD, true};
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube();
+    struct line_mesh lines;
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &box, 0.0f, &err), &err);
+    ck_assert_uint_gt(lines_of(&torus, LINES_CREASES, CREASE_RAD).feature_count, 20);
+    HATCH_TEST_OK(line_mesh_make(&torus, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    ck_assert_uint_eq(lines.feature_count, 0);
+    HATCH_TEST_OK(line_mesh_make(&box, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    ck_assert_uint_eq(lines.feature_count, 12);
+}
+END_TEST
+
 START_TEST(scale_and_place_do_not_matter)
 {
     const float scales[] = {1e-20f, 1e-3f, 1e15f};
@@ -159,8 +177,9 @@ static enum hatch_status make(void *context, struct hatch_arena *arena,
                               struct hatch_arena *temporary, struct hatch_err *err)
 {
     static const double origin[3] = {0, 0, 0};
+    const struct line_choice choice = {LINES_ALL, CREASE_RAD, true};
     struct line_mesh lines;
-    return line_mesh_make(context, origin, LINES_ALL, CREASE_RAD, arena, temporary, &lines, err);
+    return line_mesh_make(context, origin, &choice, arena, temporary, &lines, err);
 }
 
 START_TEST(extraction_survives_every_failed_allocation)
@@ -184,6 +203,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_crack_is_no_boundary);
     tcase_add_test(tests, what_ends_within_a_face_is_no_boundary);
     tcase_add_test(tests, creases_of_noise_are_left_out);
+    tcase_add_test(tests, normals_tell_what_was_meant);
     tcase_add_test(tests, scale_and_place_do_not_matter);
     tcase_add_test(tests, faces_without_area_are_no_lines);
     tcase_add_test(tests, extraction_survives_every_failed_allocation);
