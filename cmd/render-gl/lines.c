@@ -117,6 +117,7 @@ static enum hatch_status add_item(struct frame_lines *frame, const struct gpu_it
     struct line_chains chains;
     const struct line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
     HATCH_TRY(line_chains_make(&graph, &lines->frame, lines->scratch, &chains, err));
+    HATCH_TRY(line_refine(&trace, &chains, &lines->frame, err));
     return add_trace(frame, &trace, &chains, err);
 }
 

@@ -102,11 +102,12 @@ static void point_on(const struct work *w, uint32_t low, uint32_t high, double t
 }
 
 /* The node that a key names, made at its first mention. */
-static enum hatch_status add_node(struct work *w, uint64_t key, const double at[3], uint32_t *node,
-                                  struct hatch_err *err)
+static enum hatch_status add_node(struct work *w, uint64_t key, const double at[3], bool smooth,
+                                  uint32_t *node, struct hatch_err *err)
 {
     HATCH_TRY(line_keys_number(&w->keys, key, node, err));
     if (*node == w->trace.node_count) {
+        w->trace.smooth[*node] = smooth;
         hatch_vec_copy(at, &w->trace.nodes[3 * (size_t)*node]);
         w->trace.node_count++;
     }
@@ -120,7 +121,7 @@ static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bo
     uint32_t low = a < b ? a : b, high = a < b ? b : a;
     double at[3];
     point_on(w, low, high, root(w, low, high), straight, at);
-    return add_node(w, line_pair_key(low, high), at, node, err);
+    return add_node(w, line_pair_key(low, high), at, !straight, node, err);
 }
 
 /* On a coarse mesh the smooth silhouette lies beside the polygons' own, and so behind some of them: up
@@ -202,14 +203,14 @@ static enum hatch_status follow_edge(struct work *w, const struct line_hard_edge
     }
     if (away(w, edge->low[0]) != away(w, edge->low[1])) {
         point_on(w, edge->low[0], edge->high[0], 0, true, at);
-        HATCH_TRY(add_node(w, POINTS_KEY | edge->points[0], at, &stops[count++], err));
+        HATCH_TRY(add_node(w, POINTS_KEY | edge->points[0], at, false, &stops[count++], err));
     }
     for (uint32_t i = 0; i < root_count; i++)
         HATCH_TRY(add_crossing(w, edge->low[sides[i]], edge->high[sides[i]], true, &stops[count++],
                                err));
     if (away(w, edge->high[0]) != away(w, edge->high[1])) {
         point_on(w, edge->low[0], edge->high[0], 1, true, at);
-        HATCH_TRY(add_node(w, POINTS_KEY | edge->points[1], at, &stops[count++], err));
+        HATCH_TRY(add_node(w, POINTS_KEY | edge->points[1], at, false, &stops[count++], err));
     }
     assert(count % 2 == 0);
     for (uint32_t i = 0; i < count; i += 2)
@@ -240,7 +241,8 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena,
     w->trace.nodes = HATCH_NEW(arena, double, 6 * segments, err);
     w->trace.ends = w->trace.nodes ? HATCH_NEW(arena, uint32_t, 2 * segments, err) : NULL;
     w->trace.slack = w->trace.ends ? HATCH_NEW(arena, float, segments, err) : NULL;
-    if (!w->trace.slack)
+    w->trace.smooth = w->trace.slack ? HATCH_NEW(arena, uint8_t, 2 * segments, err) : NULL;
+    if (!w->trace.smooth)
         return HATCH_LIMIT;
     HATCH_TRY(line_keys_make(scratch, &w->keys, err));
     for (uint32_t i = 0; i < w->crossed_count; i++)

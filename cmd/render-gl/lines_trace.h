@@ -28,6 +28,7 @@ struct line_trace {
     double *nodes;  /* 3 per node */
     uint32_t *ends; /* 2 per segment */
     float *slack;   /* per segment */
+    uint8_t *smooth; /* per node of a silhouette: not 0: the surface is smooth there */
 };
 
 /* The silhouette: where the interpolated normal is at a right angle to the view (Hertzmann & Zorin
@@ -39,6 +40,11 @@ enum hatch_status line_trace_silhouettes(const struct line_shape *shape, const s
                                          struct hatch_arena *arena, struct hatch_arena *scratch,
                                          struct line_trace *trace, struct hatch_err *err)
     HATCH_MUST_USE;
+
+/* Puts curves through the smooth nodes of a silhouette's chains in place of corners: each segment beside
+ * a visible turn becomes four. Both are replaced by new ones in the arena, without ends and smooth. */
+enum hatch_status line_refine(struct line_trace *trace, struct line_chains *chains,
+                              struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The mesh's features: nodes and segments have their numbers in shape->lines->chains. */
 enum hatch_status line_trace_features(const struct line_shape *shape, const struct line_eye *eye,

@@ -168,7 +168,7 @@ START_TEST(a_sphere_is_one_even_ring)
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, faces[_i]);
     struct view view = view_from(1, 2, 3, false);
     double d = hatch_vec_length(view.eye), radius = 200 / view.half_height / sqrt(d * d - 1);
-    double tolerance_px = faces[_i] > 1000 ? 0.3 : 2.5;
+    double tolerance_px = faces[_i] > 1000 ? 0.3 : 1.5;
     show(&mesh, LINES_ALL, 2);
     struct hatch_image image = draw(&view, 400, 1);
     uint32_t parts = 0;

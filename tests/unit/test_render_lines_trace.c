@@ -188,6 +188,36 @@ START_TEST(the_place_of_a_shape_counts)
 }
 END_TEST
 
+/* Of a coarse sphere the nodes lie on the circle of tangents, the chords between them up to a hundredth
+ * within; curves lie on it, too. */
+START_TEST(curves_go_through_the_nodes)
+{
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, 300);
+    struct line_mesh lines = lines_of(&mesh, LINES_SILHOUETTES, CREASE_RAD);
+    struct line_shape shape = shape_in_place(&lines);
+    struct view view = view_from(3, -2, 9, true);
+    struct line_trace trace = silhouettes_of(&shape, &view);
+    struct line_chains chains = chains_of(&trace);
+    uint32_t nodes = trace.node_count;
+    double chords = length_of(&trace), length = 0;
+    struct hatch_err err;
+    HATCH_TEST_OK(line_refine(&trace, &chains, &keep, &err), &err);
+    ck_assert_uint_eq(chains.count, 1);
+    ck_assert(chains.chains[0].closed);
+    ck_assert_uint_gt(trace.node_count, 2 * nodes);
+    ck_assert_uint_eq(chains.chains[0].segment_count, trace.node_count);
+    for (uint32_t i = 0; i < trace.node_count; i++) {
+        double along = hatch_vec_dot(&trace.nodes[3 * i], view.back);
+        double square = hatch_vec_dot(&trace.nodes[3 * i], &trace.nodes[3 * i]);
+        ck_assert_double_eq_tol(sqrt(square - along * along), 1, 4e-3);
+        length += hatch_vec_distance(&trace.nodes[3 * chains.nodes[i]],
+                                     &trace.nodes[3 * chains.nodes[i + 1]]);
+    }
+    ck_assert_double_gt(length, chords);
+    ck_assert_double_eq_tol(length, 2 * 3.14159265358979, 0.05);
+}
+END_TEST
+
 static enum hatch_status trace_all(void *context, struct hatch_arena *arena,
                                    struct hatch_arena *temporary, struct hatch_err *err)
 {
@@ -196,7 +226,12 @@ static enum hatch_status trace_all(void *context, struct hatch_arena *arena,
     struct line_shape shape = shape_in_place(context);
     struct line_trace features;
     HATCH_TRY(line_trace_features(&shape, &eye, arena, &features, err));
-    return line_trace_silhouettes(&shape, &eye, arena, temporary, &features, err);
+    struct line_trace trace;
+    struct line_chains chains;
+    HATCH_TRY(line_trace_silhouettes(&shape, &eye, arena, temporary, &trace, err));
+    const struct line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
+    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, err));
+    return line_refine(&trace, &chains, arena, err);
 }
 
 START_TEST(tracing_survives_every_failed_allocation)
@@ -218,6 +253,7 @@ static Suite *suite(void)
     tcase_add_test(tests, smooth_and_faceted_silhouettes_join);
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
     tcase_add_test(tests, the_place_of_a_shape_counts);
+    tcase_add_test(tests, curves_go_through_the_nodes);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);
     return suite;
