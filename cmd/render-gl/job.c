@@ -95,7 +95,7 @@ void job_prepare(struct job *job)
     if (options->lines.kinds) {
         cmd_check(lines_make(&job->gpu, &options->lines, &job->renderer.shaders,
                              job->args.max_memory, &job->args.keep, scratch, &job->lines, &err),
-                  cmd_input_name(options->scene_path), &err);
+                  NULL, &err);
         job->renderer.lines = &job->lines;
     }
     if (options->map_path && !options->high_given)
@@ -109,8 +109,8 @@ void job_prepare(struct job *job)
         cmd_check(repeat_set(&job->gpu, options->repeat, &view, options->height, job->map.size_px,
                              job->map.levels, scratch, &err),
                   cmd_input_name(options->scene_path), &err);
-    cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err),
-              options->map_path, &err);
+    cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err), NULL,
+              &err);
 }
 
 void job_view(struct job *job, struct view *view)

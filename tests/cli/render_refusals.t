@@ -1,0 +1,68 @@
+# What render-gl refuses, each in one line that says what to do; and its reports as TSV and JSON.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --levels 2 -o map.exr
+meshgen torus --faces 200 -o torus.glb
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
+
+# refuses NAME STATUS LINES WORDS COMMAND ...
+refuses() {
+    name=$1 want=$2 lines=$3 words=$4
+    shift 4
+    try "$@"
+    is "$name" "$status $(wc -l <.err) $(grep -cF -e "$words" .err)" "$want $lines 1"
+    [ ! -e picture.png ] || fail "$name: no picture is left"
+}
+draw="render-gl --size 32x24 -o picture.png"
+
+refuses "no map" 2 2 "--tam FILE" $draw torus.glb
+refuses "a mesh that strokes cannot follow" 3 1 lapped-param $draw plain.obj --tam map.exr
+ok "its tone can be drawn" render-gl --size 32x24 -t gouraud plain.obj -o tone.png
+refuses "a camera that is not there" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
+refuses "an animation that is not there" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
+refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
+refuses "samples that are no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
+refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
+refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
+for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
+    refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
+done
+refuses "a picture that memory does not hold" 5 1 memory \
+    render-gl --size 65536x65536 torus.glb --tam map.exr --max-memory 100M -o picture.png
+if [ -z "$SANITIZE" ]; then
+    refuses "no driver" 4 1 libgl1-mesa-dri env LIBGL_DRIVERS_PATH=/nonexistent \
+        __EGL_VENDOR_LIBRARY_DIRS=/nonexistent $draw torus.glb --tam map.exr
+    refuses "an old driver" 4 1 "OpenGL 4.5" env MESA_GL_VERSION_OVERRIDE=3.3 \
+        $draw torus.glb --tam map.exr
+fi
+
+cp -r "$TOP/cmd/render-gl/shaders" shaders
+try $draw torus.glb --tam map.exr --shader-dir shaders
+is "shaders of a folder" "$status $(cat .err)" "0 "
+rm -f picture.png
+sed -i 's/void main()/void main(/' shaders/tam.frag
+refuses "a shader with an error, and its file" 3 1 tam.frag \
+    $draw torus.glb --tam map.exr --shader-dir shaders
+refuses "no shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
+
+render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable -o 'turn%02d.png'
+is "frames have numbers" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
+is "a turntable turns" "$(cmp -s turn00.png turn01.png; echo $?)" 1
+
+json() {
+    perl -MJSON::PP -e 'local $/; print ref decode_json(<STDIN>)'
+}
+render-gl torus.glb --tam map.exr --size 64x48 --time 2 --json >times.json
+is "--time --json is JSON" "$(json <times.json)" HASH
+render-gl torus.glb --tam map.exr --size 64x48 --time 2 >times.tsv
+is "--time tells the frame and the reference" \
+    "$(awk -F'\t' '$2 == "frame" {print $1}' times.tsv | tr '\n' ' ')" "tam gouraud "
+is "times are numbers over 0" "$(awk -F'\t' 'NR > 1 && !($4 > 0 && $7 > 0)' times.tsv)" ""
+render-gl torus.glb --tam map.exr --size 64x48 --probe --json >probe.json
+is "--probe --json is JSON" "$(json <probe.json)" ARRAY
+render-gl torus.glb --tam map.exr --size 64x48 --probe >probe.tsv
+is "--probe: pixels drawn, between none and all" \
+    "$(awk -F'\t' '$1 == "drawn" {print ($3 > 0.1 && $3 < 0.9)}' probe.tsv)" 1
+is "--probe: no more texels than there are" \
+    "$(awk -F'\t' '$1 == "used" {u = $3} $1 == "map" {print (u > 0 && u <= $3)}' probe.tsv)" 1
+finish
