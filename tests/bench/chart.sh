@@ -5,6 +5,7 @@ set -eu
 for plot in "$(dirname "$0")"/chart_*.gp; do
     [ -e "$plot" ] || continue
     subject=$(basename "$plot" .gp | sed 's/^chart_//')
+    [ -e "$1/$subject.tsv" ] || { echo "$1/$subject.tsv: not measured yet (make bench)" >&2; continue; }
     for terminal in svg png; do
         kind=$terminal
         [ $terminal = svg ] || kind=pngcairo

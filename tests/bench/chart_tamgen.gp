@@ -5,7 +5,7 @@ set xlabel "processor seconds (start-up and compression included)"
 set ylabel "unevenness, box N/16 (strokes at random: 1)"
 set logscale x
 set format x "%g"
-set yrange [0.42:0.63]
+set yrange [0.38:0.63]
 set xrange [0.02:8]
 set grid
 set key top right
