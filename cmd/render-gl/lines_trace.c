@@ -62,6 +62,8 @@ static float feature_slack(const struct line_shape *shape, const struct line_eye
     }
     if (flattest < 0)
         return -1.0f;
+    if (feature->faces[1] == HATCH_NONE)
+        return (float)(SLACK_PX * line_pixel(eye, at)); /* beside a boundary there is no own surface */
     double slope = sqrt(fmax(1 - flattest * flattest, 0)) / fmax(flattest, 1 / SLOPE_MAX);
     return (float)(SLACK_PX * line_pixel(eye, at) * (1 + slope));
 }
