@@ -53,6 +53,17 @@ START_TEST(boundaries_are_closed_chains)
 }
 END_TEST
 
+/* Programs that write every face by itself round its corners by themselves. */
+START_TEST(corners_apart_by_rounding_are_one)
+{
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TORUS, 2000), apart = unwelded(&mesh);
+    float *p = apart.attributes[0].data;
+    for (uint32_t i = 0; i < 3 * apart.vertex_count; i++)
+        p[i] += (float)(i * 7919u % 3u) * 1e-7f;
+    ck_assert_uint_eq(lines_of(&apart, LINES_ALL, CREASE_RAD).feature_count, 0);
+}
+END_TEST
+
 /* Leaves are often given twice, once for each side. */
 START_TEST(two_sheets_on_one_another_have_the_boundary_of_one)
 {
@@ -198,6 +209,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_cube_has_twelve_creases);
     tcase_add_test(tests, the_winding_of_faces_does_not_matter);
     tcase_add_test(tests, boundaries_are_closed_chains);
+    tcase_add_test(tests, corners_apart_by_rounding_are_one);
     tcase_add_test(tests, two_sheets_on_one_another_have_the_boundary_of_one);
     tcase_add_test(tests, three_sheets_meet_in_a_crease);
     tcase_add_test(tests, a_crack_is_no_boundary);
