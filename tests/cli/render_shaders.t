@@ -47,4 +47,11 @@ render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 --texture-tone
 try hatchstat diff plain.png toned.png --max-difference 0.01
 is "a texture counts as tone when it is asked for" $status 1
 
+# A pixel that covers thousands of tiles shows their mean, and at once.
+meshgen plane --faces 2 -o plane.glb
+ok "tiles far smaller than pixels" timeout 20 render-gl plane.glb --tam map.exr --uv-scale 65536 \
+    --size 320x180 --lines none --from 0:0 -o far.exr
+render-gl plane.glb --technique gouraud --tone-range 0:0.9 --size 320x180 --from 0:0 -o tone.exr
+ok "their tone is the plane's" hatchstat diff far.exr tone.exr --max-difference 0.02
+
 finish

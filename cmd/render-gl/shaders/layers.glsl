@@ -1,11 +1,10 @@
-// Reading columns in the fragment stage.
+// Columns as layers, read in the fragment stage.
 #include "array.glsl"
-
-layout(binding = 0) uniform sampler2DArray columns;
+#include "columns.glsl"
 
 vec3 column(float index, vec2 texcoord)
 {
-    vec3 texel = texture(columns, vec3(texcoord, max(index - 1.0, 0.0))).rgb;
+    vec3 texel = read_columns(texcoord, max(index - 1.0, 0.0));
     return index < 0.5 ? vec3(0.0) : texel;
 }
 

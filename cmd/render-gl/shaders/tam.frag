@@ -2,6 +2,7 @@
 #include "light.glsl"
 #include "ramp.glsl"
 #include "inks.glsl"
+#include "columns.glsl"
 #include "base.glsl"
 
 in vec2 v_texcoord;
@@ -13,7 +14,6 @@ in vec3 v_dark_first, v_dark_second;
 in vec3 v_light_first, v_light_second;
 #endif
 #endif
-layout(binding = 0) uniform sampler2DArray columns;
 out vec4 o_color;
 
 float finish(float coverage)
@@ -27,8 +27,7 @@ float finish(float coverage)
 
 void main()
 {
-    vec3 first = texture(columns, vec3(v_texcoord, 0.0)).rgb;
-    vec3 second = texture(columns, vec3(v_texcoord, 1.0)).rgb;
+    vec3 first = read_columns(v_texcoord, 0.0), second = read_columns(v_texcoord, 1.0);
 #ifdef BASE_TONE
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
     vec2 amounts = ink_amounts(v_light * base_light());
