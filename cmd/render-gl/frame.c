@@ -34,8 +34,10 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     }
 }
 
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile)
+void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
+                    uint32_t side)
 {
+    block->curve[3] = (float)(side * side);
     view_matrix(view, tile, block->clip_from_unit);
     for (int k = 0; k < 3; k++)
         block->eye[k] = (float)(view->orthographic ? view->back[k] : view->eye[k]);

@@ -40,7 +40,7 @@ struct frame_block {
     float clip_from_unit[16];
     float eye[4];  /* w: 1; orthographic: direction to the camera, w: 0 */
     float paper[4], ink[4], light_ink[4];
-    float curve[4]; /* low, high, gamma, 0 */
+    float curve[4]; /* low, high, gamma, samples a pixel */
     float shade[4]; /* 0, ambient, specular, shininess */
     int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 0 */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */
@@ -58,8 +58,9 @@ enum ink_mode {
 void frame_set_style(struct frame_block *block, const struct inks *inks,
                      const struct tone_curve *curve, const struct gpu_columns *columns);
 
-/* Camera and tile. */
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile);
+/* Camera and tile. side: samples along a pixel's side. */
+void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
+                    uint32_t side);
 
 /* Lights of the scene at its pose, the first LIGHTS_MAX of them, or the own light. */
 void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,

@@ -15,7 +15,7 @@ static int technique;
 static const char *map_path, *paper = "white", *ink = "black";
 static const char *camera, *uv_scale = "auto", *shader_folder;
 static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
-static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 8;
+static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
@@ -60,7 +60,7 @@ static struct cmd_option table[] = {
      &base_tone, NULL, NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
      &uv_scale, NULL, NULL},
-    {0, "anisotropy", CMD_REAL, 1, 16, "N", "anisotropic filtering (default 8; 1: none)", &anisotropy,
+    {0, "anisotropy", CMD_REAL, 1, 16, "N", "hardware anisotropic filtering (default 1: none)", &anisotropy,
      NULL, NULL},
     {0, "camera", CMD_TEXT, 0, 0, "WHICH",
      "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what", &camera, NULL, NULL},

@@ -53,10 +53,8 @@ static void measure(struct job *job, struct probe *probe)
     struct target target;
     struct view view;
     cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_PROBE, scratch, &err), NULL, &err);
-    cmd_check(picture_target(job->options.width, job->options.height, 1, &job->renderer, &target,
-                             &err),
-              NULL, &err);
-    size_t count = (size_t)target.width * target.height;
+    job_make_target(job, &target);
+    size_t count = (size_t)target.side * target.side * target.width * target.height;
     float *rgba = HATCH_NEW(scratch, float, 4 * count, &err);
     cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < job->options.frames; frame++) {

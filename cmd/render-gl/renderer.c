@@ -21,7 +21,8 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
     char defines[256];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s", technique->defines,
+             renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant ? "#define BASE_TEXTURE 1\n" : "",
              variant & VARIANT_TONE ? "#define BASE_TONE 1\n" : "",
@@ -117,7 +118,7 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
     frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
-    frame_set_view(&renderer->block, view, tile);
+    frame_set_view(&renderer->block, view, tile, target->side);
     frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
                      &style->light, style->curve.exposure);
     if (renderer->clock)
@@ -128,7 +129,8 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     clock_end_pass(renderer->clock, "clear");
     glBindTextureUnit(0, columns->texture);
     glBindSampler(0, columns->sampler);
-    columns_set_bias(columns, (float)log2(target->side));
+    if (style->anisotropy > 1)
+        columns_set_bias(columns, (float)log2(target->side));
     glEnable(GL_CULL_FACE);
     draw_passes(renderer, technique);
     target_resolve(target);

@@ -10,14 +10,15 @@ out vec4 o_color;
 vec3 coverage(float where)
 {
 #ifdef NEAREST
-    return column(round(where), v_texcoord);
+    return column(round(where));
 #else
-    return blend(where, v_texcoord);
+    return blend(where);
 #endif
 }
 
 void main()
 {
+    aim(v_texcoord);
     base_holes();
     vec3 light = vec3(0.0);
 #ifdef TWO_INKS

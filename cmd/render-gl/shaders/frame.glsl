@@ -9,7 +9,7 @@ layout(std140, binding = 0) uniform Frame {
     mat4 clip_from_unit;
     vec4 eye;   // w: 0 when xyz is the direction to an orthographic camera
     vec4 paper, ink, light_ink;
-    vec4 curve; // darkness of full light, of none, gamma, 0
+    vec4 curve; // darkness of full light, of none, gamma, samples a pixel
     vec4 shade; // 0, ambient, strength of the highlight, its exponent
     ivec4 counts; // lights, columns, ink mode
     vec4 ramp_low[2], ramp_scale[2];

@@ -27,7 +27,8 @@ float finish(float coverage)
 
 void main()
 {
-    vec3 first = read_columns(v_texcoord, 0.0), second = read_columns(v_texcoord, 1.0);
+    aim(v_texcoord);
+    vec3 first = read_columns(0.0), second = read_columns(1.0);
 #ifdef BASE_TONE
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
     vec2 amounts = ink_amounts(v_light * base_light());

@@ -10,12 +10,13 @@ out vec4 o_color;
 
 void main()
 {
+    aim(v_texcoord);
     base_holes();
     int corner = max(pass - 1, 0);
     vec3 light = vec3(0.0);
 #ifdef TWO_INKS
-    light = blend(v_light_place[corner], v_texcoord);
+    light = blend(v_light_place[corner]);
 #endif
-    vec3 color = ink_on_paper(blend(v_dark_place[corner], v_texcoord), light);
+    vec3 color = ink_on_paper(blend(v_dark_place[corner]), light);
     o_color = vec4(pass == 0 ? vec3(0.0) : v_share[corner] * color, 1.0);
 }

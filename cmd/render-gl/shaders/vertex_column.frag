@@ -12,12 +12,13 @@ vec3 coverage(vec3 places)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 3; i++)
-        sum += v_share[i] * column(round(places[i]), v_texcoord);
+        sum += v_share[i] * column(round(places[i]));
     return sum;
 }
 
 void main()
 {
+    aim(v_texcoord);
     base_holes();
     vec3 light = vec3(0.0);
 #ifdef TWO_INKS
