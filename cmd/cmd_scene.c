@@ -65,6 +65,8 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care
                   name, &err);
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
+        if (format == HATCH_MESH_STL)
+            notes.vertices_apart = 0; /* the format has no other way to say where faces meet */
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
     }
     cmd_warn_mesh(name, &notes);
