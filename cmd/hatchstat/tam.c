@@ -2,8 +2,8 @@
  */
 #include <math.h>
 
+#include "cmd_map.h"
 #include "cmd_style.h"
-#include "io/exr.h"
 #include "measure/tam_figures.h"
 #include "stroke/script.h"
 #include "subject.h"
@@ -35,18 +35,6 @@ struct summary {
     uint64_t lighter, missing;
     double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
 };
-
-static void read_map(struct cmd_args *args, const char *path, struct subject *subject)
-{
-    struct hatch_err err;
-    struct hatch_mipmap *parts;
-    uint32_t count;
-    const char *name = cmd_input_name(path);
-    cmd_check(
-        hatch_exr_read(cmd_read(args, path), &args->keep, &args->scratch, &parts, &count, &err),
-        name, &err);
-    cmd_check(hatch_tam_from_mipmaps(parts, count, &subject->tam, &err), name, &err);
-}
 
 static double growth_of(const struct hatch_tam *tam)
 {
@@ -189,7 +177,7 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
         cmd_usage("--style, --set and --brush tell of the strokes: --strokes is missing");
     for (uint32_t level = 0; level < HATCH_MIP_LEVELS_MAX; level++)
         subject.stroke_darkness[level] = NAN;
-    read_map(args, path, &subject);
+    cmd_read_map(args, path, &subject.tam);
     if (options->strokes) {
         read_strokes(args, options, &subject);
         measure_strokes(args, options, &subject, &summary);

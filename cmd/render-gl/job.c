@@ -1,5 +1,6 @@
 #include "render-gl/job.h"
 
+#include "cmd_map.h"
 #include "render-gl/material.h"
 #include "render-gl/meter.h"
 #include "render-gl/picture.h"
@@ -14,7 +15,7 @@ void job_read(struct job *job)
     struct hatch_err err;
     load_scene(&job->args, options->scene_path, &job->scene);
     if (options->map_path)
-        load_map(&job->args, options->map_path, &job->map);
+        cmd_read_map(&job->args, options->map_path, &job->map);
     if (techniques[options->technique]->columns != COLUMNS_NONE)
         cmd_check(load_check_texcoords(&job->scene, &err), cmd_input_name(options->scene_path), &err);
     if (options->animation > 0 && options->animation >= job->scene.animation_count) {

@@ -1,7 +1,6 @@
 #include "render-gl/load.h"
 
 #include "cmd_scene.h"
-#include "io/exr.h"
 
 void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene)
 {
@@ -11,17 +10,6 @@ void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *sce
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, 0.0f,
                                          &err),
                   cmd_input_name(path), &err);
-}
-
-void load_map(struct cmd_args *args, const char *path, struct hatch_tam *map)
-{
-    const char *name = cmd_input_name(path);
-    struct hatch_bytes file = cmd_read(args, path);
-    struct hatch_err err;
-    struct hatch_mipmap *parts;
-    uint32_t count;
-    cmd_check(hatch_exr_read(file, &args->keep, &args->scratch, &parts, &count, &err), name, &err);
-    cmd_check(hatch_tam_from_mipmaps(parts, count, map, &err), name, &err);
 }
 
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)

@@ -5,12 +5,9 @@
 
 #include "cmd.h"
 #include "mesh/scene.h"
-#include "tam/tam.h"
 
 /* A glTF with its companions, or one mesh; path NULL is standard input. */
 void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene);
-
-void load_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
 
 /* HATCH_BAD_INPUT when a mesh has no texture coordinates, naming the way to some. */
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)

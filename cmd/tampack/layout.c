@@ -55,7 +55,7 @@ static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, 
         at += snprintf(tones + at, sizeof tones - (size_t)at, "%s%.6g", at ? " " : "",
                        (double)job->tam.target[tone]);
     snprintf(levels, sizeof levels, "%u", job->tam.levels);
-    const struct hatch_attribute *seed = hatch_mipmap_attribute(job->parts, HATCH_TAM_ATTR_SEED);
+    const struct hatch_attribute *seed = hatch_mipmap_attribute(job->tam.columns, HATCH_TAM_ATTR_SEED);
     bool has_seed = seed && seed->type == HATCH_ATTRIBUTE_TEXT;
     const char *const pairs[] = {HATCH_TAM_ATTR_TONE,
                                  tones,
@@ -123,7 +123,7 @@ static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index,
                                     struct hatch_err *err)
 {
     struct hatch_exr_writer *writer = NULL;
-    const struct hatch_mipmap *column = &job->parts[index];
+    const struct hatch_mipmap *column = &job->tam.columns[index];
     HATCH_TRY(hatch_exr_begin(column, 1, scratch, &writer, err));
     enum hatch_status status = hatch_exr_add_part(writer, 0, column, err);
     if (status == HATCH_OK)

@@ -8,7 +8,6 @@
 /* What is packed, and how. */
 struct pack_job {
     struct cmd_args *args;
-    struct hatch_mipmap *parts; /* the file as it was read, part by part */
     struct hatch_tam tam;
     bool ink_is_one;
     const char *comment; /* "seed 1", for PNG */

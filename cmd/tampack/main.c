@@ -1,7 +1,7 @@
 /* tampack: a tonal art map as the textures that engines load. */
 #include <stdio.h>
 
-#include "io/exr.h"
+#include "cmd_map.h"
 #include "layout.h"
 
 static int layout;
@@ -34,18 +34,6 @@ static const struct cmd_program program = {
     .operands_max = 1,
     .binary = true,
 };
-
-static void read_map(struct pack_job *job, const char *input)
-{
-    struct hatch_err err;
-    uint32_t count = 0;
-    const char *name = cmd_input_name(input);
-    struct hatch_bytes file = cmd_read(job->args, input);
-    cmd_check(
-        hatch_exr_read(file, &job->args->keep, &job->args->scratch, &job->parts, &count, &err),
-        name, &err);
-    cmd_check(hatch_tam_from_mipmaps(job->parts, count, &job->tam, &err), name, &err);
-}
 
 static void warn(const struct pack_layout *how, const struct hatch_tam *tam, const char *input)
 {
@@ -140,8 +128,8 @@ int main(int argc, char **argv)
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
-    read_map(&job, input);
-    const struct hatch_attribute *seed = hatch_mipmap_attribute(job.parts, HATCH_TAM_ATTR_SEED);
+    cmd_read_map(job.args, input, &job.tam);
+    const struct hatch_attribute *seed = hatch_mipmap_attribute(job.tam.columns, HATCH_TAM_ATTR_SEED);
     char comment[64] = "";
     if (seed && seed->type == HATCH_ATTRIBUTE_TEXT)
         snprintf(comment, sizeof comment, "seed %s", seed->text);

@@ -1,0 +1,12 @@
+/* Reading tonal art maps: what every command does that takes one. */
+#ifndef HATCH_CMD_MAP_H
+#define HATCH_CMD_MAP_H
+
+#include "cmd.h"
+#include "tam/tam.h"
+
+/* Reads and checks a map (tam(5)) from a file, or from standard input for "-" or NULL, into args->keep.
+ * Dies with one line on what is wrong. map->columns are the file's parts. */
+void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
+
+#endif
