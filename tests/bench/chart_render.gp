@@ -8,7 +8,10 @@ set grid
 set key top right
 set offsets graph 0.1, graph 0.25, graph 0.1, graph 0.05
 rows = sprintf("< awk -F'\\t' 'NR > 1 && $1 != \"gouraud\" {print $7, $9, \"\\\"\" $1 \"\\\"\"}' %s", data)
+# Neighbours' labels stand on either side.
+side(which) = sprintf("%s | awk '($3 ~ /^.tam.?$/) == %d'", rows, which)
 front = sprintf("< awk -F'\\t' 'NR > 1 && $1 != \"gouraud\" {print $7, $9}' %s | sort -g | awk '!best || $2 < best {print; best = $2}'", data)
 plot rows using 1:2 with points pt 7 ps 1.2 lc rgb "#1f5fa8" title "techniques", \
-     rows using 1:2:3 with labels left offset 1,0 tc rgb "#1f5fa8" notitle, \
+     side(0) using 1:2:3 with labels left offset 1,0.5 tc rgb "#1f5fa8" notitle, \
+     side(1) using 1:2:3 with labels right offset -1.5,-0.5 tc rgb "#1f5fa8" notitle, \
      front using 1:2 with points pt 6 ps 2.5 lw 2 lc rgb "#333333" title "useful front"
