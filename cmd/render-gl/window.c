@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "render-gl/job.h"
 #include "render-gl/orbit.h"
@@ -189,6 +190,21 @@ static void resize(struct window *window)
     window->stale = true;
 }
 
+/* A window with somebody's view in it should not end because a folder is read-only. */
+static bool can_save(const char *name)
+{
+    char folder[4096] = ".";
+    const char *slash = strrchr(name, '/');
+    if (slash && (size_t)(slash - name) + 1 < sizeof folder) {
+        memcpy(folder, name, (size_t)(slash - name) + 1);
+        folder[slash - name + 1] = '\0';
+    }
+    if (access(folder, W_OK) == 0)
+        return true;
+    cmd_say("%s cannot be saved: its folder is not there, or cannot be written to", name);
+    return false;
+}
+
 /* Pictures are saved where -o says, else beside the user; the number grows with each. */
 static void save(struct window *window, const struct view *view)
 {
@@ -200,7 +216,10 @@ static void save(struct window *window, const struct view *view)
     struct hatch_image image;
     struct hatch_err err;
     char name[4096];
-    options_frame_name(pattern, ++window->saved, name, sizeof name);
+    options_frame_name(pattern, window->saved + 1, name, sizeof name);
+    if (!can_save(name))
+        return;
+    window->saved++;
     cmd_check(hatch_image_make(keep, window->target.width, window->target.height, "RGB", &image,
                                &err),
               NULL, &err);

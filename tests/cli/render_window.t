@@ -133,6 +133,18 @@ xdotool key q
 wait $window
 is "and the window stays until it is closed" $? 0
 
+# The folder of the pictures may go while somebody looks.
+mkdir gone
+open_window teapot.glb gone/shot
+sleep 0.5
+rmdir gone
+xdotool key s
+sleep 0.7
+xdotool key q
+wait $window
+is "a picture that cannot be saved does not end the window" \
+    "$? $(grep -c 'cannot be saved' err)" "0 1"
+
 unset DISPLAY
 try render-gl teapot.glb --tam map.exr --window
 is "no display: one line, exit 4" "$status $(wc -l <.err)" "4 1"
