@@ -1,4 +1,5 @@
 #define _GNU_SOURCE
+#include "base/text.h"
 #include "cmd_private.h"
 
 #include <errno.h>
@@ -95,19 +96,6 @@ static noreturn void refuse_range(const struct cmd_option *option, const char *t
     refuse(option, text, want);
 }
 
-/* A decimal number and nothing else: no spaces, no hexadecimal, no "nan", no "inf". */
-static bool parse_real(const char *text, size_t length, double *value)
-{
-    char copy[64];
-    if (length == 0 || length >= sizeof copy || strspn(text, "0123456789+-.eE") < length)
-        return false;
-    memcpy(copy, text, length);
-    copy[length] = 0;
-    char *end;
-    *value = strtod(copy, &end);
-    return *end == 0;
-}
-
 static bool parse_whole(const char *text, size_t length, int64_t *value)
 {
     char copy[32];
@@ -146,9 +134,9 @@ static bool parse_pair(const struct cmd_option *option, const char *text)
         return false;
     const char *second = text + first_length + 1;
     double pair[2];
-    if (!parse_real(text, first_length, &pair[0]) ||
-        !parse_real(second, strlen(second), &pair[1]) || !in_range(option, pair[0]) ||
-        !in_range(option, pair[1]))
+    if (!hatch_text_number((struct hatch_text){text, first_length}, &pair[0]) ||
+        !hatch_text_number((struct hatch_text){second, strlen(second)}, &pair[1]) ||
+        !in_range(option, pair[0]) || !in_range(option, pair[1]))
         return false;
     memcpy(option->value, pair, sizeof pair);
     return true;
@@ -182,7 +170,7 @@ static void take_value(const struct cmd_option *option, const char *text)
         *(int64_t *)option->value = whole;
         break;
     case CMD_REAL:
-        if (!parse_real(text, strlen(text), &real) || !in_range(option, real))
+        if (!hatch_text_number((struct hatch_text){text, strlen(text)}, &real) || !in_range(option, real))
             refuse_range(option, text);
         *(double *)option->value = real;
         break;
