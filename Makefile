@@ -34,16 +34,19 @@ LINK_tamgen    := exr png foreign
 LINK_tampack   := exr png container
 LINK_hatchstat := exr png foreign gltf container
 LINK_render-gl := exr png foreign gltf gl
+LINK_dirfield  := gltf openmesh cholmod
+LINK_lapped-param := gltf png cholmod
 libs_exr       := -lOpenEXRCore-3_1 -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
 libs_gltf      := -ltinygltf -lstdc++
 libs_openmesh  := -lOpenMeshTools -lOpenMeshCore -lstdc++
 libs_container := -lzstd
+libs_cholmod   := -lcholmod
 libs_gl        := -lepoxy -lglfw
 
 # A package's archive holds libhatch/*/PACKAGE*; all else of libhatch is C alone and one archive.
-PACKAGES := exr png foreign gltf openmesh container
+PACKAGES := exr png foreign gltf openmesh container cholmod
 SRC := $(wildcard libhatch/*/*.c libhatch/*/*.cc)
 PLUGIN_SRC := $(wildcard libhatch/io/oiio_plugin.cc)
 src_of = $(foreach s,$(SRC),$(if $(filter $(1)%,$(notdir $(s))),$(s)))

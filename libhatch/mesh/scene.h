@@ -14,6 +14,8 @@ struct hatch_material {
     bool base_repeat;          /* the texture's wrap mode is repeat (else clamp) */
     bool double_sided;
     float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
+    bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
+                                  is where a patch shows; its meshes are drawn in order over each other */
 };
 
 /* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */

@@ -1,0 +1,31 @@
+/* Tangent planes and the turning between them (Knöppel, Crane, Pinkall, Schröder, "Globally optimal direction
+ * fields", SIGGRAPH 2013, §5.1 and 6.1): at each point the angles of its ring's faces are scaled to sum to a
+ * full turn (on a border: to what they sum to), so that a tangent direction is one angle, and going along an
+ * edge turns it by a fixed angle. */
+#ifndef HATCH_TOPO_FRAMES_H
+#define HATCH_TOPO_FRAMES_H
+
+#include "topo/surface.h"
+
+struct hatch_frames {
+    double *normal;    /* 3 a point: unit, of its ring's outside: angle-weighted mean of its faces' */
+    double *axis;      /* 3 a point: unit, tangent; angle 0 */
+    double *angle_rad; /* per ring entry: the scaled angle of that edge in the point's plane, 0 .. 2π */
+    double *turn_rad;  /* per ring entry i of p with neighbour q: a direction at angle a in q's plane has in
+                          p's plane the angle a + turn_rad[i], or, where ring_turned[i], turn_rad[i] - a */
+    double *weight;    /* per ring entry: the edge's weight in the smoothness energy, over 0, the same from both
+                          ends */
+    double *area;      /* per point: a third of its faces' */
+};
+
+enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_frames *frames,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* The angle of a direction (any vector; its part in the plane counts) at a point, and back. A vector along
+ * the normal has angle 0. */
+double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3]);
+void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,
+                            double direction[3]);
+
+#endif
