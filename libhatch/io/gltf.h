@@ -32,7 +32,7 @@ enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *nam
 /* Writes a scene: nodes, meshes (those of one node as primitives of one glTF mesh, in their order), materials,
  * textures, cameras, lights, skins, animations; no warning from the Khronos validator. What hatch_gltf_read
  * reads from it is the scene again. A material with `outline` is written as a blended one whose baseColorTexture
- * uses TEXCOORD_1, with extras {"hatch": "outline"}: other programs composite the patches too. */
+ * uses TEXCOORD_1, with extras {"hatch": "outline"}. */
 enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,
                                         struct hatch_arena *scratch, struct hatch_buffer *file,
                                         struct hatch_err *err) HATCH_MUST_USE;

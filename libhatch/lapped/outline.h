@@ -1,6 +1,6 @@
-/* The outline of all patches: one irregular blob with a feathered border (Lapped Textures, SIGGRAPH 2000, §3;
- * Real-Time Hatching §6 keeps it apart from the strokes). It lives in the unit square of mask coordinates, in the
- * middle of which it stands; outside the square it is 0. */
+/* The outline of all patches: one irregular blob with a feathered border (Lapped Textures,
+ * SIGGRAPH 2000, §3; Real-Time Hatching §6 keeps it apart from the strokes). It lives in the unit
+ * square of mask coordinates, in the middle of which it stands; outside the square it is 0. */
 #ifndef HATCH_LAPPED_OUTLINE_H
 #define HATCH_LAPPED_OUTLINE_H
 
@@ -19,11 +19,13 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
 /* Opacity at a place, 0 .. 1; exactly 1 in the core. */
 double hatch_outline_opacity(const struct hatch_outline *outline, const double place[2]);
 
-/* The same minus how far from the core's border the place is: over 0 in the core, a lower bound of the distance to
- * its border there; in mask coordinates. */
+/* A signed lower bound of the distance to the core's border, in mask coordinates: over 0 inside.
+ */
 double hatch_outline_depth(const struct hatch_outline *outline, const double place[2]);
 
-/* The mask as an image of one channel "Y", side_px square, rows from the top (v = 0): what is drawn with. */
+/* The mask as an image of one channel "Y", side_px square, rows from the top (v = 0): what is
+ * drawn with. A texel is 1 where its bilinear footprint, here and on the next two mip levels,
+ * touches the core; border texels are 0. */
 enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px,
                                        struct hatch_arena *arena, struct hatch_image *mask,
                                        struct hatch_err *err) HATCH_MUST_USE;

@@ -1,17 +1,19 @@
-/* Principal curvatures from a polynomial fitted to the points around a point (osculating jets: Cazals &
- * Pouget, "Estimating differential quantities using polynomial fitting of osculating jets", SGP 2003), solved
- * by small normal equations. The support is a geodesic-like ball measured in length, not in rings; in the
- * adaptive method it grows until the fit's residual no longer says noise. Real-Time Hatching §6 gives the
- * measure of confidence: the fit's residual and the ratio of the curvatures. */
+/* Principal curvatures from a polynomial fitted to the points around a point (osculating jets:
+ * Cazals & Pouget, "Estimating differential quantities using polynomial fitting of osculating
+ * jets", SGP 2003), solved by small normal equations. The support is a geodesic-like ball measured
+ * in length, not in rings; in the adaptive method it grows until the fit's residual no longer says
+ * noise. Real-Time Hatching §6 gives the measure of confidence: the fit's residual and the ratio
+ * of the curvatures. */
 #ifndef HATCH_TOPO_CURVATURE_H
 #define HATCH_TOPO_CURVATURE_H
 
 #include "base/parallel.h"
 #include "topo/frames.h"
 
-/* Per point. Curvatures are in 1 / unit of the surface (the mean edge), positive where the surface bends away
- * from the normal (sphere: both positive). The first is that of larger absolute value; where both are equal
- * within rounding, the larger one. */
+/* Per point. Curvatures are in 1 / unit of the surface (the mean edge), positive where the surface
+ * bends away from the normal (sphere: both positive). The first is that of larger absolute value
+ * (so that a valley is hatched like a ridge, and no side matters); confidence falls where that
+ * order is a tie: a sphere, and also a saddle of equal and opposite curvatures. */
 struct hatch_curvature {
     double *direction;  /* 3: unit, tangent, 180° symmetric: of the first curvature; any where confidence is 0 */
     double *value;      /* 2: first, second */
@@ -32,9 +34,10 @@ enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
                                            struct hatch_arena *scratch, struct hatch_curvature *curvature,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* The paper's way (Real-Time Hatching §6): per face of a simplified mesh a quadric through the vertices
- * adjacent to any of the face's, its principal directions, carried to the nearest points of the full surface.
- * coarse: the simplified mesh, in the units of the mesh that the surface came from. */
+/* The paper's way (Real-Time Hatching §6): per face of a simplified mesh a quadric through the
+ * vertices adjacent to any of the face's, its principal directions, carried to the nearest points
+ * of the full surface. coarse: the simplified mesh, in the units of the mesh that the surface came
+ * from. */
 enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface,
                                          const struct hatch_frames *frames, const struct hatch_mesh *coarse,
                                          struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -1,12 +1,14 @@
 /* Smooth direction fields of 180° symmetry (lines without heads) on a surface.
  *
- * Both methods weigh, over edges and points, smoothness against agreement with data (curvature directions and
- * constraints). linear: z = r e^(2iθ), one complex number a point; the quadratic energy
- *     Σ_edges w |z_p − turn(z_q)|²  +  Σ_points  area · data weight · |z_p − d_p|²
- * has one minimum, found by a sparse solve (Knöppel et al. 2013 §4, aligned). hz: the paper's own: the sum over
- * edges of −w cos 2(θ_p − turned θ_q) and over points of −data weight · cos 2(θ_p − data), non-linear, started
- * from the data (Hertzmann & Zorin, "Illustrating smooth surfaces", SIGGRAPH 2000, §5.2, with the 90° made 180°;
- * Real-Time Hatching §6). */
+ * Both methods weigh smoothness over edges against agreement with data at points (curvature
+ * directions and constraints), by one energy of z = r e^(2iθ), a complex number a point:
+ *     E(z) = Σ_edges w |z_p − turn(z_q)|²  +  Σ_points m |z_p − d_p|²
+ * with w of the frames, d the data and m its weight, which `smooth`, confidence and area make.
+ * linear lets the lengths |z| go free: E has one minimum, found by a sparse solve (Knöppel et al.
+ * 2013 §4, aligned). hz keeps |z| = 1: then E is, but for a constant, the paper's sum of −cos
+ * 2(θ_p − turned θ_q) and −cos 2(θ_p − data), non-linear, started from the data (Hertzmann &
+ * Zorin, "Illustrating smooth surfaces", SIGGRAPH 2000, §5.2, with the 90° made 180°; Real-Time
+ * Hatching §6). So linear's minimum is never above hz's. */
 #ifndef HATCH_TOPO_FIELD_H
 #define HATCH_TOPO_FIELD_H
 
@@ -20,8 +22,9 @@ enum hatch_field_solver { HATCH_FIELD_MULTIGRID, HATCH_FIELD_CHOLESKY }; /* of l
 struct hatch_field_data {
     const double *direction;  /* 3: any length, its part in the tangent plane counts */
     const double *confidence; /* 0 .. 1: weight of the term; 0 leaves the point to its neighbours */
-    const double *hard;       /* NULL, or per point the weight of a direction given by hand instead: 0 none, over 0
-                                 replaces the confidence; not limited to 1 */
+    const double *hard;       /* NULL, or per point the weight of a direction given by hand: 0 none; over 0: direction
+                                 is that one, and m is this times the sum of the point's edge weights, whatever
+                                 `smooth` and the confidence say */
 };
 
 struct hatch_field_options {
@@ -30,16 +33,18 @@ struct hatch_field_options {
     double smooth;       /* 0 .. 1, no dimension: 0 keeps the data as it is, 1 keeps no more of it than the smoothest
                             field needs to be turned one way; the same number means the same at any scale,
                             resolution and position */
-    double tolerance;    /* multigrid, hz: relative change at which to stop, 1e-12 .. 1e-1 */
+    double tolerance;    /* multigrid, hz: relative residual at which to stop, 1e-12 .. 1e-1 */
     uint32_t iterations_max;
 };
 
 struct hatch_field {
     double *direction;   /* 3 a point: unit, tangent */
-    double *confidence;  /* 0 .. 1: |z|, how much the neighbours and the data agree */
+    double *confidence;  /* 0 .. 1: how much of the data around, weighed as the solution weighs it, agrees; 0 on
+                            components without data */
     uint32_t iterations;
     double residual;     /* relative, at the end */
-    double energy[2];    /* of the unit field: smoothness, data; as hz weighs them, less its least: 0 is best */
+    double energy[2];    /* E of the unit field, its two sums: smoothness, data */
+    double solved;       /* E of z as solved (linear; hz: of the unit field) */
     uint32_t undirected; /* components that have no data at all: their field is smooth and arbitrary */
 };
 
@@ -54,13 +59,25 @@ void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_
                         const struct hatch_field_data *data, double smooth, const double *direction,
                         double energy[2]);
 
-/* The index of a face, in half turns: how often the field turns around its border (for a triangle -1, 0 or 1). 0 on a
- * component that is not orientable where no sign can be given. */
+/* The index of a face, in half turns: how often the field turns around its border. A line field's
+ * index does not depend on the side that the face is seen from. */
 int hatch_field_face_index(const struct hatch_surface *surface, const struct hatch_frames *frames,
                            const double *direction, uint32_t face);
 
-/* Faces with an index, and per component the sum of indices (with what borders turn, so that it equals the Euler
- * characteristic, in half turns: twice it). */
+/* The field of a mesh that carries `_HATCH_DIR` (three floats of direction, one of confidence):
+ * per point the mean line of its vertices, weighed by confidence, in the tangent plane. What is
+ * not finite or has no tangent part counts as confidence 0; false when the mesh has none.
+ * direction: 3 a point; confidence: one. */
+bool hatch_field_of_mesh(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                         const struct hatch_mesh *mesh, double *direction, double *confidence);
+
+/* The line of a face from its three points, in the face's plane, unit; spread_rad: the largest
+ * angle between it and a point's own (0 .. π/2; over π/3 the face is not coherent). */
+void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                      const double *direction, uint32_t face, double line[3], double *spread_rad);
+
+/* Faces with an index, and per component the sum of indices (with what borders turn, so that it
+ * equals the Euler characteristic, in half turns: twice it). */
 struct hatch_singularities {
     uint32_t count;
     uint32_t *faces;     /* rising */

@@ -1,7 +1,7 @@
-/* Tangent planes and the turning between them (Knöppel, Crane, Pinkall, Schröder, "Globally optimal direction
- * fields", SIGGRAPH 2013, §5.1 and 6.1): at each point the angles of its ring's faces are scaled to sum to a
- * full turn (on a border: to what they sum to), so that a tangent direction is one angle, and going along an
- * edge turns it by a fixed angle. */
+/* Tangent planes and the turning between them (Knöppel, Crane, Pinkall, Schröder, "Globally
+ * optimal direction fields", SIGGRAPH 2013, §5.1 and 6.1): at each point the angles of its ring's
+ * faces are scaled to sum to a full turn (on a border: to what they sum to), so that a tangent
+ * direction is one angle, and going along an edge turns it by a fixed angle. */
 #ifndef HATCH_TOPO_FRAMES_H
 #define HATCH_TOPO_FRAMES_H
 
@@ -22,8 +22,8 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The angle of a direction (any vector; its part in the plane counts) at a point, and back. A vector along
- * the normal has angle 0. */
+/* The angle of a direction (any vector; its part in the plane counts) at a point, and back. A
+ * vector along the normal has angle 0. */
 double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3]);
 void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,
                             double direction[3]);

@@ -1,12 +1,12 @@
-/* The front door for meshes of any origin: what a mesh is once its dirt is gone. Everything that works on
- * surfaces (curvature, direction fields, patches) works on this, and on nothing else.
+/* The front door for meshes of any origin: what a mesh is once its dirt is gone. Everything that
+ * works on surfaces (curvature, direction fields, patches) works on this, and on nothing else.
  *
- * Points are positions: vertices at one place are one point. Where a mesh is not manifold it is cut: an edge
- * of more than two faces becomes borders, a point whose faces do not hang together becomes several points.
- * What is left are components, each a surface with or without borders, closed or not, orientable or not,
- * each moved to its middle and scaled to mean edge 1, in doubles: an offset of 10⁶ or a scale of 10^±20
- * changes nothing. Faces and points of a component follow one another.
- */
+ * Points are positions: vertices at one place are one point. Where a mesh is not manifold it is
+ * cut: an edge of more than two faces becomes borders, a point whose faces do not hang together
+ * becomes several points. What is left are components, each a surface with or without borders,
+ * closed or not, orientable or not, each moved to its middle and scaled to mean edge 1, in
+ * doubles: an offset of 10⁶ or a scale of 10^±20 changes nothing. Faces and points of a component
+ * follow one another. */
 #ifndef HATCH_TOPO_SURFACE_H
 #define HATCH_TOPO_SURFACE_H
 
@@ -59,16 +59,18 @@ struct hatch_surface_notes {
     uint32_t components;
 };
 
-/* Makes the surface of a mesh that passes hatch_mesh_check, which is called first. Time and memory are linear
- * but for one sort. The surface keeps no pointer into the mesh. HATCH_BAD_INPUT when no face is left. */
+/* Makes the surface of a mesh that passes hatch_mesh_check, which is called first. Points are
+ * welded where positions are equal (-0 is 0). A face is degenerate when a corner repeats or it has
+ * no area in doubles; (a,b,c) and (a,c,b) are duplicates. Time and memory are linear but for one
+ * sort. The surface keeps no pointer into the mesh. HATCH_BAD_INPUT when no face is left. */
 enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_surface *surface,
                                      struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The mesh again, as the surface sees it: the faces kept, turned as they now are, with every attribute of
- * the mesh. A vertex that serves several points is given once for each. *vertex_point: the point of each new
- * vertex. Flipped faces keep the normals that the file gave their vertices, turned where all of a vertex's
- * faces were. */
+/* The mesh again, as the surface sees it: its face f, corner c is the surface's, with every
+ * attribute of the mesh. A vertex that serves several points is given once for each.
+ * *vertex_point: the point of each new vertex. Flipped faces keep the normals that the file gave
+ * their vertices, turned where all of a vertex's faces were. */
 enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
                                      struct hatch_arena *arena, struct hatch_arena *scratch,
                                      struct hatch_mesh *mesh, uint32_t **vertex_point,

@@ -1,0 +1,15 @@
+/* Points of a surface by place and by vertex. */
+#ifndef HATCH_TOPO_NEAREST_H
+#define HATCH_TOPO_NEAREST_H
+
+#include "topo/surface.h"
+
+/* The point nearest to a position in the mesh's units; the lowest number among equals. Looks at
+ * all points. */
+uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3]);
+
+/* The first point that a vertex of the mesh became, or HATCH_NO_SIDE when no face uses it. Looks
+ * at all corners. */
+uint32_t hatch_surface_point_of(const struct hatch_surface *surface, uint32_t vertex);
+
+#endif
