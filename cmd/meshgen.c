@@ -9,6 +9,7 @@
 static int64_t faces = 10000;
 static double jitter, noise;
 static int uv;
+static bool field;
 
 static const char *const uv_choices[] = {"natural", "even", NULL};
 
@@ -21,6 +22,8 @@ static const struct cmd_option options[] = {
      "displacement along the normals, in mean edge lengths (default 0)", &noise, NULL, NULL},
     {'u', "uv", CMD_CHOICE, 0, 0, "HOW",
      "v within a patch: natural (its parameter; default) or even (length)", &uv, uv_choices, NULL},
+    {'f', "field", CMD_FLAG, 0, 0, NULL,
+     "add the shape's true principal directions, as dirfield would write them", &field, NULL, NULL},
     {0},
 };
 
@@ -33,7 +36,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "meshgen",
     .operands = "SHAPE",
-    .summary = "make a teapot, sphere, cylinder, cone, torus, plane, ellipsoid or saddle",
+    .summary = "make a teapot, sphere, cylinder, cone, torus, plane, ellipsoid, saddle or wave",
     .examples = examples,
     .options = options,
     .operands_min = 1,
@@ -61,7 +64,10 @@ int main(int argc, char **argv)
         .noise = (float)noise,
         .seed = args.seed,
         .uv = (enum hatch_shape_uv)uv,
+        .field = field,
     };
+    if (field && shape == HATCH_SHAPE_TEAPOT)
+        cmd_usage("--field: the teapot has no formula for its curvature");
     cmd_check_ending(args.output, "glb");
     struct cmd_output *output = cmd_open_output(args.output, true);
 
@@ -69,8 +75,8 @@ int main(int argc, char **argv)
     struct hatch_mesh mesh;
     cmd_check(hatch_shape_make(shape, &how, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
     char comment[160];
-    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g --noise %g --uv %s --seed %llu",
-             hatch_shape_name(shape), how.faces, jitter, noise, uv_choices[uv],
+    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g --noise %g --uv %s%s --seed %llu",
+             hatch_shape_name(shape), how.faces, jitter, noise, uv_choices[uv], field ? " --field" : "",
              (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err),

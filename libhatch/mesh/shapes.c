@@ -11,6 +11,7 @@ static const char *const names[HATCH_SHAPE_COUNT] = {
     [HATCH_SHAPE_CYLINDER] = "cylinder",   [HATCH_SHAPE_CONE] = "cone",
     [HATCH_SHAPE_TORUS] = "torus",         [HATCH_SHAPE_PLANE] = "plane",
     [HATCH_SHAPE_ELLIPSOID] = "ellipsoid", [HATCH_SHAPE_SADDLE] = "saddle",
+    [HATCH_SHAPE_WAVE] = "wave",
 };
 
 const char *hatch_shape_name(enum hatch_shape shape)
@@ -102,7 +103,7 @@ static double mean_edge(const struct hatch_mesh *mesh)
     return sum / ((double)mesh->face_count * 3);
 }
 
-static enum hatch_status make_empty(const struct surfaces *s, struct hatch_arena *arena,
+static enum hatch_status make_empty(const struct surfaces *s, bool field, struct hatch_arena *arena,
                                     struct hatch_mesh *mesh, struct hatch_err *err)
 {
     uint32_t vertices = 0, faces = 0;
@@ -114,11 +115,29 @@ static enum hatch_status make_empty(const struct surfaces *s, struct hatch_arena
     HATCH_TRY(hatch_mesh_make(arena, vertices, faces, mesh, err));
     HATCH_TRY(hatch_mesh_add(arena, mesh, "NORMAL", 3, &data, err));
     HATCH_TRY(hatch_mesh_add(arena, mesh, "TANGENT", 4, &data, err));
-    return hatch_mesh_add(arena, mesh, "TEXCOORD_0", 2, &data, err);
+    HATCH_TRY(hatch_mesh_add(arena, mesh, "TEXCOORD_0", 2, &data, err));
+    return field ? hatch_mesh_add(arena, mesh, "_HATCH_DIR", 4, &data, err) : HATCH_OK;
 }
 
-static void fill(const struct surfaces *s, const struct hatch_shape_options *options,
-                 struct hatch_mesh *mesh)
+/* The principal directions of the smooth shape, from positions that noise has not moved yet. */
+static void fill_field(enum hatch_shape shape, struct hatch_mesh *mesh)
+{
+    const float *positions = hatch_mesh_find(mesh, "POSITION", 3);
+    const float *tangents = hatch_mesh_find(mesh, "TANGENT", 4);
+    float *field = hatch_mesh_find(mesh, "_HATCH_DIR", 4);
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        double position[3], normal[3], direction[3], curvature[2];
+        hatch_vec_of(&positions[v * 3], position);
+        bool defined = hatch_shape_curvature(shape, position, normal, direction, curvature);
+        if (!defined)
+            hatch_vec_of(&tangents[v * 4], direction);
+        hatch_vec_round(direction, &field[v * 4]);
+        field[v * 4 + 3] = defined ? 1.0f : 0.0f;
+    }
+}
+
+static void fill(const struct surfaces *s, enum hatch_shape shape,
+                 const struct hatch_shape_options *options, struct hatch_mesh *mesh)
 {
     uint32_t vertex = 0, face = 0;
     for (uint32_t g = 0; g < s->count; g++) {
@@ -126,6 +145,8 @@ static void fill(const struct surfaces *s, const struct hatch_shape_options *opt
         vertex += hatch_grid_vertex_count(&s->grids[g]);
         face += hatch_grid_face_count(&s->grids[g]);
     }
+    if (options->field)
+        fill_field(shape, mesh);
     if (!(options->noise > 0))
         return;
     double distance = (double)options->noise * mean_edge(mesh);
@@ -157,9 +178,9 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
     cut_into(s, options->faces);
     lay_texture(s, options->uv);
     struct hatch_mesh made;
-    enum hatch_status status = make_empty(s, arena, &made, err);
+    enum hatch_status status = make_empty(s, options->field, arena, &made, err);
     if (status == HATCH_OK) {
-        fill(s, options, &made);
+        fill(s, shape, options, &made);
         *mesh = made;
     }
     hatch_arena_rewind(scratch, mark);

@@ -22,6 +22,7 @@ enum hatch_shape {
     HATCH_SHAPE_PLANE,     /* 2 by 2 in x and y, facing +z */
     HATCH_SHAPE_ELLIPSOID, /* semi-axes 1, 0.7, 0.5 along x, y, z */
     HATCH_SHAPE_SADDLE,    /* z = (x² − y²)/2 over [-1,1]² */
+    HATCH_SHAPE_WAVE,      /* z = sin(4x)/8 over [-1,1]² */
     HATCH_SHAPE_COUNT
 };
 
@@ -41,6 +42,9 @@ struct hatch_shape_options {
                          the mean edge; normals stay those of the smooth surface, poles stay */
     uint64_t seed;
     enum hatch_shape_uv uv;
+    bool field;       /* also make _HATCH_DIR: the first principal direction by hatch_shape_curvature
+                         where the vertex stood before noise, confidence 1, or 0 and any tangent
+                         where none is defined */
 };
 
 /* "teapot" and so on; NULL beyond the last. */

@@ -83,6 +83,11 @@ static bool find_jet(enum hatch_shape shape, const double p[3], struct jet *jet)
         jet->hessian[0][0] = -1;
         jet->hessian[1][1] = 1;
         return true;
+    case HATCH_SHAPE_WAVE:
+        jet->gradient[0] = -cos(4 * p[0]) / 2;
+        jet->gradient[2] = 1;
+        jet->hessian[0][0] = 2 * sin(4 * p[0]);
+        return true;
     default:
         return false;
     }

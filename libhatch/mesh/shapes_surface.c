@@ -83,6 +83,17 @@ static void saddle_at(const struct hatch_surface *surface, double u, double v,
     hatch_vec_normalize(point->along_u);
 }
 
+static void wave_at(const struct hatch_surface *surface, double u, double v,
+                    struct hatch_surface_point *point)
+{
+    (void)surface;
+    double x = 2 * u - 1, y = 1 - 2 * v, slope = cos(4 * x) / 2;
+    *point = (struct hatch_surface_point){
+        .position = {x, y, sin(4 * x) / 8}, .normal = {-slope, 0, 1}, .along_u = {1, 0, slope}};
+    hatch_vec_normalize(point->normal);
+    hatch_vec_normalize(point->along_u);
+}
+
 uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_surface *surfaces)
 {
     static const struct hatch_surface formulas[HATCH_SHAPE_COUNT] = {
@@ -95,6 +106,7 @@ uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_surface *surf
         [HATCH_SHAPE_ELLIPSOID] = {.at = ellipsoid_at, .wraps_u = true, .pole_first = true,
                                    .pole_last = true},
         [HATCH_SHAPE_SADDLE] = {.at = saddle_at},
+        [HATCH_SHAPE_WAVE] = {.at = wave_at},
     };
     if (shape == HATCH_SHAPE_TEAPOT)
         return hatch_teapot_surfaces(surfaces);

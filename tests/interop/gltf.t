@@ -6,7 +6,7 @@ if [ ! -d "$INTEROP/node_modules/gltf-validator" ]; then
     skip "the glTF validator finds no fault" "make check-interop fetches it"
     finish
 fi
-for shape in teapot sphere cylinder cone torus plane ellipsoid saddle; do
+for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave; do
     for options in '' '--faces 2' '--faces 200000' '--jitter 1 --noise 0.3 --uv even --seed 7'; do
         # shellcheck disable=SC2086
         meshgen $shape $options -o shape.glb

@@ -55,6 +55,18 @@ static double saddle_area(void)
     return sum * 4 / n / n;
 }
 
+/* ∫ √(1 + cos²(4x)/4) over [-1, 1], twice. */
+static double wave_area(void)
+{
+    const int n = 1000;
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        double slope = cos(4 * ((2 * i + 1.0) / n - 1)) / 2;
+        sum += sqrt(1 + slope * slope);
+    }
+    return sum * 4 / n;
+}
+
 START_TEST(areas_are_those_of_the_formulas)
 {
     const struct {
@@ -62,7 +74,8 @@ START_TEST(areas_are_those_of_the_formulas)
         double area;
     } known[] = {
         {HATCH_SHAPE_SPHERE, 4 * PI},          {HATCH_SHAPE_CYLINDER, 4 * PI},
-        {HATCH_SHAPE_CONE, PI * sqrt(5.0)},    {HATCH_SHAPE_TORUS, 4 * PI * PI * 0.4},
+        {HATCH_SHAPE_CONE, PI * sqrt(5.0)},    {HATCH_SHAPE_WAVE, wave_area()},
+        {HATCH_SHAPE_TORUS, 4 * PI * PI * 0.4},
         {HATCH_SHAPE_PLANE, 4},                {HATCH_SHAPE_SADDLE, saddle_area()},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -84,7 +97,7 @@ START_TEST(topology_is_that_of_the_surface)
         {HATCH_SHAPE_SPHERE, 1, 0, 2, 0},   {HATCH_SHAPE_CYLINDER, 1, 2, 0, 0},
         {HATCH_SHAPE_CONE, 1, 1, 1, 0},     {HATCH_SHAPE_TORUS, 1, 0, 0, 1},
         {HATCH_SHAPE_PLANE, 1, 1, 1, 0},    {HATCH_SHAPE_ELLIPSOID, 1, 0, 2, 0},
-        {HATCH_SHAPE_SADDLE, 1, 1, 1, 0},
+        {HATCH_SHAPE_SADDLE, 1, 1, 1, 0},   {HATCH_SHAPE_WAVE, 1, 1, 1, 0},
     };
     const float jitters[] = {0, 1}, noises[] = {0, 0.3f};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -254,6 +267,8 @@ START_TEST(curvatures_are_those_of_the_formulas)
         {HATCH_SHAPE_CONE, {0.5, 0, 0}, {0, 0, 1}, {4 / 2.23606797749979, 0}, true},
         {HATCH_SHAPE_TORUS, {1.4, 0, 0}, {0, 1, 0}, {2.5, 1 / 1.4}, true},
         {HATCH_SHAPE_TORUS, {0, 0, -0.6}, {0, 1, 0}, {2.5, -1 / 0.6}, true},
+        {HATCH_SHAPE_WAVE, {-PI / 8, 0.4, -0.125}, {1, 0, 0}, {-2, 0}, true},
+        {HATCH_SHAPE_WAVE, {PI / 8, 0.4, 0.125}, {1, 0, 0}, {2, 0}, true},
         {HATCH_SHAPE_ELLIPSOID, {1, 0, 0}, {0, 0, 1}, {4, 1 / 0.49}, true},
         {HATCH_SHAPE_ELLIPSOID, {0, -0.7, 0}, {0, 0, 1}, {0.7 / 0.25, 0.7}, true},
     };
@@ -272,6 +287,34 @@ START_TEST(curvatures_are_those_of_the_formulas)
     ck_assert_double_eq_tol(k[0] + k[1], 0, 1e-12);
     ck_assert(!hatch_shape_curvature(HATCH_SHAPE_TEAPOT, middle, n, d, k));
     ck_assert(!hatch_shape_curvature(HATCH_SHAPE_CONE, apex, n, d, k));
+}
+END_TEST
+
+START_TEST(field_is_the_truth_whatever_the_noise)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
+        struct hatch_mesh mesh[2];
+        struct hatch_err err;
+        for (int i = 0; i < 2; i++) {
+            const struct hatch_shape_options options = {
+                .faces = 1000, .jitter = 1, .noise = 0.3f * (float)i, .seed = 3, .field = true};
+            HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch,
+                                           &mesh[i], &err), &err);
+        }
+        const float *field = hatch_mesh_find(&mesh[0], "_HATCH_DIR", 4);
+        ck_assert_mem_eq(field, hatch_mesh_find(&mesh[1], "_HATCH_DIR", 4),
+                         (size_t)mesh[0].vertex_count * 16);
+        bool none = shape == HATCH_SHAPE_TEAPOT || shape == HATCH_SHAPE_SPHERE ||
+                    shape == HATCH_SHAPE_PLANE;
+        for (uint32_t v = 0; v < mesh[0].vertex_count; v++) {
+            double p[3], n[3], d[3];
+            corner(&mesh[0], v, p, n);
+            hatch_vec_of(&field[v * 4], d);
+            ck_assert_double_eq_tol(hatch_vec_length(d), 1, 1e-6);
+            ck_assert_double_eq_tol(hatch_vec_dot(d, n), 0, 1e-5);
+            ck_assert(none ? field[v * 4 + 3] == 0 : field[v * 4 + 3] == 1 || p[1] > 0.999);
+        }
+    }
 }
 END_TEST
 
@@ -411,6 +454,7 @@ static Suite *suite(void)
     tcase_add_test(tests, textures_meet_themselves_and_keep_their_shape);
     tcase_add_test(tests, seams_differ_by_whole_tiles);
     tcase_add_test(tests, curvatures_are_those_of_the_formulas);
+    tcase_add_test(tests, field_is_the_truth_whatever_the_noise);
     tcase_add_test(tests, teapot_is_newells);
     tcase_add_test(tests, handle_and_spout_are_not_inside_out);
     tcase_add_test(tests, even_texture_is_more_even_than_natural);
