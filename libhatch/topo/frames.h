@@ -1,6 +1,6 @@
 /* Tangent planes and the turning between them (Knöppel, Crane, Pinkall, Schröder, "Globally
  * optimal direction fields", SIGGRAPH 2013, §5.1 and 6.1): at each point the angles of its ring's
- * faces are scaled to sum to a full turn (on a border: to what they sum to), so that a tangent
+ * faces are scaled to sum to a full turn (on a border: to what they sum to, at most that), so that a tangent
  * direction is one angle, and going along an edge turns it by a fixed angle. */
 #ifndef HATCH_TOPO_FRAMES_H
 #define HATCH_TOPO_FRAMES_H
@@ -16,6 +16,7 @@ struct hatch_frames {
     double *weight;    /* per ring entry: the edge's weight in the smoothness energy, over 0, the same from both
                           ends */
     double *area;      /* per point: a third of its faces' */
+    uint32_t *mate;    /* per ring entry: the same edge's entry in the ring at its other end */
 };
 
 enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,

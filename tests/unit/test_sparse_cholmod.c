@@ -1,0 +1,97 @@
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "run.h"
+#include "sparse/sparse.h"
+
+enum { SIZE = 40 };
+
+/* A chain: diagonal diagonal[i], -1 beside it. */
+struct chain {
+    uint32_t first[SIZE + 1], row[2 * SIZE];
+    double value[2 * SIZE];
+};
+
+static struct hatch_sparse chain_make(struct chain *chain, double diagonal)
+{
+    uint32_t count = 0;
+    for (uint32_t c = 0; c < SIZE; c++) {
+        chain->first[c] = count;
+        if (c > 0) {
+            chain->row[count] = c - 1;
+            chain->value[count++] = -1;
+        }
+        chain->row[count] = c;
+        chain->value[count++] = diagonal;
+    }
+    chain->first[SIZE] = count;
+    return (struct hatch_sparse){SIZE, chain->first, chain->row, chain->value};
+}
+
+START_TEST(solution_times_matrix_is_the_right_side)
+{
+    struct chain chain;
+    struct hatch_sparse matrix = chain_make(&chain, 2);
+    struct hatch_sparse_factor *factor = NULL;
+    struct hatch_err err;
+    double right[2 * SIZE], x[2 * SIZE];
+    for (uint32_t i = 0; i < 2 * SIZE; i++)
+        right[i] = (double)hatch_random_unit(1, 2, i) - 0.5;
+    memcpy(x, right, sizeof x);
+    HATCH_TEST_OK(hatch_sparse_factorize(&matrix, (size_t)1 << 20, &factor, &err), &err);
+    HATCH_TEST_OK(hatch_sparse_solve(factor, x, 2, x, &err), &err);
+    hatch_sparse_free(factor);
+    for (uint32_t k = 0; k < 2 * SIZE; k++) {
+        uint32_t i = k % SIZE;
+        double sum = 2 * x[k] - (i > 0 ? x[k - 1] : 0) - (i + 1 < SIZE ? x[k + 1] : 0);
+        ck_assert_double_eq_tol(sum, right[k], 1e-12);
+    }
+}
+END_TEST
+
+START_TEST(what_is_not_positive_definite_is_refused)
+{
+    const double diagonals[] = {0, -2, 1, (double)NAN};
+    for (size_t i = 0; i < sizeof diagonals / sizeof *diagonals; i++) {
+        struct chain chain;
+        struct hatch_sparse matrix = chain_make(&chain, diagonals[i]);
+        struct hatch_sparse_factor *factor = NULL;
+        struct hatch_err err;
+        ck_assert_int_eq(hatch_sparse_factorize(&matrix, (size_t)1 << 20, &factor, &err), HATCH_BAD_INPUT);
+        ck_assert_ptr_null(factor);
+        ck_assert_ptr_nonnull(strstr(err.text, "40"));
+    }
+}
+END_TEST
+
+START_TEST(a_factor_over_the_limit_is_refused_before_it_is_made)
+{
+    struct chain chain;
+    struct hatch_sparse matrix = chain_make(&chain, 2);
+    struct hatch_sparse_factor *factor = NULL;
+    struct hatch_err err;
+    ck_assert_int_eq(hatch_sparse_factorize(&matrix, 100, &factor, &err), HATCH_LIMIT);
+    ck_assert_ptr_null(factor);
+}
+END_TEST
+
+START_TEST(nothing_is_freed_without_complaint)
+{
+    hatch_sparse_free(NULL);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("sparse cholmod");
+    TCase *tests = tcase_create("cholmod");
+    tcase_add_test(tests, solution_times_matrix_is_the_right_side);
+    tcase_add_test(tests, what_is_not_positive_definite_is_refused);
+    tcase_add_test(tests, a_factor_over_the_limit_is_refused_before_it_is_made);
+    tcase_add_test(tests, nothing_is_freed_without_complaint);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
