@@ -158,6 +158,13 @@ static double seconds_between(struct timespec from, struct timespec to)
     return (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
 }
 
+double cmd_elapsed_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1e3 * seconds_between(begun, now);
+}
+
 void cmd_progress(const char *what, double share)
 {
     static int on_terminal = -1;

@@ -143,6 +143,9 @@ void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);
 /* "render-gl: sentence": what somebody in front of a window asked for. */
 void cmd_say(const char *format, ...) HATCH_PRINTF(1, 2);
 
+/* Milliseconds since cmd_begin, of a clock that only runs forward. */
+double cmd_elapsed_ms(void);
+
 /* A progress line on standard error, only on a terminal and only after a second. share: 0 .. 1. */
 void cmd_progress(const char *what, double share);
 

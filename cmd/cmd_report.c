@@ -90,9 +90,15 @@ void cmd_report_whole(struct cmd_report *report, uint64_t number)
     end_cell(report);
 }
 
-void cmd_report_write(struct cmd_report *report, struct cmd_output *output)
+struct hatch_bytes cmd_report_end(struct cmd_report *report)
 {
     assert(report->next == 0);
     put(report, report->json ? "\n]\n" : "");
-    cmd_write(output, report->text.data, report->text.size);
+    return (struct hatch_bytes){report->text.data, report->text.size};
+}
+
+void cmd_report_write(struct cmd_report *report, struct cmd_output *output)
+{
+    struct hatch_bytes table = cmd_report_end(report);
+    cmd_write(output, table.data, table.size);
 }

@@ -23,7 +23,10 @@ void cmd_report_text(struct cmd_report *report, const char *text);
 void cmd_report_number(struct cmd_report *report, double number);
 void cmd_report_whole(struct cmd_report *report, uint64_t number);
 
-/* Writes the table; the last row must be full. */
+/* The table's bytes, in args->keep; the last row must be full. For a report beside other outputs. */
+struct hatch_bytes cmd_report_end(struct cmd_report *report);
+
+/* Ends the table and writes it. */
 void cmd_report_write(struct cmd_report *report, struct cmd_output *output);
 
 #endif

@@ -1,8 +1,8 @@
 #include "measure/mesh_figures.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "math/percentile.h"
 #include "math/vector.h"
 #include "mesh/duplicates.h"
 #include "mesh/fans.h"
@@ -123,7 +123,7 @@ static void measure_edges(struct work *w)
 struct stretch {
     double weight; /* its area */
     double uv_area; /* signed */
-    double angle, area;
+    double angle;
 };
 
 /* The singular values of the map from the triangle's plane to texture space, from its metric: with
@@ -159,39 +159,6 @@ static bool measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint
     return true;
 }
 
-/* Weights settle ties, so that their sums have one order on every machine. */
-static int by_weight(const struct stretch *x, const struct stretch *y)
-{
-    return (x->weight > y->weight) - (x->weight < y->weight);
-}
-
-static int by_angle(const void *a, const void *b)
-{
-    const struct stretch *x = a, *y = b;
-    int order = (x->angle > y->angle) - (x->angle < y->angle);
-    return order ? order : by_weight(x, y);
-}
-
-static int by_area(const void *a, const void *b)
-{
-    const struct stretch *x = a, *y = b;
-    int order = (x->area > y->area) - (x->area < y->area);
-    return order ? order : by_weight(x, y);
-}
-
-static void percentiles(const struct stretch *list, uint32_t count, bool angle, double total,
-                        double out[3])
-{
-    static const double shares[3] = {0.05, 0.5, 0.95};
-    double sum = 0;
-    int next = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        sum += list[i].weight;
-        while (next < 3 && (sum >= shares[next] * total || i + 1 == count))
-            out[next++] = angle ? list[i].angle : list[i].area;
-    }
-}
-
 static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
 {
     const float *uv = hatch_mesh_find(w->mesh, "TEXCOORD_0", 2);
@@ -199,9 +166,11 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     w->out->has_uv = uv != NULL;
     if (!uv)
         return HATCH_OK;
-    struct stretch *list =
-        hatch_arena_array(w->scratch, w->mesh->face_count, sizeof(struct stretch), err);
-    if (!list)
+    static const double shares[3] = {0.05, 0.5, 0.95};
+    struct stretch *list = HATCH_NEW(w->scratch, struct stretch, w->mesh->face_count, err);
+    struct hatch_weighted *values =
+        list ? HATCH_NEW(w->scratch, struct hatch_weighted, w->mesh->face_count, err) : NULL;
+    if (!values)
         return HATCH_LIMIT;
     double kept = 0, degenerate = 0, mirrored = 0, uv_area = 0;
     uint32_t count = 0;
@@ -219,14 +188,15 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
         uv_area += fabs(s->uv_area);
         count++;
     }
-    for (uint32_t i = 0; i < count; i++)
-        list[i].area = fabs(list[i].uv_area) / list[i].weight * (kept / uv_area);
     out->degenerate_share = kept + degenerate > 0 ? degenerate / (kept + degenerate) : 0;
     out->mirrored_share = kept > 0 ? mirrored / kept : 0;
-    qsort(list, count, sizeof *list, by_angle);
-    percentiles(list, count, true, kept, out->angle);
-    qsort(list, count, sizeof *list, by_area);
-    percentiles(list, count, false, kept, out->area);
+    for (uint32_t i = 0; i < count; i++)
+        values[i] = (struct hatch_weighted){list[i].angle, list[i].weight};
+    hatch_percentiles(values, count, shares, 3, out->angle);
+    for (uint32_t i = 0; i < count; i++)
+        values[i] = (struct hatch_weighted){fabs(list[i].uv_area) / list[i].weight * (kept / uv_area),
+                                            list[i].weight};
+    hatch_percentiles(values, count, shares, 3, out->area);
     return HATCH_OK;
 }
 
