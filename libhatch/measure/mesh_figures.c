@@ -4,7 +4,7 @@
 
 #include "math/percentile.h"
 #include "math/vector.h"
-#include "mesh/duplicates.h"
+#include "mesh/dropped.h"
 #include "mesh/fans.h"
 
 struct work {
@@ -22,18 +22,16 @@ static void find_used(struct work *w, uint8_t *vertex_used)
 {
     const struct hatch_mesh *mesh = w->mesh;
     double corners[3][3], normal[3];
+    w->out->degenerate_faces = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         const uint32_t *p = &w->point[(size_t)f * 3];
-        bool has_area = hatch_mesh_corners(mesh, f, corners);
         for (int c = 0; c < 3; c++)
             vertex_used[mesh->indices[(size_t)f * 3 + (size_t)c]] = 1;
-        if (!has_area || p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
-            w->dropped[f] = 1;
-            w->out->degenerate_faces++;
+        if (w->dropped[f])
             continue;
-        }
         for (int c = 0; c < 3; c++)
             w->point_used[p[c]] = 1;
+        hatch_mesh_corners(mesh, f, corners);
         hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
         w->out->area += hatch_vec_length(normal) / 2;
     }

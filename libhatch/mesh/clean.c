@@ -2,7 +2,7 @@
  * are, and changes vertices only by leaving out those that no face uses. */
 #include <string.h>
 
-#include "mesh/duplicates.h"
+#include "mesh/dropped.h"
 #include "mesh/fans.h"
 #include "mesh/orient.h"
 
@@ -15,27 +15,14 @@ struct work {
     struct hatch_mesh_notes notes;
 };
 
-static void drop_degenerate(struct work *w)
-{
-    double corners[3][3];
-    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
-        const uint32_t *p = &w->point[(size_t)f * 3];
-        bool repeated = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
-        if (repeated || !hatch_mesh_corners(w->mesh, f, corners)) {
-            w->dropped[f] = 1;
-            w->notes.degenerate_dropped++;
-        }
-    }
-}
-
 static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_edges edges;
     HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch,
                                scratch, &edges, err));
     struct hatch_orientation result;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, &edges, w->dropped, scratch, w->flipped, &result,
-                                err));
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, &edges, w->dropped, scratch, w->flipped, NULL,
+                                &result, err));
     w->notes.faces_flipped = result.faces_flipped;
     w->notes.contrary_edges = result.contrary_edges;
     for (uint32_t e = 0; e < edges.count; e++)
@@ -44,15 +31,20 @@ static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, str
                                     w->dropped, scratch, &w->notes.non_manifold_points, err);
 }
 
-static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex)
+/* new_vertex: zeros. origin: the old vertex of each new one. Returns how many are left. */
+static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex, uint32_t *origin)
 {
     const struct hatch_mesh *mesh = w->mesh;
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
         if (!w->dropped[i / 3])
             new_vertex[mesh->indices[i]] = 1;
     uint32_t count = 0;
-    for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        new_vertex[v] = new_vertex[v] ? count++ : UINT32_MAX;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        if (!new_vertex[v])
+            continue;
+        origin[count] = v;
+        new_vertex[v] = count++;
+    }
     return count;
 }
 
@@ -67,15 +59,6 @@ static void copy_faces(const struct work *w, const uint32_t *new_vertex, uint32_
     }
 }
 
-static void copy_attribute(const struct hatch_mesh *mesh, const uint32_t *new_vertex,
-                           const struct hatch_mesh_attribute *from, float *to)
-{
-    size_t n = from->components;
-    for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        if (new_vertex[v] != UINT32_MAX)
-            memcpy(&to[new_vertex[v] * n], &from->data[v * n], n * sizeof *to);
-}
-
 static enum hatch_status build(struct work *w, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct hatch_mesh *out,
                                struct hatch_err *err)
@@ -85,19 +68,13 @@ static enum hatch_status build(struct work *w, struct hatch_arena *arena,
     if (faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
     uint32_t *new_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    if (!new_vertex)
+    uint32_t *origin = new_vertex ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL;
+    if (!origin)
         return HATCH_LIMIT;
-    uint32_t vertices = number_vertices(w, new_vertex);
+    uint32_t vertices = number_vertices(w, new_vertex, origin);
     w->notes.unreferenced_dropped = mesh->vertex_count - vertices;
-    HATCH_TRY(hatch_mesh_make(arena, vertices, faces, out, err));
+    HATCH_TRY(hatch_mesh_gather(mesh, origin, vertices, faces, arena, out, err));
     copy_faces(w, new_vertex, out->indices);
-    copy_attribute(mesh, new_vertex, &mesh->attributes[0], out->attributes[0].data);
-    for (uint32_t i = 1; i < mesh->attribute_count; i++) {
-        const struct hatch_mesh_attribute *from = &mesh->attributes[i];
-        float *data;
-        HATCH_TRY(hatch_mesh_add(arena, out, from->name, from->components, &data, err));
-        copy_attribute(mesh, new_vertex, from, data);
-    }
     return HATCH_OK;
 }
 
@@ -117,7 +94,7 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
     if (mesh->attribute_count == 1) /* else they may differ in what they carry */
         w->notes.vertices_apart = mesh->vertex_count - w->point_count;
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
-    drop_degenerate(w);
+    w->notes.degenerate_dropped = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
     HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,
                                          &w->notes.duplicates_dropped, err));
     HATCH_TRY(orient(w, scratch, err));

@@ -38,6 +38,22 @@ static void join_edge(const uint32_t *point, const uint32_t *sides, uint32_t cou
     }
 }
 
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, uint32_t face_count,
+                                const struct hatch_edges *edges, const uint8_t *sharp, uint32_t *fan)
+{
+    uint32_t corner_count = face_count * 3, fan_count = 0;
+    hatch_sets_init(fan, corner_count);
+    for (uint32_t e = 0; e < edges->count; e++)
+        if (edges->first[e + 1] - edges->first[e] == 2 && !(sharp && sharp[e]))
+            join_edge(point, &edges->sides[edges->first[e]], 2, fan);
+    /* A root is the lowest corner of its fan, so its number is known before its members ask. */
+    for (uint32_t i = 0; i < corner_count; i++)
+        fan[i] = hatch_sets_find(fan, i);
+    for (uint32_t i = 0; i < corner_count; i++)
+        fan[i] = fan[i] == i ? fan_count++ : fan[fan[i]];
+    return fan_count;
+}
+
 enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_count,
                                            uint32_t point_count, const struct hatch_edges *edges,
                                            const uint8_t *dropped, struct hatch_arena *scratch,

@@ -11,6 +11,13 @@ enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_
                                            const uint8_t *dropped, struct hatch_arena *scratch,
                                            uint32_t *count, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Numbers the fans of corners: corners on both sides of an edge of two faces are in one, unless it is
+ * sharp. A fan is a disk or a part of one: its corners follow one another around their point. Fans are
+ * numbered in the order of their lowest corners. Returns how many there are; corners of faces left out
+ * are fans of their own. point, edges: as for hatch_edges_find; sharp: NULL, or per edge; fan: per corner. */
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, uint32_t face_count,
+                                const struct hatch_edges *edges, const uint8_t *sharp, uint32_t *fan);
+
 /* Disjoint sets over 0 .. count-1, each known by its lowest member. */
 void hatch_sets_init(uint32_t *parent, uint32_t count);
 uint32_t hatch_sets_find(uint32_t *parent, uint32_t member);

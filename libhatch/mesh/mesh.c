@@ -40,6 +40,27 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
     return HATCH_OK;
 }
 
+enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin,
+                                    uint32_t vertex_count, uint32_t face_count,
+                                    struct hatch_arena *arena, struct hatch_mesh *mesh,
+                                    struct hatch_err *err)
+{
+    struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
+    made.indices = HATCH_NEW(arena, uint32_t, (size_t)face_count * 3, err);
+    if (!made.indices)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < from->attribute_count; i++) {
+        const struct hatch_mesh_attribute *attribute = &from->attributes[i];
+        size_t n = attribute->components;
+        float *data;
+        HATCH_TRY(hatch_mesh_add(arena, &made, attribute->name, attribute->components, &data, err));
+        for (uint32_t v = 0; v < vertex_count; v++)
+            memcpy(&data[v * n], &attribute->data[origin[v] * n], n * sizeof *data);
+    }
+    *mesh = made;
+    return HATCH_OK;
+}
+
 float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components)
 {
     for (uint32_t i = 0; i < mesh->attribute_count; i++)

@@ -57,6 +57,13 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
                                  const char *name, uint32_t components, float **data,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
+/* Makes a mesh with room for face_count faces, indices zeroed, whose vertex v has every attribute of
+ * from's vertex origin[v]. */
+enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin,
+                                    uint32_t vertex_count, uint32_t face_count,
+                                    struct hatch_arena *arena, struct hatch_mesh *mesh,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
 /* The attribute's floats, or NULL. components: the number that it must have. */
 float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components);
 

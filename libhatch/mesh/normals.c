@@ -5,7 +5,7 @@
 #include "math/vector.h"
 #include "mesh/creases.h"
 #include "mesh/fans.h"
-#include "mesh/mesh.h"
+#include "mesh/splits.h"
 
 /* Corners that share one normal form a class. Without a crease angle the class is the point; with
  * one, corners are joined across the edges that are not sharp. */
@@ -27,28 +27,6 @@ static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, doub
     return !(hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb));
 }
 
-/* Joins the corners on both sides of each edge of two faces that is not sharp. */
-static void classes_by_edges(struct work *w, const struct hatch_edges *edges, const uint8_t *sharp)
-{
-    uint32_t corner_count = w->mesh->face_count * 3, *parent = w->class_of;
-    hatch_sets_init(parent, corner_count);
-    for (uint32_t e = 0; e < edges->count; e++) {
-        const uint32_t *sides = &edges->sides[edges->first[e]];
-        if (edges->first[e + 1] - edges->first[e] != 2 || sharp[e])
-            continue;
-        uint32_t end0 = hatch_side_end(sides[0]), end1 = hatch_side_end(sides[1]);
-        bool same_way = w->point[sides[0]] == w->point[sides[1]];
-        hatch_sets_join(parent, sides[0], same_way ? sides[1] : end1);
-        hatch_sets_join(parent, end0, same_way ? end1 : sides[1]);
-    }
-    /* A root is the lowest corner of its class, so its number is known before its members ask. */
-    w->class_count = 0;
-    for (uint32_t i = 0; i < corner_count; i++)
-        parent[i] = hatch_sets_find(parent, i);
-    for (uint32_t i = 0; i < corner_count; i++)
-        parent[i] = parent[i] == i ? w->class_count++ : parent[parent[i]];
-}
-
 static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -63,7 +41,7 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
         sharp[e] = edges.first[e + 1] - edges.first[e] == 2 &&
                    is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
     }
-    classes_by_edges(w, &edges, sharp);
+    w->class_count = hatch_mesh_corner_fans(w->point, w->mesh->face_count, &edges, sharp, w->class_of);
     return HATCH_OK;
 }
 
@@ -91,57 +69,11 @@ static void sum_normals(struct work *w)
     }
 }
 
-/* A vertex whose corners lie in several classes is doubled: the first class keeps it, the others'
- * copies form a chain behind it. */
-struct splits {
-    uint32_t *class_at; /* per vertex, old and new; NO_CLASS until a corner asks */
-    uint32_t *next;     /* per vertex: the next copy, or 0 */
-    uint32_t *origin;   /* per vertex: the old one */
-    uint32_t count;
-};
-
-#define NO_CLASS UINT32_MAX
-
-static uint32_t vertex_for(struct splits *s, uint32_t vertex, uint32_t class)
-{
-    while (s->class_at[vertex] != class) {
-        if (s->class_at[vertex] == NO_CLASS) {
-            s->class_at[vertex] = class;
-        } else {
-            if (s->next[vertex] == 0) {
-                s->origin[s->count] = s->origin[vertex];
-                s->next[vertex] = s->count++;
-            }
-            vertex = s->next[vertex];
-        }
-    }
-    return vertex;
-}
-
-static enum hatch_status make_splits(const struct work *w, struct hatch_arena *scratch,
-                                     uint32_t *indices, struct splits *s, struct hatch_err *err)
-{
-    size_t corners = (size_t)w->mesh->face_count * 3;
-    size_t most = corners + w->mesh->vertex_count;
-    s->class_at = HATCH_NEW(scratch, uint32_t, most, err);
-    s->next = s->class_at ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
-    s->origin = s->next ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
-    if (!s->origin)
-        return HATCH_LIMIT;
-    memset(s->class_at, 0xff, most * sizeof *s->class_at);
-    s->count = w->mesh->vertex_count;
-    for (uint32_t v = 0; v < s->count; v++)
-        s->origin[v] = v;
-    for (size_t i = 0; i < corners; i++)
-        indices[i] = vertex_for(s, w->mesh->indices[i], w->class_of[i]);
-    return HATCH_OK;
-}
-
-static void store_normals(const struct work *w, const struct splits *s, float *normals)
+static void store_normals(const struct work *w, const struct hatch_splits *s, float *normals)
 {
     for (uint32_t v = 0; v < s->count; v++) {
         double normal[3] = {0, 0, 0};
-        if (s->class_at[v] != NO_CLASS)
+        if (s->class_at[v] != HATCH_NO_CLASS)
             hatch_vec_copy(&w->sum[(size_t)s->class_at[v] * 3], normal);
         if (!(hatch_vec_normalize(normal) > 0))
             normal[2] = 1; /* no face with an area, or faces that cancel: any unit vector */
@@ -154,21 +86,17 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
                                struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
-    struct splits s;
-    struct hatch_mesh made = {.face_count = mesh->face_count};
-    made.indices = HATCH_NEW(arena, uint32_t, (size_t)mesh->face_count * 3, err);
-    if (!made.indices)
-        return HATCH_LIMIT;
-    HATCH_TRY(make_splits(w, scratch, made.indices, &s, err));
-    made.vertex_count = s.count;
+    size_t corners = (size_t)mesh->face_count * 3;
+    struct hatch_splits s;
+    struct hatch_mesh made;
     float *data;
-    for (uint32_t i = 0; i < mesh->attribute_count; i++) {
-        const struct hatch_mesh_attribute *from = &mesh->attributes[i];
-        size_t n = from->components;
-        HATCH_TRY(hatch_mesh_add(arena, &made, from->name, from->components, &data, err));
-        for (uint32_t v = 0; v < s.count; v++)
-            memcpy(&data[v * n], &from->data[s.origin[v] * n], n * sizeof *data);
-    }
+    uint32_t *indices = HATCH_NEW(scratch, uint32_t, corners, err);
+    if (!indices)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_splits_make(mesh->indices, w->class_of, corners, mesh->vertex_count, scratch,
+                                indices, &s, err));
+    HATCH_TRY(hatch_mesh_gather(mesh, s.origin, s.count, mesh->face_count, arena, &made, err));
+    memcpy(made.indices, indices, corners * sizeof *indices);
     HATCH_TRY(hatch_mesh_add(arena, &made, "NORMAL", 3, &data, err));
     store_normals(w, &s, data);
     *out = made;
@@ -223,7 +151,7 @@ enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct h
     w.class_of = w.point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
     if (w.class_of) {
         memcpy(w.point, point, corners * sizeof *point);
-        classes_by_edges(&w, edges, sharp);
+        w.class_count = hatch_mesh_corner_fans(point, mesh->face_count, edges, sharp, w.class_of);
         status = sum_and_build(&w, arena, scratch, &out, err);
     }
     hatch_arena_rewind(scratch, mark);

@@ -87,7 +87,8 @@ static uint32_t settle(struct flood *f)
 enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_t *point,
                                     const struct hatch_edges *edges, const uint8_t *dropped,
                                     struct hatch_arena *scratch, uint8_t *flipped,
-                                    struct hatch_orientation *result, struct hatch_err *err)
+                                    uint32_t *component, struct hatch_orientation *result,
+                                    struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct flood f = {.mesh = mesh, .point = point, .edges = edges, .flipped = flipped};
@@ -101,8 +102,10 @@ enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         if (f.seen[face] || (dropped && dropped[face]))
             continue;
-        found.components++;
         flood_from(&f, face);
+        for (uint32_t i = 0; component && i < f.count; i++)
+            component[f.queue[i]] = found.components;
+        found.components++;
         found.faces_flipped += settle(&f);
     }
     for (uint32_t e = 0; e < edges->count; e++) {

@@ -1,8 +1,23 @@
-#include "mesh/duplicates.h"
+#include "mesh/dropped.h"
 
 #include <string.h>
 
 #include "base/random.h"
+
+uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point,
+                                    uint8_t *dropped)
+{
+    double corners[3][3];
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *p = &point[(size_t)f * 3];
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0] || !hatch_mesh_corners(mesh, f, corners)) {
+            dropped[f] = 1;
+            count++;
+        }
+    }
+    return count;
+}
 
 static void sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
 {

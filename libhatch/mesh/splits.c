@@ -1,0 +1,42 @@
+#include "mesh/splits.h"
+
+#include <string.h>
+
+/* The first class keeps the vertex, the others' copies form a chain behind it. next: per vertex the next
+ * copy, or 0. */
+static uint32_t vertex_for(struct hatch_splits *s, uint32_t *next, uint32_t vertex, uint32_t class)
+{
+    while (s->class_at[vertex] != class) {
+        if (s->class_at[vertex] == HATCH_NO_CLASS) {
+            s->class_at[vertex] = class;
+        } else {
+            if (next[vertex] == 0) {
+                s->origin[s->count] = s->origin[vertex];
+                next[vertex] = s->count++;
+            }
+            vertex = next[vertex];
+        }
+    }
+    return vertex;
+}
+
+enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of,
+                                    size_t corner_count, uint32_t vertex_count,
+                                    struct hatch_arena *scratch, uint32_t *indices,
+                                    struct hatch_splits *splits, struct hatch_err *err)
+{
+    size_t most = corner_count + vertex_count;
+    struct hatch_splits made = {.count = vertex_count};
+    made.class_at = HATCH_NEW(scratch, uint32_t, most, err);
+    made.origin = made.class_at ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
+    uint32_t *next = made.origin ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
+    if (!next)
+        return HATCH_LIMIT;
+    memset(made.class_at, 0xff, most * sizeof *made.class_at);
+    for (uint32_t v = 0; v < vertex_count; v++)
+        made.origin[v] = v;
+    for (size_t i = 0; i < corner_count; i++)
+        indices[i] = vertex_for(&made, next, vertex[i], class_of[i]);
+    *splits = made;
+    return HATCH_OK;
+}
