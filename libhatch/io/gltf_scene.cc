@@ -90,8 +90,9 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
         length += static_cast<double>(q) * static_cast<double>(q);
     if (!(length > 0))
         return bad(r, where, "rotation is zero");
+    /* What is a unit but for rounding stays, so that reading what was written changes nothing. */
     for (float &q : node->rotation)
-        q = static_cast<float>(static_cast<double>(q) / std::sqrt(length));
+        q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
     return HATCH_OK;
 }
 
@@ -137,6 +138,15 @@ enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
         material->base_repeat = r.model.samplers[static_cast<size_t>(texture.sampler)].wrapS !=
                                 TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     return HATCH_OK;
+}
+
+/* hatch_glb_write_scene's mark of a lapped parametrization. */
+bool is_outline(const tinygltf::Material &material)
+{
+    if (!material.extras.IsObject() || !material.extras.Has("hatch"))
+        return false;
+    const tinygltf::Value &said = material.extras.Get("hatch");
+    return said.IsString() && said.Get<std::string>() == "outline";
 }
 
 } // namespace
@@ -208,6 +218,7 @@ enum hatch_status read_materials(Reader &r)
         to->base_repeat = true;
         to->double_sided = from.doubleSided;
         to->alpha_cutoff = from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;
+        to->outline = is_outline(from);
         for (float &c : to->base_color)
             c = 1;
         HATCH_TRY(copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where,

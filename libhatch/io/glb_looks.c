@@ -1,0 +1,133 @@
+/* The JSON of materials, textures, cameras and lights. */
+#include <string.h>
+
+#include "io/glb_parts.h"
+
+static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    static const float white[4] = {1, 1, 1, 1};
+    uint32_t texture = material->base_texture == HATCH_NONE
+                           ? HATCH_NONE
+                           : glb->texture[2 * material->base_texture + material->base_repeat];
+    HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
+    HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
+    if (memcmp(material->base_color, white, sizeof white) != 0)
+        HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
+    if (texture != HATCH_NONE)
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
+                                     ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u}", texture,
+                                     material->base_texcoord));
+    return hatch_glb_put(glb, "}");
+}
+
+static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(print_base(glb, material));
+    if (material->outline) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}"));
+    } else if (material->alpha_cutoff > 0) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"MASK\""));
+        HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
+    }
+    return hatch_glb_put(glb, material->double_sided ? ",\"doubleSided\":true}" : "}");
+}
+
+static enum hatch_status print_images(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t images = 0;
+    for (uint32_t t = 0; t < scene->texture_count; t++) {
+        if (glb->image[t] == HATCH_NONE)
+            continue;
+        HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
+                                     "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
+                                     glb->accessor_count + images++,
+                                     scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+    }
+    return hatch_glb_put(glb, images ? "]" : "");
+}
+
+/* In the order of their numbers, which the materials' order made. */
+static enum hatch_status print_textures(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t textures = 0;
+    for (uint32_t m = 0; m < scene->material_count; m++) {
+        const struct hatch_material *material = &scene->materials[m];
+        uint32_t image = material->base_texture;
+        if (image == HATCH_NONE || glb->texture[2 * image + material->base_repeat] != textures)
+            continue;
+        HATCH_TRY(hatch_glb_put(glb, textures++ == 0 ? ",\"textures\":[" : ","));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
+                                     material->base_repeat, glb->image[image]));
+    }
+    /* Filters: linear, and with mip maps. */
+    return hatch_glb_put(glb, textures ? "],\"samplers\":["
+                                 "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":33071,\"wrapT\":33071},"
+                                 "{\"magFilter\":9729,\"minFilter\":9987}]"
+                               : "");
+}
+
+static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    const char *type = camera->orthographic ? "orthographic" : "perspective";
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\",\"%s\":{", type, type));
+    HATCH_TRY(hatch_glb_number(glb, "znear", camera->znear));
+    if (camera->zfar > 0)
+        HATCH_TRY(hatch_glb_number(glb, "zfar", camera->zfar));
+    if (camera->orthographic) {
+        HATCH_TRY(hatch_glb_number(glb, "ymag", camera->ymag));
+        /* In doubles, so that dividing gives the aspect again. */
+        double xmag = (double)camera->ymag * (camera->aspect > 0 ? (double)camera->aspect : 1);
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.17g", xmag));
+    } else {
+        HATCH_TRY(hatch_glb_number(glb, "yfov", camera->yfov_rad));
+        if (camera->aspect > 0)
+            HATCH_TRY(hatch_glb_number(glb, "aspectRatio", camera->aspect));
+    }
+    return hatch_glb_put(glb, "}}");
+}
+
+static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_light *light)
+{
+    static const char *const types[] = {"directional", "point", "spot"};
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\"", types[light->type]));
+    HATCH_TRY(hatch_glb_numbers(glb, "color", light->color, 3));
+    HATCH_TRY(hatch_glb_number(glb, "intensity", light->intensity));
+    if (light->range > 0)
+        HATCH_TRY(hatch_glb_number(glb, "range", light->range));
+    if (light->type == HATCH_LIGHT_SPOT) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"spot\":{"));
+        HATCH_TRY(hatch_glb_number(glb, "innerConeAngle", light->inner_cone_rad));
+        HATCH_TRY(hatch_glb_number(glb, "outerConeAngle", light->outer_cone_rad));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_glb_put(glb, "}");
+}
+
+enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    HATCH_TRY(hatch_glb_put(glb, scene->material_count ? ",\"materials\":[" : ""));
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        HATCH_TRY(print_material(glb, &scene->materials[m]));
+    HATCH_TRY(hatch_glb_put(glb, scene->material_count ? "]" : ""));
+    HATCH_TRY(print_textures(glb));
+    HATCH_TRY(print_images(glb));
+    HATCH_TRY(hatch_glb_put(glb, scene->camera_count ? ",\"cameras\":[" : ""));
+    for (uint32_t c = 0; c < scene->camera_count; c++)
+        HATCH_TRY(print_camera(glb, &scene->cameras[c]));
+    HATCH_TRY(hatch_glb_put(glb, scene->camera_count ? "]" : ""));
+    if (scene->light_count == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensionsUsed\":[\"KHR_lights_punctual\"],"
+                         "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
+    for (uint32_t l = 0; l < scene->light_count; l++)
+        HATCH_TRY(print_light(glb, &scene->lights[l]));
+    return hatch_glb_put(glb, "]}}");
+}
