@@ -1,0 +1,81 @@
+#include "seed/seeds.h"
+
+#include "base/text.h"
+
+void hatch_seed_places(const struct hatch_seed_set *set, struct hatch_seed_place *places)
+{
+    /* The last seed's bits one by one; each seed before it has one crumb more in front. */
+    struct hatch_seed_place place = {0, 0};
+    for (uint64_t k = 0; k < 64; k++) {
+        uint8_t crumb = set->crumbs[(set->count - 1u + k) % set->count];
+        place.u = place.u << 1 | (crumb & 1u);
+        place.v = place.v << 1 | crumb >> 1;
+    }
+    places[set->count - 1] = place;
+    for (uint32_t i = set->count - 1; i-- > 0;) {
+        place.u = place.u >> 1 | (uint64_t)(set->crumbs[i] & 1u) << 63;
+        place.v = place.v >> 1 | (uint64_t)(set->crumbs[i] >> 1) << 63;
+        places[i] = place;
+    }
+}
+
+static enum hatch_status read_layer(struct hatch_text line, uint32_t number,
+                                    struct hatch_arena *arena, struct hatch_seed_set *set,
+                                    struct hatch_err *err)
+{
+    if (line.length < HATCH_CYCLE_MIN || line.length > HATCH_CYCLE_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu crumbs, want %u to %u",
+                          number, line.length, HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
+    set->count = (uint32_t)line.length;
+    set->crumbs = HATCH_NEW(arena, uint8_t, line.length, err);
+    if (!set->crumbs)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < line.length; i++) {
+        if (line.at[i] < '0' || line.at[i] > '3')
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "line %u, column %zu: not a crumb, which is 0, 1, 2 or 3", number,
+                              i + 1);
+        set->crumbs[i] = (uint8_t)(line.at[i] - '0');
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena,
+                                   struct hatch_seeds *seeds, struct hatch_err *err)
+{
+    struct hatch_text rest = {(const char *)file.data, file.size}, line;
+    struct hatch_seeds found = {0};
+    found.layers = HATCH_NEW(arena, struct hatch_seed_set, HATCH_SEED_LAYERS_MAX, err);
+    if (!found.layers)
+        return HATCH_LIMIT;
+    for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
+        if (line.length == 0 || line.at[0] == '#')
+            continue;
+        if (found.layer_count == HATCH_SEED_LAYERS_MAX)
+            return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number,
+                              HATCH_SEED_LAYERS_MAX);
+        HATCH_TRY(read_layer(line, number, arena, &found.layers[found.layer_count], err));
+        found.layer_count++;
+    }
+    if (!found.layer_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no seed set in it");
+    *seeds = found;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment,
+                                    struct hatch_buffer *file, struct hatch_err *err)
+{
+    if (comment)
+        HATCH_TRY(hatch_buffer_print(file, err, "# %s\n", comment));
+    for (uint32_t i = 0; i < seeds->layer_count; i++) {
+        const struct hatch_seed_set *set = &seeds->layers[i];
+        HATCH_TRY(hatch_buffer_reserve(file, (size_t)set->count + 1, err));
+        for (uint32_t k = 0; k < set->count; k++) {
+            const char digit = (char)('0' + set->crumbs[k]);
+            HATCH_TRY(hatch_buffer_add(file, &digit, 1, err));
+        }
+        HATCH_TRY(hatch_buffer_add(file, "\n", 1, err));
+    }
+    return HATCH_OK;
+}
