@@ -65,9 +65,10 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care
                   name, &err);
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
-        if (format == HATCH_MESH_STL)
-            notes.vertices_apart = 0; /* the format has no other way to say where faces meet */
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
+        scene->meshes[0].loose = format == HATCH_MESH_STL;
+        if (scene->meshes[0].loose)
+            notes.vertices_apart = 0;
     }
     cmd_warn_mesh(name, &notes);
 }

@@ -31,6 +31,7 @@ struct hatch_scene_mesh {
     uint32_t file_vertices; /* vertices in the file: flat normals may have doubled some */
     bool had_texcoords;     /* TEXCOORD_0 stood in the file */
     bool had_normals;
+    bool loose;             /* the format has no way to say where faces meet: STL */
 };
 
 struct hatch_node {
