@@ -83,7 +83,7 @@ static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_
         HATCH_TRY(hatch_glb_number(glb, "ymag", camera->ymag));
         /* In doubles, so that dividing gives the aspect again. */
         double xmag = (double)camera->ymag * (camera->aspect > 0 ? (double)camera->aspect : 1);
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.17g", xmag));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.9g", xmag));
     } else {
         HATCH_TRY(hatch_glb_number(glb, "yfov", camera->yfov_rad));
         if (camera->aspect > 0)
