@@ -16,7 +16,6 @@
 struct corners {
     double *angle, *cot; /* at the corner */
     double *normal;      /* 3 a face: unit */
-    uint32_t *entry;     /* the entry of the corner's point whose ring_face is f */
 };
 
 static void measure_face(const struct hatch_surface *surface, uint32_t face, struct corners *of,
@@ -48,21 +47,20 @@ static uint32_t corner_of(const struct hatch_surface *surface, uint32_t face, ui
 }
 
 static enum hatch_status measure_corners(const struct hatch_surface *surface, struct hatch_arena *scratch,
-                                         struct corners *of, double *area, struct hatch_err *err)
+                                         struct corners *of, struct hatch_frames *frames, struct hatch_err *err)
 {
     size_t count = (size_t)surface->face_count * 3;
     of->angle = HATCH_NEW(scratch, double, count, err);
     of->cot = of->angle ? HATCH_NEW(scratch, double, count, err) : NULL;
     of->normal = of->cot ? HATCH_NEW(scratch, double, count, err) : NULL;
-    of->entry = of->normal ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    if (!of->entry)
+    if (!of->normal)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++)
-        measure_face(surface, f, of, area);
+        measure_face(surface, f, of, frames->area);
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++)
             if (surface->ring_face[i] != HATCH_NO_SIDE)
-                of->entry[corner_of(surface, surface->ring_face[i], p)] = i;
+                frames->entry[corner_of(surface, surface->ring_face[i], p)] = i;
     return HATCH_OK;
 }
 
@@ -120,13 +118,13 @@ static void fit_axis(const struct hatch_surface *surface, uint32_t point, struct
 }
 
 /* The entry of the same edge in the neighbour's ring: found through a face that both rings hold. */
-static uint32_t find_mate(const struct hatch_surface *surface, const struct corners *of, uint32_t point,
-                          uint32_t i)
+static uint32_t find_mate(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                          uint32_t point, uint32_t i)
 {
     uint32_t q = surface->ring_point[i], face = surface->ring_face[i];
     if (face == HATCH_NO_SIDE)
         face = surface->ring_face[i - 1];
-    uint32_t mate = of->entry[corner_of(surface, face, q)];
+    uint32_t mate = frames->entry[corner_of(surface, face, q)];
     if (surface->ring_point[mate] == point)
         return mate;
     return mate + 1 < surface->ring_first[q + 1] ? mate + 1 : surface->ring_first[q];
@@ -161,7 +159,7 @@ static void join_entries(const struct hatch_surface *surface, const struct corne
 {
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
-            uint32_t mate = find_mate(surface, of, p, i);
+            uint32_t mate = find_mate(surface, frames, p, i);
             double here = frames->angle_rad[i], there = frames->angle_rad[mate];
             frames->mate[i] = mate;
             frames->turn_rad[i] =
@@ -180,7 +178,8 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     frames->turn_rad = frames->angle_rad ? HATCH_NEW(arena, double, entries, err) : NULL;
     frames->weight = frames->turn_rad ? HATCH_NEW(arena, double, entries, err) : NULL;
     frames->mate = frames->weight ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
-    frames->area = frames->mate ? HATCH_NEW(arena, double, points, err) : NULL;
+    frames->entry = frames->mate ? HATCH_NEW(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
+    frames->area = frames->entry ? HATCH_NEW(arena, double, points, err) : NULL;
     return frames->area ? HATCH_OK : HATCH_LIMIT;
 }
 
@@ -192,7 +191,7 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
     struct corners of = {0};
     HATCH_TRY(allocate(surface, arena, &made, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = measure_corners(surface, scratch, &of, made.area, err);
+    enum hatch_status status = measure_corners(surface, scratch, &of, &made, err);
     if (status == HATCH_OK) {
         for (uint32_t p = 0; p < surface->point_count; p++) {
             measure_ring(surface, &of, p, &made);
@@ -221,4 +220,11 @@ void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, d
     hatch_vec_cross(&frames->normal[(size_t)point * 3], axis, side);
     for (int i = 0; i < 3; i++)
         direction[i] = c * axis[i] + s * side[i];
+}
+
+double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                           uint32_t point, uint32_t i)
+{
+    uint32_t next = i + 1 < surface->ring_first[point + 1] ? i + 1 : surface->ring_first[point];
+    return frames->angle_rad[next] - frames->angle_rad[i] + (next > i ? 0 : TURN);
 }

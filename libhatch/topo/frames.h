@@ -17,6 +17,7 @@ struct hatch_frames {
                           ends */
     double *area;      /* per point: a third of its faces' */
     uint32_t *mate;    /* per ring entry: the same edge's entry in the ring at its other end */
+    uint32_t *entry;   /* per corner 3 * f + c: the entry of the corner's point whose ring_face is f */
 };
 
 enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
@@ -28,5 +29,9 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
 double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3]);
 void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,
                             double direction[3]);
+
+/* The scaled angle of ring entry i's face at the point. i: an entry of the point's that has a face. */
+double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                           uint32_t point, uint32_t i);
 
 #endif
