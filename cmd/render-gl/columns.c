@@ -47,8 +47,8 @@ static enum hatch_status upload_six(const struct hatch_tam *map, struct hatch_ar
             uint8_t *texels = HATCH_NEW(scratch, uint8_t, 4 * count, err);
             if (!texels)
                 return HATCH_LIMIT;
-            for (uint32_t c = 0; c < 3 && 3 * half + c < columns->count; c++) {
-                uint32_t column = chosen_column(columns, 3 * half + c);
+            for (uint32_t c = 0; c < 4 && 2 * half + c < columns->count; c++) {
+                uint32_t column = chosen_column(columns, 2 * half + c);
                 const struct hatch_image *image = &map->columns[column].levels[level];
                 for (size_t i = 0; i < count; i++)
                     texels[4 * i + c] = ink_of(image, i, 3, map->color);

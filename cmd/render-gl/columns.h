@@ -9,7 +9,7 @@
 
 enum columns_form {
     COLUMNS_NONE,  /* the technique draws tone alone */
-    COLUMNS_SIX,   /* six grey columns in the red, green and blue of two layers */
+    COLUMNS_SIX,   /* six grey columns: the first four in a layer, the last four in another */
     COLUMNS_ARRAY  /* every column a layer, grey or coloured */
 };
 

@@ -4,9 +4,10 @@
 layout(binding = 0) uniform sampler2DArray columns;
 
 vec2 column_place;
-float column_level;
 
 #ifdef ANISOTROPIC
+vec2 column_x, column_y;
+
 // Where a pixel covers more tiles than this, along any side of it, no stroke shows: only the mean of the
 // tile is left, the coarsest level. The driver's filter would take samples by the thousand there.
 const float TILES_MAX = 8.0;
@@ -15,20 +16,22 @@ void aim(vec2 texcoord)
 {
     vec2 tiles = fwidth(texcoord);
     bool far = !(max(tiles.x, tiles.y) <= TILES_MAX);
-    column_place = far ? vec2(0.0) : texcoord;
-    column_level = far ? 32.0 : -1.0; // the filter finds the level itself
+    column_place = texcoord;
+    column_x = far ? vec2(1.0, 0.0) : dFdx(texcoord);
+    column_y = far ? vec2(0.0, 1.0) : dFdy(texcoord);
 }
 
-vec3 read_columns(float layer)
+vec4 read_columns(float layer)
 {
-    vec3 near_texel = texture(columns, vec3(column_place, layer)).rgb;
-    return column_level < 0.0 ? near_texel : textureLod(columns, vec3(column_place, layer), 32.0).rgb;
+    return textureGrad(columns, vec3(column_place, layer), column_x, column_y);
 }
 #else
 // Strokes keep their width in pixels whatever the number of samples a pixel: the level goes by the
 // pixel's footprint, not by the sample's. But where a pixel has several samples they see apart what lies
 // along the footprint's longer axis, so that half of it counts there: anisotropic filtering by the ratio
 // of two that costs nothing, and that is the same for every number of samples.
+float column_level;
+
 void aim(vec2 texcoord)
 {
     vec2 size = vec2(textureSize(columns, 0).xy);
@@ -39,8 +42,8 @@ void aim(vec2 texcoord)
     column_level = 0.5 * log2(max(longer / min(curve.w, 4.0), shorter) * curve.w);
 }
 
-vec3 read_columns(float layer)
+vec4 read_columns(float layer)
 {
-    return textureLod(columns, vec3(column_place, layer), column_level).rgb;
+    return textureLod(columns, vec3(column_place, layer), column_level);
 }
 #endif

@@ -4,7 +4,7 @@
 
 vec3 column(float index)
 {
-    vec3 texel = read_columns(max(index - 1.0, 0.0));
+    vec3 texel = read_columns(max(index - 1.0, 0.0)).rgb;
     return index < 0.5 ? vec3(0.0) : texel;
 }
 

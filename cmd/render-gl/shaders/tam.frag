@@ -1,4 +1,5 @@
-// Two texture reads and two dot products an ink. Texels are ink: what no column covers stays paper.
+// A texture read, or two, and as many dot products an ink. Texels are ink: what no column covers stays
+// paper.
 #include "light.glsl"
 #include "ramp.glsl"
 #include "inks.glsl"
@@ -25,21 +26,44 @@ float finish(float coverage)
 #endif
 }
 
+// The first layer holds columns 1 to 4, the second 3 to 6, so that two neighbours are always together:
+// nearly all samples need one layer alone. A loop, because software renderers run both sides of an `if`,
+// but a loop no longer than some sample goes on.
+vec2 blend(vec3 dark_first, vec3 dark_second, vec3 light_first, vec3 light_second)
+{
+    vec2 pale = dark_first.xy + light_first.xy, deep = dark_second.yz + light_second.yz;
+    float last = deep.x + deep.y > 0.0 ? 1.0 : 0.0;
+    float layer = pale.x + pale.y > 0.0 ? 0.0 : last;
+    vec4 dark = layer == 0.0 ? vec4(dark_first, dark_second.x) : vec4(dark_first.z, dark_second);
+    vec4 light = layer == 0.0 ? vec4(light_first, light_second.x) : vec4(light_first.z, light_second);
+    vec2 sum = vec2(0.0);
+    for (;;) {
+        vec4 texel = read_columns(layer);
+        sum += vec2(dot(texel, dark), dot(texel, light));
+        if (layer == last)
+            break;
+        layer = last;
+        dark = vec4(0.0, 0.0, dark_second.yz);
+        light = vec4(0.0, 0.0, light_second.yz);
+    }
+    return sum;
+}
+
 void main()
 {
     aim(v_texcoord);
-    vec3 first = read_columns(0.0), second = read_columns(1.0);
+    base_holes();
 #ifdef BASE_TONE
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
     vec2 amounts = ink_amounts(v_light * base_light());
     column_weights(amounts.x, v_dark_first, v_dark_second);
     column_weights(amounts.y, v_light_first, v_light_second);
 #endif
-    base_holes();
-    float dark = finish(dot(first, v_dark_first) + dot(second, v_dark_second));
-    float light = 0.0;
 #ifdef TWO_INKS
-    light = finish(dot(first, v_light_first) + dot(second, v_light_second));
+    vec2 ink = blend(v_dark_first, v_dark_second, v_light_first, v_light_second);
+    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(finish(ink.y))), 1.0);
+#else
+    vec2 ink = blend(v_dark_first, v_dark_second, vec3(0.0), vec3(0.0));
+    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(0.0)), 1.0);
 #endif
-    o_color = vec4(ink_on_paper(vec3(dark), vec3(light)), 1.0);
 }
