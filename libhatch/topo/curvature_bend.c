@@ -1,0 +1,114 @@
+#include "topo/curvature_bend.h"
+
+#include "math/vector.h"
+
+#define PI 3.14159265358979323846
+
+static void add_product(double scale, const double a[3], const double b[3], double matrix[6])
+{
+    static const int row[6] = {0, 0, 0, 1, 1, 2}, column[6] = {0, 1, 2, 1, 2, 2};
+    for (int i = 0; i < 6; i++)
+        matrix[i] += scale * (a[row[i]] * b[column[i]] + a[column[i]] * b[row[i]]) / 2;
+}
+
+/* The second fundamental form in the orthonormal basis that Gram and Schmidt make of the two tangents. A normal
+ * that the surface bends away from sees it fall: hence the signs. */
+void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
+                       uint32_t degree, double x, double y, struct hatch_bend *bend)
+{
+    struct hatch_jet_point at;
+    hatch_jet_at(coefficients, degree, x, y, &at);
+    double square = 1 + at.fx * at.fx, length = sqrt(square);
+    double slope = sqrt(square + at.fy * at.fy), skew = at.fx * at.fy / square;
+    double first[3], second[3];
+    for (int i = 0; i < 3; i++) {
+        double along = frame->axes[0][i] + at.fx * frame->axes[2][i];
+        double other = frame->axes[1][i] + at.fy * frame->axes[2][i];
+        first[i] = along / length;
+        second[i] = (other - skew * along) * length / slope;
+    }
+    double unit = -1 / (frame->radius * slope);
+    double a = unit * at.fxx / square;
+    double b = unit * (at.fxy - skew * at.fxx) / slope;
+    double c = unit * (at.fyy - 2 * skew * at.fxy + skew * skew * at.fxx) * square / (slope * slope);
+    *bend = (struct hatch_bend){.matrix = {0}};
+    hatch_vec_cross(first, second, bend->normal);
+    add_product(a, first, first, bend->matrix);
+    add_product(2 * b, first, second, bend->matrix);
+    add_product(c, second, second, bend->matrix);
+}
+
+static double form(const double matrix[6], const double a[3], const double b[3])
+{
+    return matrix[0] * a[0] * b[0] + matrix[3] * a[1] * b[1] + matrix[5] * a[2] * b[2] +
+           matrix[1] * (a[0] * b[1] + a[1] * b[0]) + matrix[2] * (a[0] * b[2] + a[2] * b[0]) +
+           matrix[4] * (a[1] * b[2] + a[2] * b[1]);
+}
+
+void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal *principal)
+{
+    double s[3], t[3];
+    hatch_vec_any_orthogonal(bend->normal, s);
+    hatch_vec_cross(bend->normal, s, t);
+    double a = form(bend->matrix, s, s), b = form(bend->matrix, s, t), c = form(bend->matrix, t, t);
+    double middle = (a + c) / 2, spread = hypot((a - c) / 2, b), sign = middle < 0 ? -1 : 1;
+    principal->value[0] = middle + sign * spread;
+    principal->value[1] = middle - sign * spread;
+    /* The eigenvector of a + sign * spread, by the longer of its two formulas. */
+    double half = sign * (a - c) / 2, across = sign * b;
+    double u = half >= 0 ? spread + half : across, v = half >= 0 ? across : spread - half;
+    double length = hypot(u, v);
+    u = length > 0 ? u / length : 1;
+    v = length > 0 ? v / length : 0;
+    for (int i = 0; i < 3; i++)
+        principal->direction[i] = u * s[i] + v * t[i];
+    hatch_vec_normalize(principal->direction);
+}
+
+void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
+                                const struct hatch_jet_system *system, uint32_t degree, double x,
+                                double y, const double direction[3],
+                                struct hatch_bend_variance *variance)
+{
+    double c = hatch_vec_dot(direction, frame->axes[0]), s = hatch_vec_dot(direction, frame->axes[1]);
+    double length = hypot(c, s), functional[HATCH_JET_TERMS];
+    c = length > 0 ? c / length : 1;
+    s = length > 0 ? s / length : 0;
+    double unit = 1 / (frame->radius * frame->radius);
+    unit *= unit;
+    hatch_jet_second(degree, x, y, -c * s, c * c - s * s, c * s, functional);
+    variance->across = unit * hatch_jet_variance(system, degree, functional);
+    hatch_jet_second(degree, x, y, 0.5, 0, 0.5, functional);
+    variance->mean = unit * hatch_jet_variance(system, degree, functional);
+}
+
+double hatch_bend_deviation(const struct hatch_principal *principal,
+                            const struct hatch_bend_variance *variance, double noise)
+{
+    double spread = fabs(principal->value[0] - principal->value[1]);
+    double mean = fabs(principal->value[0] + principal->value[1]) / 2;
+    if (!(spread > 0) || !(mean > 0))
+        return PI / 4;
+    double own = noise * sqrt(variance->across) / spread;
+    double wrong = noise > 0 ? erfc(mean / (noise * sqrt(2 * variance->mean))) / 2 : 0;
+    double both = sqrt(own * own + wrong * PI * PI / 4);
+    return both < PI / 4 ? both : PI / 4;
+}
+
+/* A direction known to this many radians has half the weight of one that is known exactly. */
+#define DEVIATION_HALF 0.02
+/* One known no better than this has none. */
+#define DEVIATION_NONE 0.5
+/* The anisotropy at which a direction that is known exactly has half the weight. */
+#define ANISOTROPY_HALF 0.1
+
+double hatch_bend_confidence(const struct hatch_principal *principal, double deviation_rad)
+{
+    double first = fabs(principal->value[0]), second = fabs(principal->value[1]);
+    if (!(first > 0) || !(deviation_rad < DEVIATION_NONE))
+        return 0;
+    double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
+    double deviation = deviation_rad / DEVIATION_HALF, rest = deviation_rad / DEVIATION_NONE;
+    anisotropy *= anisotropy;
+    return anisotropy / (1 + anisotropy) * (1 - rest * rest) / (1 + deviation * deviation);
+}

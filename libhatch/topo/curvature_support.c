@@ -1,0 +1,83 @@
+#include "topo/curvature_support.h"
+
+#include "math/vector.h"
+
+#define LEAN_COSINE_MIN 0.2
+
+enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
+                                     struct hatch_arena *arena, struct hatch_support *support,
+                                     struct hatch_err *err)
+{
+    size_t points = surface->point_count;
+    struct hatch_support made = {.surface = surface, .normals = normals};
+    made.seen = HATCH_NEW(arena, uint32_t, points, err);
+    made.points = made.seen ? HATCH_NEW(arena, uint32_t, points, err) : NULL;
+    made.sides = made.points ? HATCH_NEW(arena, int8_t, points, err) : NULL;
+    made.offsets = made.sides ? HATCH_NEW(arena, double, points * 3, err) : NULL;
+    if (!made.offsets)
+        return HATCH_LIMIT;
+    *support = made;
+    return HATCH_OK;
+}
+
+static void push(struct hatch_support *support, uint32_t point, int side, const double offset[3])
+{
+    support->points[support->count] = point;
+    support->sides[support->count] = (int8_t)side;
+    hatch_vec_copy(offset, &support->offsets[(size_t)support->count * 3]);
+    support->count++;
+}
+
+void hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
+                          double radius)
+{
+    const struct hatch_surface *surface = support->surface;
+    const double *origin = &surface->points[(size_t)middle * 3];
+    double square = radius * radius;
+    uint32_t walk = ++support->walk;
+    support->count = 0;
+    support->seen[middle] = walk;
+    push(support, middle, 1, (const double[3]){0, 0, 0});
+    for (uint32_t next = 0; next < support->count; next++) {
+        uint32_t p = support->points[next];
+        for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
+            uint32_t q = surface->ring_point[i];
+            if (support->seen[q] == walk)
+                continue;
+            support->seen[q] = walk;
+            double offset[3];
+            hatch_vec_sub(&surface->points[(size_t)q * 3], origin, offset);
+            if (hatch_vec_dot(offset, offset) > square)
+                continue;
+            int side = surface->ring_turned[i] ? -support->sides[next] : support->sides[next];
+            if (hatch_vec_dot(&support->normals[(size_t)q * 3], normal) * side < LEAN_COSINE_MIN)
+                continue;
+            push(support, q, side, offset);
+        }
+    }
+}
+
+#define BLOCK 32u
+
+void hatch_support_sums(const struct hatch_support *support, const double normal[3], double radius,
+                        struct hatch_jet_frame *frame, struct hatch_jet_sums *sums)
+{
+    const double *origin = &support->surface->points[(size_t)support->points[0] * 3];
+    hatch_vec_copy(origin, frame->origin);
+    hatch_vec_copy(normal, frame->axes[2]);
+    hatch_vec_any_orthogonal(normal, frame->axes[0]);
+    hatch_vec_cross(normal, frame->axes[0], frame->axes[1]);
+    frame->radius = radius;
+    *sums = (struct hatch_jet_sums){.count = 0};
+    double scaled[3][3], local[3][BLOCK];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            scaled[i][k] = frame->axes[i][k] / radius;
+    for (uint32_t n = 0; n < support->count; n += BLOCK) {
+        uint32_t some = support->count - n < BLOCK ? support->count - n : BLOCK;
+        for (uint32_t k = 0; k < some; k++)
+            for (int i = 0; i < 3; i++)
+                local[i][k] = hatch_vec_dot(&support->offsets[(size_t)(n + k) * 3], scaled[i]);
+        hatch_jet_add(sums, some, local[0], local[1], local[2]);
+    }
+}

@@ -1,0 +1,35 @@
+/* Private to the curvature: the points around a point, and a fit through them. */
+#ifndef HATCH_TOPO_CURVATURE_SUPPORT_H
+#define HATCH_TOPO_CURVATURE_SUPPORT_H
+
+#include "topo/curvature_jet.h"
+#include "topo/surface.h"
+
+/* What one thread needs to walk over a surface. normals: 3 a point, each for the side that its ring takes
+ * for outside. */
+struct hatch_support {
+    const struct hatch_surface *surface;
+    const double *normals;
+    uint32_t *seen;   /* per point: the number of the last walk that met it */
+    uint32_t walk;
+    uint32_t count;
+    uint32_t *points; /* those met, nearest rings first; the first is the middle */
+    int8_t *sides;    /* 1, or -1 where the point's outside is not that of the middle */
+    double *offsets;  /* 3 each: from the middle */
+};
+
+/* surface and normals stay the caller's. */
+enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
+                                     struct hatch_arena *arena, struct hatch_support *support,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
+/* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals lean
+ * away from the given one by less than 78°: not through the air to the other side of a thin part. */
+void hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
+                          double radius);
+
+/* The frame at the middle of the points gathered, and the sums of all of them in it. normal: unit. */
+void hatch_support_sums(const struct hatch_support *support, const double normal[3], double radius,
+                        struct hatch_jet_frame *frame, struct hatch_jet_sums *sums);
+
+#endif
