@@ -10,7 +10,8 @@ struct hatch_outline {
     double feather;      /* width of the ramp from opacity 1 to 0, in mask coordinates */
     double core_min;     /* radius of the largest circle around the middle at opacity 1 */
     double reach_max;    /* radius of the smallest circle around it outside of which opacity is 0 */
-    double wave[8][2];   /* cosine and sine coefficients of the border's radius over the angle */
+    double wave[8][2];   /* cosine and sine coefficients of the core's radius over the angle; [0]: its mean */
+    double steep;        /* how many times a radial distance to a border may be the true one, at most; 1 .. */
 };
 
 /* roughness: 0 (a circle) .. 1; feather: 0.01 .. 0.3. */
@@ -22,6 +23,13 @@ double hatch_outline_opacity(const struct hatch_outline *outline, const double p
 /* A signed lower bound of the distance to the core's border, in mask coordinates: over 0 inside.
  */
 double hatch_outline_depth(const struct hatch_outline *outline, const double place[2]);
+
+/* A lower bound of the distance to where opacity is over 0, in mask coordinates; 0 or less there. */
+double hatch_outline_distance(const struct hatch_outline *outline, const double place[2]);
+
+/* The share of itself to which the outline must shrink around its middle to leave a place outside:
+ * over 1 where it is outside already. */
+double hatch_outline_share(const struct hatch_outline *outline, const double place[2]);
 
 /* The mask as an image of one channel "Y", side_px square, rows from the top (v = 0): what is
  * drawn with. A texel is 1 where its bilinear footprint, here and on the next two mip levels,

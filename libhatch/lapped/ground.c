@@ -1,0 +1,170 @@
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "lapped/work.h"
+#include "math/vector.h"
+#include "mesh/edges.h"
+
+/* Faces that one task measures. */
+#define SLICE 4096u
+/* Rounds in which roughness is shared with neighbours: it should speak of a patch, not of a face. */
+#define BLUR_ROUNDS 4
+/* Chosen size: diameter over the diagonal, and the faces that a patch should at least have. */
+#define SIZE_CHOSEN 0.10
+#define FACES_WANTED 150.0
+/* The disk that a patch shows, over its square's radius. */
+#define SHOWN 0.75
+/* How strongly `curved` counts, and the smallest share of its size that it leaves a patch. */
+#define CURVED_GAIN 1.0
+#define CURVED_MIN 0.25
+
+struct measure {
+    struct hatch_ground *ground;
+    const struct hatch_frames *frames;
+    const double *direction;
+    double *area; /* per face */
+};
+
+static double square(double x)
+{
+    return x * x;
+}
+
+/* How fast the normals turn along a face's sides: mean square, per length. */
+static double normals_turn(const struct measure *of, uint32_t face)
+{
+    const struct hatch_surface *surface = of->ground->surface;
+    const uint32_t *corner = &surface->corners[(size_t)face * 3];
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        const double *a = &of->frames->normal[(size_t)corner[c] * 3];
+        const double *b = &of->frames->normal[(size_t)corner[(c + 1) % 3] * 3];
+        double length = hatch_vec_distance(&surface->points[(size_t)corner[c] * 3],
+                                           &surface->points[(size_t)corner[(c + 1) % 3] * 3]);
+        /* The rings of the two points may look to different sides. */
+        double dot = fmin(1, fabs(hatch_vec_dot(a, b)));
+        sum += (2 - 2 * dot) / square(length);
+    }
+    return sum / 3;
+}
+
+static void measure_face(const struct measure *of, uint32_t face)
+{
+    struct hatch_ground *ground = of->ground;
+    const struct hatch_surface *surface = ground->surface;
+    const uint32_t *corner = &surface->corners[(size_t)face * 3];
+    const double *at[3];
+    for (int c = 0; c < 3; c++)
+        at[c] = &surface->points[(size_t)corner[c] * 3];
+    double line[3], across[3], normal[3], spread;
+    hatch_field_face(surface, of->frames, of->direction, face, line, &spread);
+    hatch_vec_triangle(at[0], at[1], at[2], normal);
+    of->area[face] = hatch_vec_normalize(normal) / 2;
+    hatch_vec_cross(normal, line, across);
+    for (int c = 1; c < 3; c++) {
+        double side[3];
+        hatch_vec_sub(at[c], at[0], side);
+        ground->flat[(size_t)face * 4 + (size_t)(2 * c - 2)] = hatch_vec_dot(side, line);
+        ground->flat[(size_t)face * 4 + (size_t)(2 * c - 1)] = hatch_vec_dot(side, across);
+    }
+    ground->singular[face] = hatch_field_face_index(surface, of->frames, of->direction, face) != 0;
+    ground->rough[face] = normals_turn(of, face) + square(sin(spread)) / of->area[face];
+}
+
+static void measure_slice(void *context, uint32_t slice)
+{
+    const struct measure *of = context;
+    uint32_t count = of->ground->surface->face_count, first = slice * SLICE;
+    for (uint32_t f = first; f < count && f < first + SLICE; f++)
+        measure_face(of, f);
+}
+
+/* Shares values among the faces around each point, weighed by area. sum: two a point. */
+static void blur(const struct hatch_surface *surface, const double *area, double *value, double *sum)
+{
+    memset(sum, 0, (size_t)surface->point_count * 2 * sizeof *sum);
+    size_t count = (size_t)surface->face_count * 3;
+    for (size_t i = 0; i < count; i++) {
+        sum[2 * surface->corners[i]] += area[i / 3] * value[i / 3];
+        sum[2 * surface->corners[i] + 1] += area[i / 3];
+    }
+    for (uint32_t f = 0; f < surface->face_count; f++) {
+        double mean = 0;
+        for (size_t c = 0; c < 3; c++) {
+            uint32_t point = surface->corners[(size_t)f * 3 + c];
+            mean += sum[2 * point] / sum[2 * point + 1];
+        }
+        value[f] = mean / 3;
+    }
+}
+
+/* Diagonal of the box around the whole mesh, in its units. */
+static double diagonal_of(const struct hatch_surface *surface)
+{
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, at[3];
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        hatch_surface_position(surface, p, at);
+        for (int i = 0; i < 3; i++) {
+            low[i] = fmin(low[i], at[i]);
+            high[i] = fmax(high[i], at[i]);
+        }
+    }
+    return hatch_vec_distance(low, high);
+}
+
+static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_options *options,
+                         const double *area)
+{
+    const struct hatch_surface *surface = ground->surface;
+    double diagonal = diagonal_of(surface);
+    double share = options->size > 0 ? options->size : SIZE_CHOSEN;
+    for (uint32_t c = 0; c < surface->component_count; c++) {
+        const struct hatch_component *component = &surface->components[c];
+        double whole = share * diagonal / component->scale / 2;
+        for (uint32_t i = 0; i < component->face_count; i++) {
+            uint32_t f = component->first_face + i;
+            double bend = options->curved * CURVED_GAIN * ground->rough[f] * whole;
+            double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + bend * bend));
+            if (options->size == 0)
+                radius = fmax(radius, sqrt(FACES_WANTED * area[f] / 3.14159265358979) / SHOWN);
+            ground->wish[f] = radius;
+        }
+    }
+}
+
+enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                    const double *direction, const struct hatch_lapped_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_ground *ground,
+                                    struct hatch_err *err)
+{
+    uint32_t count = surface->face_count;
+    struct hatch_ground made = {.surface = surface};
+    made.flat = HATCH_NEW(arena, double, (size_t)count * 4, err);
+    made.rough = made.flat ? HATCH_NEW(arena, double, count, err) : NULL;
+    made.wish = made.rough ? HATCH_NEW(arena, double, count, err) : NULL;
+    made.singular = made.wish ? HATCH_NEW(arena, uint8_t, count, err) : NULL;
+    if (!made.singular)
+        return HATCH_LIMIT;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    double *area = HATCH_NEW(scratch, double, count, err);
+    double *sum = area ? HATCH_NEW(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
+    if (sum) {
+        struct measure of = {&made, frames, direction, area};
+        hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, measure_slice, &of);
+        double *wide = made.wish;
+        memcpy(wide, area, count * sizeof *area);
+        for (int i = 0; i < BLUR_ROUNDS; i++) {
+            blur(surface, area, made.rough, sum);
+            blur(surface, area, wide, sum);
+        }
+        for (uint32_t f = 0; f < count; f++)
+            made.rough[f] = sqrt(made.rough[f]);
+        memcpy(area, wide, count * sizeof *area);
+        choose_radii(&made, options, area);
+        *ground = made;
+    }
+    hatch_arena_rewind(scratch, mark);
+    return sum ? HATCH_OK : HATCH_LIMIT;
+}

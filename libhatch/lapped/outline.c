@@ -1,0 +1,175 @@
+#include "lapped/outline.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/random.h"
+
+#define WAVES 8
+/* What the mask's border texels need to stay 0 under filtering. */
+#define REACH 0.48
+/* How deep the dents of the roughest outline are, as a share of its radius. */
+#define DENT 0.22
+/* Directions at which the border is measured, on half a turn. */
+#define SAMPLES 512
+
+/* The wave in a direction: powers of a complex number of length 1 instead of the angle, so that the
+ * result has the same bits on every machine. */
+static double wave_at(const struct hatch_outline *outline, double cosine, double sine)
+{
+    double sum = outline->wave[0][0], re = 1, im = 0;
+    for (int k = 1; k < WAVES; k++) {
+        double next = re * cosine - im * sine;
+        im = re * sine + im * cosine;
+        re = next;
+        sum += outline->wave[k][0] * re + outline->wave[k][1] * im;
+    }
+    return sum;
+}
+
+/* Steepest change of the radius over the angle. */
+static double slope_of(const struct hatch_outline *outline)
+{
+    double slope = 0;
+    for (int k = 1; k < WAVES; k++)
+        slope += k * sqrt(outline->wave[k][0] * outline->wave[k][0] +
+                          outline->wave[k][1] * outline->wave[k][1]);
+    return slope;
+}
+
+/* Bounds of the radius over all directions: the sampled ones, and what may lie between. */
+static void measure(const struct hatch_outline *outline, double bounds[2])
+{
+    bounds[0] = HUGE_VAL;
+    bounds[1] = -HUGE_VAL;
+    for (int i = 0; i <= 2 * SAMPLES; i++) {
+        double t = (double)(i % (SAMPLES + 1)) * 2 / SAMPLES - 1, side = i > SAMPLES ? -1 : 1;
+        double cosine = side * (1 - t * t) / (1 + t * t), sine = side * 2 * t / (1 + t * t);
+        double radius = wave_at(outline, cosine, sine);
+        bounds[0] = fmin(bounds[0], radius);
+        bounds[1] = fmax(bounds[1], radius);
+    }
+    double between = slope_of(outline) * 2 / SAMPLES;
+    bounds[0] -= between;
+    bounds[1] += between;
+}
+
+void hatch_outline_make(uint64_t seed, double roughness, double feather, struct hatch_outline *outline)
+{
+    assert(roughness >= 0 && roughness <= 1 && feather >= 0.01 && feather <= 0.3);
+    *outline = (struct hatch_outline){.feather = feather};
+    /* A first wave would only move the blob. */
+    for (uint64_t k = 2; k < WAVES; k++)
+        for (uint64_t i = 0; i < 2; i++)
+            outline->wave[k][i] = (2 * (double)hatch_random_unit(seed, k, i) - 1) / (double)k;
+    double bounds[2];
+    measure(outline, bounds);
+    double core_max = REACH - feather;
+    double dent = roughness * DENT * core_max / (bounds[1] - bounds[0]);
+    for (int k = 2; k < WAVES; k++)
+        for (int i = 0; i < 2; i++)
+            outline->wave[k][i] *= dent;
+    outline->wave[0][0] = core_max - dent * bounds[1];
+    measure(outline, bounds);
+    outline->core_min = bounds[0];
+    outline->reach_max = bounds[1] + feather;
+    /* See hatch_outline_depth: straight ways that come nearer to the middle than this are long enough. */
+    double inner = outline->core_min - (bounds[1] - bounds[0]) / 2;
+    double slope = slope_of(outline) / inner;
+    outline->steep = sqrt(1 + slope * slope);
+}
+
+/* Distance from the middle, and the core's radius in that direction. */
+static double polar(const struct hatch_outline *outline, const double place[2], double *radius)
+{
+    double x = place[0] - 0.5, y = place[1] - 0.5;
+    double distance = sqrt(x * x + y * y);
+    *radius = distance > 0 ? wave_at(outline, x / distance, y / distance) : outline->core_min;
+    return distance;
+}
+
+double hatch_outline_opacity(const struct hatch_outline *outline, const double place[2])
+{
+    double radius, distance = polar(outline, place, &radius);
+    return fmin(1, fmax(0, 1 - (distance - radius) / outline->feather));
+}
+
+/* On a straight way that stays outside the circle of radius `inner` the radius minus the border's
+ * changes no faster than `steep`; a way to the border that enters it is at least as long as twice
+ * what inner is short of core_min, which is what the border's radii differ by. */
+double hatch_outline_depth(const struct hatch_outline *outline, const double place[2])
+{
+    double radius, distance = polar(outline, place, &radius);
+    double depth = radius - distance;
+    if (depth <= 0)
+        return depth;
+    double spread = outline->reach_max - outline->feather - outline->core_min;
+    double inner = outline->core_min - spread / 2;
+    double through = fmax(0, distance - inner) + spread / 2;
+    return fmax(outline->core_min - distance, fmin(depth / outline->steep, through));
+}
+
+double hatch_outline_distance(const struct hatch_outline *outline, const double place[2])
+{
+    double x = place[0] - 0.5, y = place[1] - 0.5;
+    double outside = sqrt(x * x + y * y) - outline->reach_max;
+    if (outside >= outline->feather)
+        return outside;
+    double radius, distance = polar(outline, place, &radius);
+    double past = distance - radius - outline->feather;
+    return past <= 0 ? past : fmax(outside, past / outline->steep);
+}
+
+double hatch_outline_share(const struct hatch_outline *outline, const double place[2])
+{
+    double radius, distance = polar(outline, place, &radius);
+    return distance / (radius + outline->feather);
+}
+
+/* How far, in texels of the finest level, a bilinear read two levels down sees: its four texels are
+ * 4 wide. */
+#define SEEN_PX 6.5
+
+/* Whether the core comes into the square of that half side around a place: asked at 25 places, none
+ * of whose squares is farther from its middle than .36 of it. */
+static bool square_meets_core(const struct hatch_outline *outline, const double place[2], double seen)
+{
+    double depth = hatch_outline_depth(outline, place);
+    if (depth >= 0 || -depth > 1.5 * seen * outline->steep)
+        return depth >= 0;
+    for (int i = 0; i < 25; i++) {
+        double at[2] = {place[0] + seen * (i % 5 - 2) / 2, place[1] + seen * (i / 5 - 2) / 2};
+        if (hatch_outline_depth(outline, at) >= -0.36 * seen * outline->steep)
+            return true;
+    }
+    return false;
+}
+
+static float texel(const struct hatch_outline *outline, double seen, const double place[2])
+{
+    if (square_meets_core(outline, place, seen))
+        return 1;
+    double radius, distance = polar(outline, place, &radius);
+    double begin = fmin(1.42 * seen, outline->feather * 0.75);
+    double ramp = 1 - (distance - radius - begin) / (outline->feather - begin);
+    return (float)fmin(1, fmax(0, ramp));
+}
+
+enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px,
+                                       struct hatch_arena *arena, struct hatch_image *mask,
+                                       struct hatch_err *err)
+{
+    assert(side_px >= 8);
+    struct hatch_image made;
+    HATCH_TRY(hatch_image_make(arena, side_px, side_px, "Y", &made, err));
+    double seen = SEEN_PX / side_px;
+    for (uint32_t y = 1; y + 1 < side_px; y++) {
+        for (uint32_t x = 1; x + 1 < side_px; x++) {
+            double place[2] = {(x + 0.5) / side_px, (y + 0.5) / side_px};
+            made.pixels[y * side_px + x] = texel(outline, seen, place);
+        }
+    }
+    *mask = made;
+    return HATCH_OK;
+}

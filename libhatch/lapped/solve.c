@@ -1,0 +1,203 @@
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lapped/work.h"
+
+/* How much more a turning of the strokes costs than a stretch along or between them. */
+#define TURN_WEIGHT 1.0
+/* Weight of a face that is not asked to follow the field. */
+#define FREE_WEIGHT 1e-3
+
+static int compare(const void *a, const void *b)
+{
+    const struct hatch_heap_item *x = a, *y = b;
+    if (x->key != y->key)
+        return x->key < y->key ? -1 : 1;
+    return x->id < y->id ? -1 : x->id > y->id;
+}
+
+static enum hatch_status make_room(struct hatch_solver *of, uint32_t count, struct hatch_err *err)
+{
+    void *array = of->order;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->order_room, count, sizeof *of->order, err));
+    of->order = array;
+    array = of->rank;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->rank_room, count, sizeof *of->rank, err));
+    of->rank = array;
+    array = of->first;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->first_room, count, sizeof *of->first, err));
+    of->first = array;
+    array = of->start;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->start_room, count, sizeof *of->start, err));
+    of->start = array;
+    for (int i = 0; i < 2; i++) {
+        array = of->right[i];
+        HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->right_room[i], count, sizeof *of->right[i], err));
+        of->right[i] = array;
+    }
+    return HATCH_OK;
+}
+
+/* Numbers the vertices by a sweep along the longer axis: the envelope is then about as wide as the
+ * patch is across. */
+static void sweep(struct hatch_solver *of, const struct hatch_patch *patch)
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (uint32_t v = 0; v < patch->vertex_count; v++) {
+        for (int i = 0; i < 2; i++) {
+            low[i] = fmin(low[i], patch->place[2 * v + (uint32_t)i]);
+            high[i] = fmax(high[i], patch->place[2 * v + (uint32_t)i]);
+        }
+    }
+    uint32_t axis = high[1] - low[1] > high[0] - low[0];
+    for (uint32_t v = 0; v < patch->vertex_count; v++)
+        of->order[v] = (struct hatch_heap_item){patch->place[2 * v + axis], v};
+    qsort(of->order, patch->vertex_count, sizeof *of->order, compare);
+    for (uint32_t i = 0; i < patch->vertex_count; i++)
+        of->rank[of->order[i].id] = i;
+}
+
+static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
+                                        struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < patch->vertex_count; i++)
+        of->first[i] = i;
+    for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
+        uint32_t a = of->rank[patch->corners[i]];
+        uint32_t b = of->rank[patch->corners[i % 3 == 2 ? i - 2 : i + 1]];
+        uint32_t low = a < b ? a : b, high = a < b ? b : a;
+        if (low < of->first[high])
+            of->first[high] = low;
+    }
+    uint32_t size = 0;
+    for (uint32_t i = 0; i < patch->vertex_count; i++) {
+        of->start[i] = size - of->first[i];
+        size += i - of->first[i] + 1;
+    }
+    for (int i = 0; i < 2; i++) {
+        void *array = of->matrix[i];
+        HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->matrix_room[i], size, sizeof *of->matrix[i], err));
+        of->matrix[i] = array;
+        memset(of->matrix[i], 0, size * sizeof *of->matrix[i]);
+        memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
+    }
+    return HATCH_OK;
+}
+
+/* Gradients of a face's three hat functions in the frame of its signed line; returns its area. */
+static double hat_gradients(const struct hatch_ground *ground, uint32_t face, int8_t sign, double gradient[3][2])
+{
+    const double *flat = &ground->flat[(size_t)face * 4];
+    double doubled = flat[0] * flat[3] - flat[2] * flat[1];
+    gradient[1][0] = sign * flat[3] / doubled;
+    gradient[1][1] = -sign * flat[2] / doubled;
+    gradient[2][0] = -sign * flat[1] / doubled;
+    gradient[2][1] = sign * flat[0] / doubled;
+    for (int i = 0; i < 2; i++)
+        gradient[0][i] = -gradient[1][i] - gradient[2][i];
+    return doubled / 2;
+}
+
+/* Adds a face's part of the normal equations. The first vertex stays where it is, at the origin: its
+ * row and column are left out. */
+static void add_face(struct hatch_solver *of, const struct hatch_ground *ground,
+                     const struct hatch_patch *patch, uint32_t local)
+{
+    uint32_t face = patch->faces[local];
+    const uint32_t *corner = &patch->corners[3 * local];
+    double gradient[3][2];
+    double weight = hat_gradients(ground, face, patch->sign[local], gradient);
+    if (ground->singular[face])
+        weight *= FREE_WEIGHT;
+    for (uint32_t a = 0; a < 3; a++) {
+        if (corner[a] == 0)
+            continue;
+        uint32_t row = of->rank[corner[a]];
+        of->right[0][row] += weight * gradient[a][0];
+        of->right[1][row] += weight * gradient[a][1];
+        for (uint32_t b = 0; b < 3; b++) {
+            uint32_t column = of->rank[corner[b]];
+            if (corner[b] == 0 || column > row)
+                continue;
+            double along = weight * gradient[a][0] * gradient[b][0];
+            double over = weight * gradient[a][1] * gradient[b][1];
+            of->matrix[0][of->start[row] + column] += along + TURN_WEIGHT * over;
+            of->matrix[1][of->start[row] + column] += TURN_WEIGHT * along + over;
+        }
+    }
+}
+
+/* Four sums side by side: a fixed order that the compiler may still do at once. */
+static double dot(const double *a, const double *b, uint32_t count)
+{
+    double sum[4] = {0, 0, 0, 0};
+    uint32_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (uint32_t j = 0; j < 4; j++)
+            sum[j] += a[i + j] * b[i + j];
+    for (; i < count; i++)
+        sum[0] += a[i] * b[i];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/* Cholesky's factor in place of the matrix, solution in place of the right side. */
+static void factor_and_solve(const struct hatch_solver *of, uint32_t count, double *matrix, double *right)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        double *row = &matrix[(uint32_t)(of->start[i] + of->first[i])];
+        uint32_t low = of->first[i];
+        for (uint32_t j = low; j < i; j++) {
+            uint32_t from = of->first[j] > low ? of->first[j] : low;
+            const double *other = &matrix[(uint32_t)(of->start[j] + from)];
+            double value = row[j - low] - dot(&row[from - low], other, j - from);
+            row[j - low] = value / other[j - from];
+        }
+        row[i - low] = sqrt(row[i - low] - dot(row, row, i - low));
+        right[i] = (right[i] - dot(row, &right[low], i - low)) / row[i - low];
+    }
+    for (uint32_t i = count; i-- > 0;) {
+        const double *row = &matrix[(uint32_t)(of->start[i] + of->first[i])];
+        uint32_t low = of->first[i];
+        right[i] /= row[i - low];
+        for (uint32_t j = low; j < i; j++)
+            right[j] -= row[j - low] * right[i];
+    }
+}
+
+enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch_ground *ground,
+                                     struct hatch_patch *patch, struct hatch_err *err)
+{
+    HATCH_TRY(make_room(of, patch->vertex_count, err));
+    sweep(of, patch);
+    HATCH_TRY(shape_envelope(of, patch, err));
+    for (uint32_t f = 0; f < patch->face_count; f++)
+        add_face(of, ground, patch, f);
+    uint32_t fixed = of->rank[0];
+    for (uint32_t i = 0; i < 2; i++) {
+        of->matrix[i][of->start[fixed] + fixed] = 1;
+        factor_and_solve(of, patch->vertex_count, of->matrix[i], of->right[i]);
+        for (uint32_t v = 0; v < patch->vertex_count; v++)
+            patch->place[2 * v + i] = of->right[i][of->rank[v]];
+    }
+    return HATCH_OK;
+}
+
+void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
+                     struct hatch_fit *fit)
+{
+    double gradient[3][2], jacobian[2][2] = {{0, 0}, {0, 0}};
+    hat_gradients(ground, patch->faces[local], patch->sign[local], gradient);
+    for (uint32_t c = 0; c < 3; c++) {
+        const double *at = &patch->place[2 * patch->corners[3 * local + c]];
+        for (int i = 0; i < 2; i++)
+            for (int j = 0; j < 2; j++)
+                jacobian[i][j] += at[i] * gradient[c][j];
+    }
+    double half = (jacobian[0][0] * jacobian[0][0] + jacobian[0][1] * jacobian[0][1] +
+                   jacobian[1][0] * jacobian[1][0] + jacobian[1][1] * jacobian[1][1]) / 2;
+    fit->determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+    double squared = half * half - fit->determinant * fit->determinant;
+    fit->stretch = fit->determinant > 0 ? (half + sqrt(fmax(0, squared))) / fit->determinant : HUGE_VAL;
+    fit->turn = fit->determinant > 0 && jacobian[1][1] > 0 ? fabs(jacobian[1][0]) / jacobian[1][1] : HUGE_VAL;
+}

@@ -1,0 +1,187 @@
+/* What the parts of lapped share: the ground that patches grow on, the patch that grows, and who
+ * covers what. Lengths are those of the surface: one is a component's mean edge. In the plane of a
+ * patch x runs along the field and y at a right angle, counter-clockwise as the faces are; only the
+ * coordinates that leave this module are turned so that v falls. */
+#ifndef HATCH_LAPPED_WORK_H
+#define HATCH_LAPPED_WORK_H
+
+#include "lapped/heap.h"
+#include "lapped/lapped.h"
+
+/* Faces as the patches see them. */
+struct hatch_ground {
+    const struct hatch_surface *surface;
+    double *flat;       /* 4 a face: corners 1 and 2 seen from corner 0, in the frame of the face's line */
+    double *rough;      /* per face: turning of normals and of the field, smoothed, per length */
+    double *wish;       /* per face: radius wanted of a patch that begins there */
+    uint8_t *singular;  /* per face: the field has an index */
+};
+
+enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                    const double *direction, const struct hatch_lapped_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_ground *ground,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* A face's corner in the frame of its line. */
+static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32_t face, uint32_t corner,
+                                       double at[2])
+{
+    const double *flat = &ground->flat[(size_t)face * 4];
+    at[0] = corner == 0 ? 0 : flat[2 * corner - 2];
+    at[1] = corner == 0 ? 0 : flat[2 * corner - 1];
+}
+
+/* The patch that grows. Local faces and vertices are numbered in order of growth: any first part of
+ * the faces is a disk too. */
+struct hatch_patch {
+    uint32_t seed;
+    double center[2], radius, turn[2]; /* turn: cosine and sine from the plane to the mask */
+    uint32_t face_count, vertex_count;
+    uint32_t *faces;   /* surface's faces */
+    uint32_t *corners; /* 3 a face: local vertices */
+    int8_t *sign;      /* per face: 1 or -1: which way its line counts */
+    uint32_t *points;  /* surface's points of local vertices */
+    double *place;     /* 2 a vertex: in the plane */
+    uint32_t face_room, sign_room, corner_room, point_room, place_room;
+    uint32_t faces_max;  /* growth ends at so many */
+};
+
+/* A growth's view of the whole surface: which faces and points are in the patch, by stamps. */
+struct hatch_growth {
+    const struct hatch_ground *ground;
+    const struct hatch_outline *outline;
+    struct hatch_patch patch;
+    struct hatch_arena *arena;
+    struct hatch_heap heap;
+    uint32_t round, number;               /* of this growth, of this patch */
+    uint32_t *face_round, *face_local;    /* per face */
+    uint32_t *point_round, *point_local;  /* per point */
+    uint32_t *place_number;               /* per point: the patch that last placed it */
+    double *known;                        /* 2 a point: where that was */
+};
+
+enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
+                                    struct hatch_arena *arena, struct hatch_growth *growth,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* Begins a new patch at a face. */
+void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed);
+
+/* Grows anew from the seed over all faces that the outline touches, as far as the patch stays what
+ * lapped.h promises; points placed before keep their places, others are unfolded. */
+enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
+
+/* A place of the patch's plane in mask coordinates. */
+void hatch_patch_mask(const struct hatch_patch *patch, const double place[2], double mask[2]);
+
+/* Whether opacity over 0 may be found on a way between two places of the plane. Never false where it
+ * is. */
+bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline,
+                         const double a[2], const double b[2]);
+
+/* The patch's other local face across a side of local face f, or the reason why there is none. */
+enum hatch_side { HATCH_SIDE_INSIDE, HATCH_SIDE_BORDER, HATCH_SIDE_OPEN };
+enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t side);
+
+/* Least squares to the field. */
+struct hatch_solver {
+    struct hatch_arena *arena;
+    struct hatch_heap_item *order; /* vertices along the plane's longer axis */
+    uint32_t *rank;         /* of each vertex in it */
+    uint32_t *first;        /* per row: the envelope's first column */
+    uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
+    double *matrix[2], *right[2]; /* of x and of y */
+    uint32_t order_room, rank_room, first_room, start_room, matrix_room[2], right_room[2];
+};
+
+/* Places the patch's vertices anew. */
+enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_ground *ground,
+                                     struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
+
+/* How one face lies in the plane: its determinant, its larger singular value over the smaller, and
+ * the tangent of the angle between line and strokes; infinite where it is turned over. */
+struct hatch_fit {
+    double determinant, stretch, turn;
+};
+void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
+                     struct hatch_fit *fit);
+
+/* The local side's smallest hatch_outline_share. */
+double hatch_patch_share(const struct hatch_patch *patch, const struct hatch_outline *outline,
+                         const double a[2], const double b[2]);
+
+/* Whether growth may take the face behind a side of the patch. */
+bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side);
+
+/* Remembers the places that the vertices have now. */
+void hatch_growth_keep(struct hatch_growth *growth);
+
+/* Grows and places a patch that begins at a face, within the limits; cut: its faces end inside its
+ * outline. */
+struct hatch_patch_notes {
+    bool cut, enlarged;
+};
+enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
+                                   const struct hatch_lapped_options *options, const uint8_t *covered,
+                                   uint32_t seed, struct hatch_patch_notes *notes,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* Who covers what. Patches are laid under those that were there: a face is left out of a patch once
+ * the cores of earlier ones cover it. */
+struct hatch_cover_entry {
+    uint32_t next;      /* of the same face, or UINT32_MAX */
+    double mask[3][2];  /* of the face's corners */
+};
+
+struct hatch_cover {
+    const struct hatch_outline *outline;
+    struct hatch_arena *arena;
+    uint8_t *covered;   /* per face */
+    uint32_t *head;     /* per face: its first entry */
+    struct hatch_cover_entry *entries;
+    uint32_t entry_count, entry_room;
+};
+
+enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count,
+                                   struct hatch_arena *arena, struct hatch_cover *cover,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* Whether the core holds a whole triangle of mask coordinates. Never true where it does not. */
+bool hatch_cover_holds(const struct hatch_outline *outline, const double mask[3][2]);
+
+/* Adds a face of a patch. *shows: whether the patch may be seen on it. */
+enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2],
+                                  bool *shows, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Where the next patch begins. */
+struct hatch_order {
+    const struct hatch_ground *ground;
+    double core;           /* radius of the core over that of the outline's square */
+    const uint8_t *covered;
+    double *distance;      /* per face: to covered ground, or infinite */
+    double *middle;        /* 3 a face */
+    uint32_t *smooth;      /* faces of the component, smoothest first */
+    uint32_t smooth_count, smooth_next;
+    struct hatch_heap wave, front, gaps;
+    bool filling;          /* only gaps are left */
+    uint32_t first_face, face_count;
+};
+
+enum hatch_status hatch_order_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
+                                   const uint8_t *covered, struct hatch_arena *arena,
+                                   struct hatch_order *order, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Goes on to a component. */
+enum hatch_status hatch_order_component(struct hatch_order *order, uint32_t component,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+
+/* The next face to begin with, or HATCH_NO_SIDE when the component is covered. */
+enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Tells of faces newly covered. */
+enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
