@@ -12,6 +12,8 @@
 #define HALVINGS 4
 /* Places of a way that are asked for their share. */
 #define SHARE_STEPS 4
+/* The core is so much larger than the circle around the first face, so that a few cuts show that it holds it. */
+#define SEED_ROOM 1.05
 
 void hatch_patch_mask(const struct hatch_patch *patch, const double place[2], double mask[2])
 {
@@ -89,7 +91,7 @@ static double center_on_seed(struct hatch_growth *growth)
             at[c][i] = growth->patch.place[2 * c + i];
     }
     double radius = circle_around((const double(*)[2])at, growth->patch.center);
-    return 1.0001 * radius / (2 * growth->outline->core_min);
+    return SEED_ROOM * radius / (2 * growth->outline->core_min);
 }
 
 struct verdict {
