@@ -34,6 +34,12 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     }
 }
 
+void frame_set_hatch(struct frame_block *block, double turn_rad, double scale)
+{
+    block->hatch[0] = (float)(cos(turn_rad) / scale);
+    block->hatch[1] = (float)(sin(turn_rad) / scale);
+}
+
 void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
                     uint32_t side)
 {

@@ -42,6 +42,7 @@ struct frame_block {
     float paper[4], ink[4], light_ink[4];
     float curve[4]; /* low, high, gamma, samples a pixel */
     float shade[4]; /* 0, ambient, specular, shininess */
+    float hatch[4]; /* cosine and sine of the strokes' turn, over their size */
     int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 0 */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */
     float targets[64][4];                   /* 256 darknesses */
@@ -57,6 +58,9 @@ enum ink_mode {
 /* What does not change with the view: inks, curve, columns. columns may be NULL (no map). */
 void frame_set_style(struct frame_block *block, const struct inks *inks,
                      const struct tone_curve *curve, const struct gpu_columns *columns);
+
+/* How strokes lie on their surface: turned against the clock as seen from outside, and their size. */
+void frame_set_hatch(struct frame_block *block, double turn_rad, double scale);
 
 /* Camera and tile. side: samples along a pixel's side. */
 void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,

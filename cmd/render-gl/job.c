@@ -13,7 +13,7 @@ void job_read(struct job *job)
 {
     const struct options *options = &job->options;
     struct hatch_err err;
-    load_scene(&job->args, options->scene_path, &job->scene);
+    load_scene(&job->args, options->scene_path, &job->scene, &job->patches);
     if (options->map_path)
         cmd_read_map(&job->args, options->map_path, &job->map);
     if (techniques[options->technique]->columns != COLUMNS_NONE)
@@ -78,7 +78,8 @@ static void upload(struct job *job)
                         (double)options->width / options->height, scratch, &job->fixed_view, &err),
               name, &err);
     open_context(job);
-    cmd_check(scene_upload(&job->scene, &bounds, keep, scratch, &job->gpu, &err), name, &err);
+    cmd_check(scene_upload(&job->scene, job->patches, &bounds, keep, scratch, &job->gpu, &err), name,
+              &err);
     material_upload(&job->args, name, options->style.base_tone, &job->gpu);
 }
 

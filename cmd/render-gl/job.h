@@ -10,6 +10,7 @@ struct job {
     struct cmd_args args;
     struct options options;
     struct hatch_scene scene;
+    struct patch_mesh *patches; /* of each of its meshes */
     struct hatch_tam map;
     struct context context;
     struct gpu_scene gpu;

@@ -32,7 +32,8 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
         const double *origin = item->posed ? zero : scene->meshes[item->mesh].origin;
         const struct hatch_scene_mesh *from = &scene->scene->meshes[item->mesh];
         const struct line_choice choice = {style->kinds, style->crease_rad, from->had_normals};
-        HATCH_TRY(line_mesh_make(&from->mesh, origin, &choice, arena, scratch, mesh, err));
+        HATCH_TRY(line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch,
+                                 mesh, err));
     }
     HATCH_TRY(line_gl_make(shaders, &made.gl, err));
     hatch_arena_init(&made.frame, max_memory);

@@ -4,7 +4,7 @@
 
 #include "math/vector.h"
 #include "render-gl/lines_edges.h"
-#include "render-gl/lines_keys.h"
+#include "render-gl/weld.h"
 
 /* Does one normal serve both faces of some crease? */
 static bool smooths_creases(const struct hatch_mesh *mesh, const struct line_edges *edges)
@@ -41,55 +41,21 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct line_e
     return HATCH_OK;
 }
 
-/* Gives the mesh the attributes of other vertices: vertex v those of origin_of[v]. */
-static enum hatch_status copy_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
-                                         const double origin[3], struct hatch_arena *arena,
-                                         struct hatch_mesh *to, struct hatch_err *err)
-{
-    float *data = to->attributes[0].data;
-    for (size_t v = 0; v < to->vertex_count; v++)
-        for (size_t k = 0; k < 3; k++)
-            data[3 * v + k] =
-                (float)((double)from->attributes[0].data[3 * (size_t)origin_of[v] + k] - origin[k]);
-    for (uint32_t i = 1; i < from->attribute_count; i++) {
-        const struct hatch_mesh_attribute *other = &from->attributes[i];
-        size_t n = other->components;
-        HATCH_TRY(hatch_mesh_add(arena, to, other->name, other->components, &data, err));
-        for (size_t v = 0; v < to->vertex_count; v++)
-            memcpy(&data[n * v], &other->data[n * origin_of[v]], n * sizeof *data);
-    }
-    return HATCH_OK;
-}
-
 /* One vertex for each position and normal. taken: what take() made. */
 static enum hatch_status join_vertices(const struct hatch_mesh *taken, const double origin[3],
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct hatch_mesh *mesh, struct hatch_err *err)
 {
-    size_t count = taken->vertex_count;
-    uint32_t *point = HATCH_NEW(scratch, uint32_t, count, err);
-    uint32_t *normal = point ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    uint32_t *number = normal ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    uint32_t *origin_of = number ? HATCH_NEW(scratch, uint32_t, count, err) : NULL, unused;
-    if (!origin_of)
-        return HATCH_LIMIT;
-    struct hatch_mesh normals = {.vertex_count = taken->vertex_count, .attribute_count = 1};
-    normals.attributes[0].data = hatch_mesh_find(taken, "NORMAL", 3);
-    HATCH_TRY(hatch_mesh_weld(taken, arena, point, &unused, err));
-    HATCH_TRY(hatch_mesh_weld(&normals, arena, normal, &unused, err));
-    struct line_keys keys;
-    HATCH_TRY(line_keys_make(scratch, &keys, err));
-    for (uint32_t v = 0; v < count; v++) {
-        uint32_t before = keys.count;
-        HATCH_TRY(line_keys_number(&keys, (uint64_t)point[v] << 32 | normal[v], &number[v], err));
-        if (number[v] == before)
-            origin_of[number[v]] = v;
-    }
+    struct weld weld;
     struct hatch_mesh made;
-    HATCH_TRY(hatch_mesh_make(arena, keys.count, taken->face_count, &made, err));
+    HATCH_TRY(weld_vertices(taken, scratch, arena, &weld, err));
+    HATCH_TRY(hatch_mesh_make(arena, weld.count, taken->face_count, &made, err));
     for (size_t i = 0; i < 3 * (size_t)made.face_count; i++)
-        made.indices[i] = number[taken->indices[i]];
-    HATCH_TRY(copy_attributes(taken, origin_of, origin, arena, &made, err));
+        made.indices[i] = weld.number[taken->indices[i]];
+    HATCH_TRY(weld_take(taken, weld.first, arena, &made, err));
+    float *position = made.attributes[0].data;
+    for (size_t i = 0; i < 3 * (size_t)made.vertex_count; i++)
+        position[i] = (float)((double)position[i] - origin[i % 3]);
     *mesh = made;
     return HATCH_OK;
 }

@@ -2,7 +2,8 @@
 
 #include "cmd_scene.h"
 
-void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene)
+void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene,
+                struct patch_mesh **patches)
 {
     struct hatch_err err;
     cmd_read_scene(args, path, CMD_SCENE_CLEANED, scene);
@@ -10,6 +11,8 @@ void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *sce
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, 0.0f,
                                          &err),
                   cmd_input_name(path), &err);
+    cmd_check(patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path),
+              &err);
 }
 
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
@@ -17,8 +20,8 @@ enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct h
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (!hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
             return hatch_fail(err, HATCH_BAD_INPUT,
-                              "mesh %u has no texture coordinates for strokes to follow: give it some "
-                              "with your modelling program or with lapped-param",
+                              "mesh %u has no texture coordinates for strokes to follow: "
+                              "dirfield FILE | lapped-param | render-gl - --tam MAP gives it some",
                               i);
     return HATCH_OK;
 }

@@ -4,12 +4,14 @@
 #define RENDER_LOAD_H
 
 #include "cmd.h"
-#include "mesh/scene.h"
+#include "render-gl/patches.h"
 
-/* A glTF with its companions, or one mesh; path NULL is standard input. */
-void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene);
+/* A glTF with its companions, or one mesh; path NULL is standard input. Patches of lapped meshes are
+ * joined: *patches, of each of the scene's meshes. */
+void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene,
+                struct patch_mesh **patches);
 
-/* HATCH_BAD_INPUT when a mesh has no texture coordinates, naming the way to some. */
+/* HATCH_BAD_INPUT when a mesh has no texture coordinates, with the commands that give it some. */
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
     HATCH_MUST_USE;
 

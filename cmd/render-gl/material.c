@@ -28,9 +28,36 @@ static GLuint upload(const struct hatch_image *image, bool repeats)
     return texture;
 }
 
+enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch,
+                                   GLuint *texture, struct hatch_err *err)
+{
+    static const float nothing[4] = {0, 0, 0, 0};
+    size_t count = (size_t)image->width * image->height, channels = image->channel_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    float *alpha = HATCH_NEW(scratch, float, count, err);
+    if (!alpha)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < count; i++)
+        alpha[i] = channels % 2 ? 1.0f : image->pixels[channels * i + channels - 1];
+    GLint last = (GLint)hatch_mip_chain_length(image->width, image->height) - 1;
+    glCreateTextures(GL_TEXTURE_2D, 1, texture);
+    glTextureStorage2D(*texture, last + 1, GL_R8, (GLsizei)image->width, (GLsizei)image->height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(*texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED,
+                        GL_FLOAT, alpha);
+    glGenerateTextureMipmap(*texture);
+    glTextureParameteri(*texture, GL_TEXTURE_MAX_LEVEL, last < 2 ? last : 2);
+    glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    glTextureParameteri(*texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTextureParameteri(*texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glTextureParameterfv(*texture, GL_TEXTURE_BORDER_COLOR, nothing);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
 static GLuint decode(struct cmd_args *args, const char *file, const char *plugin,
                      const struct hatch_scene *scene, const struct hatch_material *material,
-                     float *side_px)
+                     bool outline, float *side_px)
 {
     const struct hatch_texture *texture = &scene->textures[material->base_texture];
     struct hatch_bytes bytes = {texture->data, texture->size};
@@ -42,19 +69,25 @@ static GLuint decode(struct cmd_args *args, const char *file, const char *plugin
         hatch_fail_at(&err, "texture %u: ", material->base_texture);
         cmd_die(file, &err);
     }
-    GLuint made = upload(&image, material->base_repeat);
+    GLuint made;
+    if (outline)
+        cmd_check(material_outline(&image, &args->scratch, &made, &err), file, &err);
+    else
+        made = upload(&image, material->base_repeat);
     *side_px = (float)(image.width > image.height ? image.width : image.height);
     hatch_arena_rewind(&args->scratch, mark);
     return made;
 }
 
-/* An earlier item with the same texture lends it. */
-static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item, uint32_t texture)
+/* An earlier item with the same texture, for the same use, lends it. */
+static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item, uint32_t texture,
+                                     bool outline)
 {
     for (uint32_t i = 0; i < item; i++) {
         uint32_t material = gpu->scene->meshes[gpu->items[i].mesh].material;
         if (gpu->items[i].base_texture && material != HATCH_NONE &&
-            gpu->scene->materials[material].base_texture == texture)
+            gpu->scene->materials[material].base_texture == texture &&
+            (gpu->meshes[gpu->items[i].mesh].patches != NULL) == outline)
             return &gpu->items[i];
     }
     return NULL;
@@ -72,12 +105,13 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, stru
         const struct hatch_material *material = &scene->materials[mesh->material];
         const float *color = material->base_color;
         item->base_lightness = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
-        if (material->base_texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0))
+        bool outline = gpu->meshes[item->mesh].patches != NULL;
+        if (material->base_texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0 || outline))
             continue;
-        const struct gpu_item *other = lender(gpu, i, material->base_texture);
+        const struct gpu_item *other = lender(gpu, i, material->base_texture, outline);
         float side_px = 1;
         item->base_texture =
-            other ? other->base_texture : decode(args, file, plugin, scene, material, &side_px);
+            other ? other->base_texture : decode(args, file, plugin, scene, material, outline, &side_px);
         item->base_side_px = other ? other->base_side_px : side_px;
         /* Tone that is taken at vertices must not hold detail that lies between them. */
         float vertices_side = sqrtf((float)mesh->mesh.vertex_count);

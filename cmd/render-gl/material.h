@@ -3,12 +3,19 @@
 #define RENDER_MATERIAL_H
 
 #include "cmd.h"
+#include "image/image.h"
 #include "render-gl/scene.h"
 
 /* Decodes and uploads the base-colour textures that items need, each once, and sets the items'
  * fields. as_tone: colours count as tone; otherwise only holes do. Dies on an image that cannot be
  * read. file: the scene's name for messages. */
 void material_upload(struct cmd_args *args, const char *file, bool as_tone, struct gpu_scene *gpu);
+
+/* Uploads the alpha of an image as the outline of patches; without alpha it is 1. Outside of the image it
+ * is 0. No level coarser than the third is read: those would thin the outline's opaque middle, and what
+ * lies below would show between patches. */
+enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch,
+                                   GLuint *texture, struct hatch_err *err) HATCH_MUST_USE;
 
 void material_free(struct gpu_scene *gpu);
 

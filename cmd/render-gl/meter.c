@@ -57,13 +57,14 @@ static enum hatch_status add_item(struct meter *meter, const struct gpu_scene *s
                                   const struct gpu_item *item, struct hatch_arena *scratch,
                                   struct hatch_err *err)
 {
-    size_t count = scene->scene->meshes[item->mesh].mesh.vertex_count;
+    const struct hatch_mesh *surface = scene->meshes[item->mesh].surface;
+    size_t count = surface->vertex_count;
     double *positions = HATCH_NEW(scratch, double, 3 * count, err);
     float *normals = HATCH_NEW(scratch, float, 3 * count, err);
     if (!positions || !normals)
         return HATCH_LIMIT;
     struct pose pose = scene->pose;
-    pose_vertices(&pose, item->node, item->mesh, positions, normals);
+    pose_mesh(&pose, item->node, surface, positions, normals);
     for (size_t v = 0; v < count; v++) {
         double point[3];
         for (size_t k = 0; k < 3; k++)

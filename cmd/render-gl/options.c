@@ -16,6 +16,7 @@ static const char *map_path, *paper = "white", *ink = "black";
 static const char *camera, *uv_scale = "auto", *shader_folder;
 static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
 static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 1;
+static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
@@ -60,6 +61,10 @@ static struct cmd_option table[] = {
      &base_tone, NULL, NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
      &uv_scale, NULL, NULL},
+    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
+     &hatch_turn, NULL, NULL},
+    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "size of the strokes' pattern (default 1)", &hatch_scale,
+     NULL, NULL},
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "hardware anisotropic filtering (default 1: none)", &anisotropy,
      NULL, NULL},
     {0, "camera", CMD_TEXT, 0, 0, "WHICH",
@@ -167,6 +172,8 @@ static void read_style(struct style *style)
                                       .azimuth_rad = light[0] * RADIANS,
                                       .elevation_rad = light[1] * RADIANS},
                             .anisotropy = (float)anisotropy,
+                            .hatch_turn_rad = hatch_turn * RADIANS,
+                            .hatch_scale = hatch_scale,
                             .base_tone = base_tone};
     size_t first = strcspn(ink, ",");
     read_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);

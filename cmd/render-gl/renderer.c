@@ -5,28 +5,21 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { VARIANT_TONE = 1, VARIANT_HOLES = 2 };
+#include "render-gl/draw.h"
 
-static uint32_t variant_of(const struct renderer *renderer, const struct gpu_item *item)
-{
-    uint32_t variant = 0;
-    if (item->base_texture && renderer->style.base_tone)
-        variant |= VARIANT_TONE;
-    if (item->base_texture && item->alpha_cutoff > 0)
-        variant |= VARIANT_HOLES;
-    return variant;
-}
+static const struct shader_stages below_patches = {.vertex = "surface.vert", .fragment = "paper.frag"};
 
 static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
     char defines[256];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s", technique->defines,
              renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant ? "#define BASE_TEXTURE 1\n" : "",
-             variant & VARIANT_TONE ? "#define BASE_TONE 1\n" : "",
-             variant & VARIANT_HOLES ? "#define BASE_HOLES 1\n" : "");
+             variant & DRAW_TONE ? "#define BASE_TONE 1\n" : "",
+             variant & DRAW_HOLES ? "#define BASE_HOLES 1\n" : "",
+             variant & DRAW_OUTLINE ? "#define OUTLINE 1\n" : "");
     return shader_program(&renderer->shaders, &technique->stages, defines, program, err);
 }
 
@@ -50,65 +43,15 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
         HATCH_TRY(columns_upload(renderer->map, chosen->columns, renderer->style.anisotropy,
                                  renderer->size_max_px, scratch, columns, err));
     for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
-        uint32_t variant = variant_of(renderer, &renderer->scene->items[i]);
+        uint32_t variant = draw_variant_of(renderer, technique, &renderer->scene->items[i]);
         GLuint *program = &renderer->programs[technique][variant];
         if (!*program)
             HATCH_TRY(compile(renderer, chosen, variant, program, err));
+        if (variant == DRAW_OUTLINE && !renderer->below_patches)
+            HATCH_TRY(shader_program(&renderer->shaders, &below_patches, "", &renderer->below_patches,
+                                     err));
     }
     return HATCH_OK;
-}
-
-/* Faces that may be seen from behind are drawn once for each side, because the light is per vertex
- * and a vertex has no side. */
-static void draw_sides(const struct gpu_item *item, GLsizei count)
-{
-    for (int behind = 0; behind <= (item->double_sided ? 1 : 0); behind++) {
-        glCullFace(behind ? GL_FRONT : GL_BACK);
-        glUniform1f(3, behind ? -1.0f : 1.0f);
-        glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL);
-    }
-}
-
-static void draw_items(const struct renderer *renderer, uint32_t technique, uint32_t pass)
-{
-    const struct gpu_scene *scene = renderer->scene;
-    GLuint current = 0;
-    for (uint32_t i = 0; i < scene->item_count; i++) {
-        const struct gpu_item *item = &scene->items[i];
-        GLuint program = renderer->programs[technique][variant_of(renderer, item)];
-        if (program != current)
-            glUseProgram(program);
-        current = program;
-        if (item->base_texture)
-            glBindTextureUnit(3, item->base_texture);
-        glUniformMatrix4fv(0, 1, GL_FALSE, item->to_unit);
-        glUniformMatrix3fv(1, 1, GL_FALSE, item->normal);
-        glVertexAttrib2fv(REPEAT_ATTRIBUTE, item->repeat); /* where vertices have none */
-        glUniform1i(4, (GLint)pass);
-        glUniform4f(5, renderer->style.base_tone ? item->base_lightness : 1.0f, item->base_lod,
-                    item->alpha_cutoff, 0.0f);
-        glFrontFace(item->mirrored ? GL_CW : GL_CCW);
-        glBindVertexArray(item->vertex_array);
-        draw_sides(item, (GLsizei)scene->meshes[item->mesh].index_count);
-    }
-}
-
-static void draw_passes(const struct renderer *renderer, uint32_t technique)
-{
-    const struct technique *chosen = techniques[technique];
-    for (uint32_t pass = 0; pass < chosen->pass_count; pass++) {
-        glDisable(GL_BLEND);
-        glDepthFunc(GL_GREATER);
-        glDepthMask(GL_TRUE);
-        if (chosen->begin_pass)
-            chosen->begin_pass(pass);
-        draw_items(renderer, technique, pass);
-        clock_end_pass(renderer->clock, chosen->pass_names[pass]);
-    }
-    glDisable(GL_BLEND);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_CULL_FACE);
 }
 
 static void draw_surfaces(struct renderer *renderer, uint32_t technique, const float background[3],
@@ -118,6 +61,7 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
     frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
+    frame_set_hatch(&renderer->block, style->hatch_turn_rad, style->hatch_scale);
     frame_set_view(&renderer->block, view, tile, target->side);
     frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
                      &style->light, style->curve.exposure);
@@ -132,7 +76,7 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     if (style->anisotropy > 1)
         columns_set_bias(columns, (float)log2(target->side));
     glEnable(GL_CULL_FACE);
-    draw_passes(renderer, technique);
+    draw_items(renderer, technique);
     target_resolve(target);
     clock_end_pass(renderer->clock, "resolve");
 }
@@ -173,6 +117,12 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
             glDeleteProgram(*program);
             *program = fresh;
         }
+    if (renderer->below_patches) {
+        GLuint fresh;
+        HATCH_TRY(shader_program(&renderer->shaders, &below_patches, "", &fresh, err));
+        glDeleteProgram(renderer->below_patches);
+        renderer->below_patches = fresh;
+    }
     if (renderer->lines)
         HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
     return HATCH_OK;
@@ -183,6 +133,7 @@ void renderer_free(struct renderer *renderer)
     for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
         for (uint32_t variant = 0; variant < VARIANTS; variant++)
             glDeleteProgram(renderer->programs[technique][variant]);
+    glDeleteProgram(renderer->below_patches);
     for (uint32_t form = 0; form < 3; form++)
         columns_free(&renderer->columns[form]);
     glDeleteBuffers(1, &renderer->block_buffer);

@@ -1,5 +1,4 @@
-/* Draws frames: the programs and the columns of each technique that was asked for, and the loop over
- * passes and items that all techniques share. */
+/* Draws frames: the programs and the columns of each technique that was asked for. */
 #ifndef RENDER_RENDERER_H
 #define RENDER_RENDERER_H
 
@@ -10,7 +9,7 @@
 #include "render-gl/target.h"
 #include "render-gl/technique.h"
 
-#define VARIANTS 4u /* of a program: with the material's texture as tone, with its holes */
+#define VARIANTS 5u /* of a program: sums of enum draw_variant */
 
 /* What a user chose, apart from the view. */
 struct style {
@@ -18,6 +17,7 @@ struct style {
     struct tone_curve curve;
     struct own_light light;
     float anisotropy; /* 1 .. 16 */
+    double hatch_turn_rad, hatch_scale; /* of the strokes on their surface; scale over 0 */
     bool base_tone;   /* the materials' colours and textures count as tone */
 };
 
@@ -29,6 +29,7 @@ struct renderer {
     uint32_t size_max_px;
     struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
     GLuint programs[TECHNIQUE_PROBE + 1][VARIANTS];
+    GLuint below_patches; /* draws the surface that patches lie on */
     GLuint block_buffer;
     struct frame_block block;
     struct lines *lines; /* NULL: none */

@@ -154,15 +154,19 @@ static void choose(const double want[2], uint32_t levels, float repeat[2])
     repeat[!fewer] = (float)exp2(power + round(want[!fewer] - want[fewer]));
 }
 
+/* The mean logarithm of the pixels that a unit is long. */
+static double pixels_of(const struct survey *survey)
+{
+    return survey->seen_weight > 0 ? survey->seen_log / survey->seen_weight
+                                   : survey->all_log / survey->all_weight;
+}
+
 /* All charts of an item go by one scale, so that equal charts repeat equally, near or far. What the
  * picture shows decides it; a surface that comes into it later goes by its distance. */
 static void choose_all(struct survey *survey, struct gpu_item *item, uint32_t size_px,
                        uint32_t levels)
 {
-    bool seen = survey->seen_weight > 0;
-    double pixels = seen ? survey->seen_log / survey->seen_weight
-                         : survey->all_log / survey->all_weight;
-    double largest = 0;
+    double pixels = pixels_of(survey), largest = 0;
     item->chart_count = 0;
     for (uint32_t v = 0; v < survey->mesh->vertex_count; v++) {
         uint32_t root = root_of(survey->parent, v);
@@ -229,6 +233,49 @@ static enum hatch_status set_item(struct gpu_scene *scene, struct gpu_item *item
     return HATCH_OK;
 }
 
+/* Lengths of a unit of an item's hatch coordinates in the unit scene, as a logarithm. */
+static double step_of(const struct chart *chart)
+{
+    return 0.5 * (chart->log_u + chart->log_v) / chart->area;
+}
+
+/* The same size of strokes on all surfaces that patches cover, whatever their nodes' scales: what the
+ * picture shows of them decides it. */
+static enum hatch_status set_patches(struct gpu_scene *scene, const struct view *view,
+                                     double height_px, uint32_t size_px, struct hatch_arena *scratch,
+                                     struct hatch_err *err)
+{
+    struct survey all = {.scene = scene};
+    double *steps = HATCH_NEW(scratch, double, scene->item_count, err); /* 0: no patches */
+    if (!steps)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct gpu_item *item = &scene->items[i];
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        struct survey survey;
+        if (!scene->meshes[item->mesh].patches)
+            continue;
+        HATCH_TRY(make_survey(scene, item, scratch, &survey, err));
+        /* All vertices have the parent 0 here: one chart. */
+        for (size_t face = 0; face < survey.mesh->face_count; face++)
+            add_face(&survey, face, view, height_px);
+        if (survey.charts[0].area > 0)
+            steps[i] = exp2(step_of(&survey.charts[0]));
+        all.seen_weight += survey.seen_weight;
+        all.seen_log += survey.seen_log;
+        all.all_weight += survey.all_weight;
+        all.all_log += survey.all_log;
+        hatch_arena_rewind(scratch, mark);
+    }
+    for (uint32_t i = 0; i < scene->item_count && all.all_weight > 0; i++)
+        if (steps[i] > 0) {
+            double repeat = steps[i] * exp2(pixels_of(&all)) / size_px;
+            scene->items[i].repeat[0] = scene->items[i].repeat[1] = (float)repeat;
+            scene->items[i].chart_count = 1;
+        }
+    return HATCH_OK;
+}
+
 enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct view *view,
                              double height_px, uint32_t size_px, uint32_t levels,
                              struct hatch_arena *scratch, struct hatch_err *err)
@@ -237,7 +284,7 @@ enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struc
         struct gpu_item *item = &scene->items[i];
         item->repeat[0] = item->repeat[1] = repeat > 0 ? (float)repeat : 1.0f;
         scene_set_repeats(item, NULL, 0);
-        if (repeat > 0)
+        if (repeat > 0 || scene->meshes[item->mesh].patches)
             continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         enum hatch_status status =
@@ -245,5 +292,10 @@ enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struc
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);
     }
-    return HATCH_OK;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = HATCH_OK;
+    if (!(repeat > 0))
+        status = set_patches(scene, view, height_px, size_px, scratch, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }

@@ -18,7 +18,9 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
 {
     const struct hatch_scene_mesh *from = &scene->meshes[index];
     const struct hatch_mesh *mesh = &from->mesh;
-    uint32_t second = from->material != HATCH_NONE && scene->materials[from->material].base_texcoord;
+    const struct hatch_material *material =
+        from->material != HATCH_NONE ? &scene->materials[from->material] : NULL;
+    bool second = material && (material->base_texcoord || material->outline);
     const float *position = hatch_mesh_find(mesh, "POSITION", 3);
     const float *normal = hatch_mesh_find(mesh, "NORMAL", 3);
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
@@ -35,6 +37,23 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
         }
     }
     return vertices;
+}
+
+/* The surface below patches shares their vertices. */
+static enum hatch_status upload_surface(struct gpu_mesh *gpu, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
+{
+    size_t count = 3 * (size_t)gpu->surface->face_count;
+    uint32_t *indices = HATCH_NEW(scratch, uint32_t, count, err);
+    if (!indices)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < count; i++)
+        indices[i] = gpu->patches->vertex_of[gpu->surface->indices[i]];
+    glCreateBuffers(1, &gpu->surface_indices);
+    glNamedBufferStorage(gpu->surface_indices, (GLsizeiptr)(sizeof *indices * (count + 1)), NULL,
+                         GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(gpu->surface_indices, 0, (GLsizeiptr)(sizeof *indices * count), indices);
+    return HATCH_OK;
 }
 
 static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t index,
@@ -58,14 +77,17 @@ static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t i
                          NULL, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferSubData(gpu->indices, 0, (GLsizeiptr)(sizeof(uint32_t) * gpu->index_count),
                          mesh->indices);
+    if (gpu->patches)
+        HATCH_TRY(upload_surface(gpu, scratch, err));
     hatch_arena_rewind(scratch, mark);
     return glGetError() == GL_OUT_OF_MEMORY
                ? hatch_fail(err, HATCH_LIMIT, "mesh %u: the GPU has no memory for it", index)
                : HATCH_OK;
 }
 
-static void make_vertex_array(struct gpu_item *item, const struct gpu_mesh *mesh)
+static GLuint make_vertex_array(GLuint vertices, GLuint indices)
 {
+    GLuint array;
     static const struct {
         GLint size;
         GLuint offset;
@@ -73,16 +95,16 @@ static void make_vertex_array(struct gpu_item *item, const struct gpu_mesh *mesh
                       {3, offsetof(struct vertex, normal)},
                       {2, offsetof(struct vertex, texcoord)},
                       {2, offsetof(struct vertex, base_texcoord)}};
-    glCreateVertexArrays(1, &item->vertex_array);
-    glVertexArrayVertexBuffer(item->vertex_array, 0, item->posed ? item->posed : mesh->vertices, 0,
-                              sizeof(struct vertex));
-    glVertexArrayElementBuffer(item->vertex_array, mesh->indices);
+    glCreateVertexArrays(1, &array);
+    glVertexArrayVertexBuffer(array, 0, vertices, 0, sizeof(struct vertex));
+    glVertexArrayElementBuffer(array, indices);
     for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++) {
-        glEnableVertexArrayAttrib(item->vertex_array, i);
-        glVertexArrayAttribFormat(item->vertex_array, i, attributes[i].size, GL_FLOAT, GL_FALSE,
+        glEnableVertexArrayAttrib(array, i);
+        glVertexArrayAttribFormat(array, i, attributes[i].size, GL_FLOAT, GL_FALSE,
                                   attributes[i].offset);
-        glVertexArrayAttribBinding(item->vertex_array, i, 0);
+        glVertexArrayAttribBinding(array, i, 0);
     }
+    return array;
 }
 
 static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
@@ -107,12 +129,17 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
                           (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
                           GL_DYNAMIC_DRAW);
     }
-    make_vertex_array(item, &gpu->meshes[mesh]);
+    const struct gpu_mesh *shape = &gpu->meshes[mesh];
+    GLuint vertices = item->posed ? item->posed : shape->vertices;
+    item->vertex_array = make_vertex_array(vertices, shape->indices);
+    if (shape->patches)
+        item->surface_array = make_vertex_array(vertices, shape->surface_indices);
 }
 
-enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bounds *bounds,
-                               struct hatch_arena *arena, struct hatch_arena *scratch,
-                               struct gpu_scene *gpu, struct hatch_err *err)
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct patch_mesh *patches,
+                               const struct bounds *bounds, struct hatch_arena *arena,
+                               struct hatch_arena *scratch, struct gpu_scene *gpu,
+                               struct hatch_err *err)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < scene->node_count; i++)
@@ -123,8 +150,12 @@ enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bou
     made.items = made.meshes ? HATCH_NEW(arena, struct gpu_item, count, err) : NULL;
     if (!made.items)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        HATCH_TRY(upload_mesh(scene, i, scratch, &made.meshes[i], err));
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct gpu_mesh *mesh = &made.meshes[i];
+        mesh->patches = patches && patches[i].patch_count ? &patches[i] : NULL;
+        mesh->surface = mesh->patches ? &patches[i].surface : &scene->meshes[i].mesh;
+        HATCH_TRY(upload_mesh(scene, i, scratch, mesh, err));
+    }
     for (uint32_t node = 0; node < scene->node_count; node++)
         for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
             make_item(&made, node, scene->nodes[node].first_mesh + i,
@@ -220,12 +251,14 @@ void scene_free(struct gpu_scene *gpu)
 {
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         glDeleteVertexArrays(1, &gpu->items[i].vertex_array);
+        glDeleteVertexArrays(1, &gpu->items[i].surface_array);
         glDeleteBuffers(1, &gpu->items[i].posed);
         glDeleteBuffers(1, &gpu->items[i].repeats);
     }
     for (uint32_t i = 0; gpu->meshes && i < gpu->scene->mesh_count; i++) {
         glDeleteBuffers(1, &gpu->meshes[i].vertices);
         glDeleteBuffers(1, &gpu->meshes[i].indices);
+        glDeleteBuffers(1, &gpu->meshes[i].surface_indices);
     }
     *gpu = (struct gpu_scene){0};
 }

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render-gl/patches.h"
 #include "render-gl/pose.h"
 
 /* What the vertex stage reads; 40 bytes. */
@@ -21,11 +22,15 @@ struct gpu_mesh {
     GLuint vertices, indices;
     uint32_t index_count;
     double origin[3]; /* the middle of its box: digits that floats need not carry */
+    const struct hatch_mesh *surface;  /* what is there to see: without the overlaps of patches */
+    const struct patch_mesh *patches;  /* NULL: an ordinary mesh */
+    GLuint surface_indices;            /* with patches: of the surface's faces */
 };
 
 struct gpu_item {
     uint32_t mesh, node;
     GLuint vertex_array;
+    GLuint surface_array; /* with patches: of the surface's faces; else 0 */
     GLuint posed;         /* a skinned item's own vertices, renewed with the pose; else 0 */
     float to_unit[16];    /* what the buffer holds, to the unit scene; column-major */
     float normal[9];
@@ -36,7 +41,7 @@ struct gpu_item {
     bool mirrored;        /* the node turns the faces' winding round */
     bool double_sided;
     float alpha_cutoff;   /* 0: no holes */
-    GLuint base_texture;  /* 0: none */
+    GLuint base_texture;  /* 0: none; of patches their outline, alone in red */
     float base_side_px;   /* its longer side */
     float base_lod;       /* the level of it that is as coarse as the vertices are */
     float base_lightness; /* luminance of the material's colour, 1 when it does not count */
@@ -52,10 +57,11 @@ struct gpu_scene {
 };
 
 /* Uploads every mesh and lists the items; pose must hold room. Nothing is drawn with: call
- * scene_set_pose. */
-enum hatch_status scene_upload(const struct hatch_scene *scene, const struct bounds *bounds,
-                               struct hatch_arena *arena, struct hatch_arena *scratch,
-                               struct gpu_scene *gpu, struct hatch_err *err) HATCH_MUST_USE;
+ * scene_set_pose. patches: of each mesh, or NULL where no mesh has any; kept. */
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct patch_mesh *patches,
+                               const struct bounds *bounds, struct hatch_arena *arena,
+                               struct hatch_arena *scratch, struct gpu_scene *gpu,
+                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* Moves the items to a moment of an animation (HATCH_NONE: the rest pose). */
 enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,

@@ -10,6 +10,14 @@
 #define TECHNIQUE_GOURAUD 6u /* the reference for tone and for speed */
 #define TECHNIQUE_PROBE 7u /* the last in the list, and no choice of --technique */
 
+/* What a technique makes of patches over a surface. */
+enum technique_patches {
+    PATCHES_BLEND,  /* each over those before it by its outline. A technique of several passes begins with
+                       black and adds in the others; its shaders put the outline into alpha */
+    PATCHES_COVER,  /* the uppermost hides the others: what is drawn is no colour */
+    PATCHES_UNSEEN  /* the surface is drawn instead, as if it had none */
+};
+
 struct technique {
     const char *name;
     const char *summary;          /* one line for the window's terminal help */
@@ -19,6 +27,7 @@ struct technique {
     uint32_t samples;             /* a pixel, by default; 0: what the option says */
     uint32_t pass_count;          /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
     const char *pass_names[TECHNIQUE_PASSES_MAX];
+    enum technique_patches patches;
     void (*begin_pass)(uint32_t pass); /* sets blending and depth other than the usual; or NULL */
 };
 

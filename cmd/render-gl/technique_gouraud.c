@@ -8,5 +8,6 @@ const struct technique technique_gouraud = {
     .stages = {.vertex = "gouraud.vert", .fragment = "gouraud.frag"},
     .defines = "",
     .pass_count = 1,
+    .patches = PATCHES_UNSEEN,
     .pass_names = {"tone"},
 };

@@ -8,5 +8,6 @@ const struct technique technique_probe = {
     .stages = {.vertex = "probe.vert", .fragment = "probe.frag"},
     .defines = "",
     .pass_count = 1,
+    .patches = PATCHES_COVER,
     .pass_names = {"probe"},
 };

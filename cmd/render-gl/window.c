@@ -13,6 +13,8 @@
 
 #define TITLE_EVERY_S 0.5
 #define STEP_RAD 0.1
+#define HATCH_STEP_RAD (3.14159265358979324 / 36)
+#define HATCH_STEP 1.1
 
 enum drag { DRAG_NONE, DRAG_TURN, DRAG_PAN, DRAG_LIGHT };
 
@@ -35,6 +37,7 @@ static void say_keys(void)
     cmd_say("drag: turn; shift+drag or right button: pan; ctrl+drag: move the light");
     cmd_say("arrows: turn; wheel, + and -: nearer and further; f: the view of the start");
     cmd_say("1 to %u, t: technique; space: pause or play the animation", TECHNIQUE_PROBE);
+    cmd_say("[ and ]: turn the strokes; < and >: make their pattern smaller and larger");
     cmd_say("s: save a picture; r: read --shader-dir again; ?: these lines; q, escape: close");
     for (uint32_t i = 0; i < TECHNIQUE_PROBE; i++)
         cmd_say("%u %s: %s", i + 1, techniques[i]->name, techniques[i]->summary);
@@ -65,6 +68,15 @@ static void reload(struct window *window)
         cmd_say("%s", err.text);
 }
 
+/* Strokes lie otherwise on their surfaces at once: nothing is computed anew. */
+static void move_hatch(struct window *window, unsigned character)
+{
+    struct style *style = &window->job->renderer.style;
+    style->hatch_turn_rad += HATCH_STEP_RAD * ((character == ']') - (character == '['));
+    style->hatch_scale *= pow(HATCH_STEP, (character == '>') - (character == '<'));
+    style->hatch_scale = fmin(fmax(style->hatch_scale, 0.01), 100);
+}
+
 static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
@@ -88,6 +100,12 @@ static void on_character(GLFWwindow *handle, unsigned character)
         break;
     case ' ':
         window->paused = !window->paused;
+        break;
+    case '[':
+    case ']':
+    case '<':
+    case '>':
+        move_hatch(window, character);
         break;
     case 'f':
         window->moved = false;

@@ -40,7 +40,7 @@ static inline void frame_begin(const struct hatch_mesh *mesh, const struct bound
     struct hatch_err *err = &frame->err;
     HATCH_TEST_OK(context_open_headless(&frame->context, 2, err), err);
     HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, &frame->scene, err), err);
-    HATCH_TEST_OK(scene_upload(&frame->scene, bounds, &frame->arena, &frame->scratch, &frame->gpu,
+    HATCH_TEST_OK(scene_upload(&frame->scene, NULL, bounds, &frame->arena, &frame->scratch, &frame->gpu,
                                err),
                   err);
     HATCH_TEST_OK(scene_set_pose(&frame->gpu, HATCH_NONE, 0, &frame->scratch, err), err);
@@ -48,7 +48,8 @@ static inline void frame_begin(const struct hatch_mesh *mesh, const struct bound
         .shaders = {NULL, &frame->scratch},
         .style = {.inks = {.paper = {1, 1, 1}},
                   .curve = {.high = map ? (double)map->target[map->tones - 1] : 1.0, .gamma = 1},
-                  .anisotropy = 1},
+                  .anisotropy = 1,
+                  .hatch_scale = 1},
         .map = map,
         .scene = &frame->gpu,
         .size_max_px = frame->context.size_max_px,

@@ -39,12 +39,14 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
     struct hatch_err err;
     shaders = (struct shader_source){NULL, &scratch};
     HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &keep, &scene, &err), &err);
-    HATCH_TEST_OK(scene_upload(&scene, &bounds, &keep, &scratch, &gpu, &err), &err);
+    HATCH_TEST_OK(scene_upload(&scene, NULL, &bounds, &keep, &scratch, &gpu, &err), &err);
     HATCH_TEST_OK(scene_set_pose(&gpu, HATCH_NONE, 0, &scratch, &err), &err);
     HATCH_TEST_OK(
         lines_make(&gpu, &style, &shaders, (uint64_t)1 << 30, &keep, &scratch, &lines, &err), &err);
     renderer = (struct renderer){.shaders = shaders,
-                                 .style = {.inks = {.paper = {1, 1, 1}}, .curve = {.gamma = 1}},
+                                 .style = {.inks = {.paper = {1, 1, 1}},
+                                           .curve = {.gamma = 1},
+                                           .hatch_scale = 1},
                                  .scene = &gpu,
                                  .lines = &lines,
                                  .size_max_px = context.size_max_px};

@@ -1,4 +1,5 @@
-// The material's texture as tone (BASE_TONE), and its holes (BASE_HOLES); BASE_TEXTURE with either.
+// The material's texture as tone (BASE_TONE), as holes (BASE_HOLES), or as the outline of patches (OUTLINE);
+// BASE_TEXTURE with any of them.
 #ifdef BASE_TEXTURE
 in vec2 v_base_texcoord;
 #endif
@@ -12,8 +13,18 @@ float base_light()
 #endif
 }
 
+float opacity = 1.0; // of the fragment; set by base_holes
+
 void base_holes()
 {
+#ifdef OUTLINE
+    opacity = texture(base_texture, v_base_texcoord).r;
+#ifdef THRESHOLD
+    opacity = clamp(8.0 * opacity - 3.5, 0.0, 1.0);
+#endif
+    if (opacity <= 0.0)
+        discard;
+#endif
 #ifdef BASE_HOLES
     if (texture(base_texture, v_base_texcoord).a < base.z)
         discard;

@@ -10,7 +10,7 @@ out vec2 g_base_texcoord;
 void main()
 {
     float light = place();
-    g_texcoord = a_texcoord * a_repeat;
+    g_texcoord = hatch_texcoord();
 #ifdef BASE_TEXTURE
     g_base_texcoord = a_base_texcoord;
 #endif

@@ -24,5 +24,5 @@ void main()
 #ifdef TWO_INKS
     light = coverage(v_place.y);
 #endif
-    o_color = vec4(ink_on_paper(coverage(v_place.x), light), 1.0);
+    o_color = vec4(ink_on_paper(coverage(v_place.x), light), opacity);
 }

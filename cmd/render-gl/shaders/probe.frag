@@ -1,5 +1,6 @@
 // Amounts of both inks, level of detail, and 1 where something is drawn.
 #include "columns.glsl"
+#include "base.glsl"
 
 in vec2 v_texcoord;
 in vec2 v_amounts;
@@ -8,6 +9,9 @@ out vec4 o_probe;
 void main()
 {
     aim(v_texcoord);
+    base_holes();
+    if (opacity < 0.5)
+        discard;
 #ifdef ANISOTROPIC
     column_level = textureQueryLod(columns, v_texcoord).y;
 #endif

@@ -20,7 +20,7 @@ out vec4 o_color;
 float finish(float coverage)
 {
 #ifdef THRESHOLD
-    return 1.0 - clamp(8.0 * (1.0 - coverage) - 3.5, 0.0, 1.0);
+    return 1.0 - clamp(8.0 * (1.0 - coverage) - 3.5, 0.0, opacity);
 #else
     return coverage;
 #endif
@@ -61,9 +61,9 @@ void main()
 #endif
 #ifdef TWO_INKS
     vec2 ink = blend(v_dark_first, v_dark_second, v_light_first, v_light_second);
-    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(finish(ink.y))), 1.0);
+    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(finish(ink.y))), opacity);
 #else
     vec2 ink = blend(v_dark_first, v_dark_second, vec3(0.0), vec3(0.0));
-    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(0.0)), 1.0);
+    o_color = vec4(ink_on_paper(vec3(finish(ink.x)), vec3(0.0)), opacity);
 #endif
 }

@@ -18,7 +18,7 @@ out vec3 v_light_first, v_light_second;
 void main()
 {
     float light = place();
-    v_texcoord = a_texcoord * a_repeat;
+    v_texcoord = hatch_texcoord();
 #ifdef BASE_TEXTURE
     v_base_texcoord = a_base_texcoord;
 #endif

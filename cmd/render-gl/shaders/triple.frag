@@ -18,5 +18,5 @@ void main()
     light = blend(v_light_place[corner]);
 #endif
     vec3 color = ink_on_paper(blend(v_dark_place[corner]), light);
-    o_color = vec4(pass == 0 ? vec3(0.0) : v_share[corner] * color, 1.0);
+    o_color = vec4(pass == 0 ? vec3(0.0) : v_share[corner] * color, opacity);
 }

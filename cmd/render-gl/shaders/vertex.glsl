@@ -9,12 +9,26 @@ layout(location = 4) in vec2 a_repeat; // tiles of the map per unit of u and of 
 
 invariant gl_Position;
 
-// Sets gl_Position; returns the light that the vertex gets.
-float place()
+// Sets gl_Position; returns the point in the unit scene.
+vec3 place_point()
 {
     vec4 point = unit_from_mesh * vec4(a_position, 1.0);
+    gl_Position = clip_from_unit * point;
+    return point.xyz;
+}
+
+// The same; returns the light that the vertex gets.
+float place()
+{
+    vec3 point = place_point();
     vec3 normal = normal_from_mesh * a_normal;
     float size = length(normal);
-    gl_Position = clip_from_unit * point;
-    return light_at(point.xyz, side * normal / max(size, 1e-20)) * base.x;
+    return light_at(point, side * normal / max(size, 1e-20)) * base.x;
+}
+
+// Where the vertex lies in the map, in tiles: turned and scaled as the user likes.
+vec2 hatch_texcoord()
+{
+    vec2 tiles = a_texcoord * a_repeat;
+    return vec2(hatch.x * tiles.x - hatch.y * tiles.y, hatch.y * tiles.x + hatch.x * tiles.y);
 }

@@ -24,5 +24,5 @@ void main()
 #ifdef TWO_INKS
     light = coverage(v_light_place);
 #endif
-    o_color = vec4(ink_on_paper(coverage(v_dark_place), light), 1.0);
+    o_color = vec4(ink_on_paper(coverage(v_dark_place), light), opacity);
 }

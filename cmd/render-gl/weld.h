@@ -1,0 +1,24 @@
+/* Vertices that are one but for what textures need. */
+#ifndef RENDER_WELD_H
+#define RENDER_WELD_H
+
+#include "mesh/mesh.h"
+
+struct weld {
+    uint32_t count;
+    uint32_t *number; /* of each of the mesh's vertices: below count, in order of appearance */
+    uint32_t *first;  /* of each number: its first vertex */
+};
+
+/* Numbers vertices by position and normal; the mesh has both. arena and scratch must not be the same. */
+enum hatch_status weld_vertices(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                struct hatch_arena *scratch, struct weld *weld,
+                                struct hatch_err *err) HATCH_MUST_USE;
+
+/* Adds the attributes that `from` has and `to` has not: vertex v gets those of from's vertex
+ * origin_of[v]. Texture coordinates are left out. POSITION is filled. */
+enum hatch_status weld_take(const struct hatch_mesh *from, const uint32_t *origin_of,
+                            struct hatch_arena *arena, struct hatch_mesh *to,
+                            struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
