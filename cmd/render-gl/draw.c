@@ -78,7 +78,7 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
         const struct gpu_item *item = &scene->items[i];
         if (!shows_patches(renderer, technique, item))
             continue;
-        use_item(renderer, item, renderer->below_patches);
+        use_item(renderer, item, renderer->below_patches[techniques[technique]->stages.geometry != NULL]);
         draw_sides(item, surface_of(&scene->meshes[item->mesh], item), 0);
     }
     glDepthFunc(GL_EQUAL);
@@ -96,8 +96,8 @@ static void draw_patches_at_once(const struct gpu_mesh *mesh, const struct gpu_i
     draw_sides(item, (struct part){item->vertex_array, 0, mesh->index_count}, 0);
 }
 
-/* Real-time hatching §6: the outline goes into the destination's alpha and clears what it covers of the
- * patches below; then each pass adds its share under that alpha. A layer of patches at a time. */
+/* Real-time hatching §6: the outline goes into the destination's alpha; then each pass adds its share under
+ * that alpha, the first one in place of what lies below. A layer of patches at a time. */
 static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu_item *item,
                                    uint32_t pass_count)
 {
@@ -107,9 +107,10 @@ static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu
         uint32_t end = mesh->patches->layer_end[layer];
         for (uint32_t pass = 0; pass < pass_count; pass++) {
             if (pass == 0)
-                glBlendFuncSeparate(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ZERO);
+                glBlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ZERO);
             else
-                glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+                glBlendFuncSeparate(GL_DST_ALPHA, pass == 1 ? GL_ONE_MINUS_DST_ALPHA : GL_ONE, GL_ZERO,
+                                    GL_ONE);
             draw_sides(item, (struct part){item->vertex_array, begin, end - begin}, pass);
         }
         begin = end;

@@ -7,7 +7,15 @@
 
 #include "render-gl/draw.h"
 
-static const struct shader_stages below_patches = {.vertex = "surface.vert", .fragment = "paper.frag"};
+/* Compiles what draws the surface below a technique's patches. */
+static enum hatch_status compile_below(const struct renderer *renderer, bool geometry, GLuint *program,
+                                       struct hatch_err *err)
+{
+    const struct shader_stages stages = {.vertex = "surface.vert",
+                                         .geometry = geometry ? "surface.geom" : NULL,
+                                         .fragment = "paper.frag"};
+    return shader_program(&renderer->shaders, &stages, "", program, err);
+}
 
 static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
@@ -47,9 +55,9 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
         GLuint *program = &renderer->programs[technique][variant];
         if (!*program)
             HATCH_TRY(compile(renderer, chosen, variant, program, err));
-        if (variant == DRAW_OUTLINE && !renderer->below_patches)
-            HATCH_TRY(shader_program(&renderer->shaders, &below_patches, "", &renderer->below_patches,
-                                     err));
+        bool geometry = chosen->stages.geometry != NULL;
+        if (variant == DRAW_OUTLINE && !renderer->below_patches[geometry])
+            HATCH_TRY(compile_below(renderer, geometry, &renderer->below_patches[geometry], err));
     }
     return HATCH_OK;
 }
@@ -117,11 +125,13 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
             glDeleteProgram(*program);
             *program = fresh;
         }
-    if (renderer->below_patches) {
-        GLuint fresh;
-        HATCH_TRY(shader_program(&renderer->shaders, &below_patches, "", &fresh, err));
-        glDeleteProgram(renderer->below_patches);
-        renderer->below_patches = fresh;
+    for (int geometry = 0; geometry < 2; geometry++) {
+        GLuint *program = &renderer->below_patches[geometry], fresh;
+        if (!*program)
+            continue;
+        HATCH_TRY(compile_below(renderer, geometry, &fresh, err));
+        glDeleteProgram(*program);
+        *program = fresh;
     }
     if (renderer->lines)
         HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
@@ -133,7 +143,8 @@ void renderer_free(struct renderer *renderer)
     for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
         for (uint32_t variant = 0; variant < VARIANTS; variant++)
             glDeleteProgram(renderer->programs[technique][variant]);
-    glDeleteProgram(renderer->below_patches);
+    for (int geometry = 0; geometry < 2; geometry++)
+        glDeleteProgram(renderer->below_patches[geometry]);
     for (uint32_t form = 0; form < 3; form++)
         columns_free(&renderer->columns[form]);
     glDeleteBuffers(1, &renderer->block_buffer);

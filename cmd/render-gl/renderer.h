@@ -29,7 +29,7 @@ struct renderer {
     uint32_t size_max_px;
     struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
     GLuint programs[TECHNIQUE_PROBE + 1][VARIANTS];
-    GLuint below_patches; /* draws the surface that patches lie on */
+    GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
     GLuint block_buffer;
     struct frame_block block;
     struct lines *lines; /* NULL: none */

@@ -33,15 +33,15 @@ static inline uint32_t frame_technique(const char *name)
     return 0;
 }
 
-/* A black line on white paper, no ambient light, tones up to the map's darkest. map may be NULL. */
-static inline void frame_begin(const struct hatch_mesh *mesh, const struct bounds *bounds,
-                               const struct hatch_tam *map, struct test_frame *frame)
+/* The scene is frame->scene, patches of its meshes (or NULL). A black line on white paper, no ambient
+ * light, tones up to the map's darkest. map may be NULL. */
+static inline void frame_begin_scene(const struct patch_mesh *patches, const struct bounds *bounds,
+                                     const struct hatch_tam *map, struct test_frame *frame)
 {
     struct hatch_err *err = &frame->err;
     HATCH_TEST_OK(context_open_headless(&frame->context, 2, err), err);
-    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, &frame->scene, err), err);
-    HATCH_TEST_OK(scene_upload(&frame->scene, NULL, bounds, &frame->arena, &frame->scratch, &frame->gpu,
-                               err),
+    HATCH_TEST_OK(scene_upload(&frame->scene, patches, bounds, &frame->arena, &frame->scratch,
+                               &frame->gpu, err),
                   err);
     HATCH_TEST_OK(scene_set_pose(&frame->gpu, HATCH_NONE, 0, &frame->scratch, err), err);
     frame->renderer = (struct renderer){
@@ -54,6 +54,14 @@ static inline void frame_begin(const struct hatch_mesh *mesh, const struct bound
         .scene = &frame->gpu,
         .size_max_px = frame->context.size_max_px,
     };
+}
+
+/* The same for a scene of one mesh. */
+static inline void frame_begin(const struct hatch_mesh *mesh, const struct bounds *bounds,
+                               const struct hatch_tam *map, struct test_frame *frame)
+{
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, &frame->scene, &frame->err), &frame->err);
+    frame_begin_scene(NULL, bounds, map, frame);
 }
 
 static inline void frame_arenas(struct test_frame *frame)

@@ -2,46 +2,13 @@
  * pixel of a plane that is parallel to the screen, where a pixel is a texel. */
 #include <math.h>
 
-#include "base/random.h"
 #include "render_frame.h"
+#include "render_map.h"
 
 enum { SIZE = 64, TONES = 6 };
 
 static struct test_frame frame;
 static struct hatch_tam map;
-static struct hatch_mipmap columns[TONES];
-
-/* Columns of random texels, every level by itself: nothing that a wrong level or column would pass. */
-static void make_map(uint32_t tones)
-{
-    map = (struct hatch_tam){.size_px = SIZE, .tones = tones, .levels = 3, .columns = columns};
-    for (uint32_t t = 0; t < tones; t++) {
-        columns[t].level_count = hatch_mip_chain_length(SIZE, SIZE);
-        columns[t].levels =
-            HATCH_NEW(&frame.arena, struct hatch_image, columns[t].level_count, &frame.err);
-        map.target[t] = 0.1f + 0.8f * powf((float)(t + 1) / (float)tones, 1.3f);
-        for (uint32_t level = 0; level < columns[t].level_count; level++) {
-            struct hatch_image *image = &columns[t].levels[level];
-            uint32_t side = hatch_mip_size(SIZE, level);
-            HATCH_TEST_OK(hatch_image_make(&frame.arena, side, side, "Y", image, &frame.err),
-                          &frame.err);
-            for (uint32_t i = 0; i < side * side; i++)
-                image->pixels[i] = hatch_random_unit(7, t * 16 + level, i);
-        }
-    }
-}
-
-/* The plane fills a square picture; v goes down, as the image's rows do. */
-static const struct view facing = {.eye = {0, 0, 2},
-                                   .right = {1, 0, 0},
-                                   .up = {0, 1, 0},
-                                   .back = {0, 0, 1},
-                                   .orthographic = true,
-                                   .half_height = 1,
-                                   .aspect = 1,
-                                   .near = 0.1,
-                                   .far = 10,
-                                   .pivot = 2};
 
 static void make_plane(uint32_t faces, struct hatch_mesh *mesh)
 {
@@ -100,7 +67,7 @@ static double blended(double amount, uint32_t level, size_t texel)
     double begin = 0, ink_before = 0;
     for (uint32_t t = 0; t < map.tones; t++) {
         double end = (double)map.target[t];
-        double ink = 1 - (double)columns[t].levels[level].pixels[texel];
+        double ink = 1 - (double)map.columns[t].levels[level].pixels[texel];
         if (amount <= end || t + 1 == map.tones) {
             double share = fmin((amount - begin) / (end - begin), 1);
             return ink_before + share * (ink - ink_before);
@@ -149,12 +116,12 @@ static double worst_against_definition(const char *technique, uint32_t tones, ui
     struct hatch_mesh mesh;
     struct hatch_image image;
     frame_arenas(&frame);
-    make_map(tones);
+    random_map(SIZE, tones, &frame.arena, &map);
     make_plane(50, &mesh);
     frame_begin(&mesh, &frame_unit, &map, &frame);
     add_lamp();
     frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)(1u << level);
-    frame_draw(&frame, technique, &facing, SIZE, SIZE, 1, &image);
+    frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
     double worst = 0, least = 1, most = 0;
     for (uint32_t row = 0; row < SIZE; row++)
         for (uint32_t column = 0; column < SIZE; column++) {
@@ -219,7 +186,7 @@ START_TEST(tam_triple_is_tam_on_a_teapot)
     struct hatch_image one, three;
     struct bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
     frame_arenas(&frame);
-    make_map(TONES);
+    random_map(SIZE, TONES, &frame.arena, &map);
     HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh,
                                    &frame.err),
                   &frame.err);

@@ -1,0 +1,49 @@
+/* A map of random texels, and the view in which each of them is a pixel: what a technique draws can then be
+ * computed pixel by pixel. */
+#ifndef HATCH_TEST_RENDER_MAP_H
+#define HATCH_TEST_RENDER_MAP_H
+
+#include <math.h>
+
+#include "base/random.h"
+#include "render-gl/view.h"
+#include "run.h"
+#include "tam/tam.h"
+
+/* Every level is random by itself: nothing that a wrong level or column would pass. */
+static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_arena *arena,
+                              struct hatch_tam *map)
+{
+    struct hatch_err err;
+    *map = (struct hatch_tam){.size_px = size_px,
+                              .tones = tones,
+                              .levels = 3,
+                              .columns = HATCH_NEW(arena, struct hatch_mipmap, tones, &err)};
+    for (uint32_t t = 0; t < tones; t++) {
+        struct hatch_mipmap *column = &map->columns[t];
+        column->level_count = hatch_mip_chain_length(size_px, size_px);
+        column->levels = HATCH_NEW(arena, struct hatch_image, column->level_count, &err);
+        map->target[t] = 0.1f + 0.8f * powf((float)(t + 1) / (float)tones, 1.3f);
+        for (uint32_t level = 0; level < column->level_count; level++) {
+            struct hatch_image *image = &column->levels[level];
+            uint32_t side = hatch_mip_size(size_px, level);
+            HATCH_TEST_OK(hatch_image_make(arena, side, side, "Y", image, &err), &err);
+            for (uint32_t i = 0; i < side * side; i++)
+                image->pixels[i] = hatch_random_unit(7, t * 16 + level, i);
+        }
+    }
+}
+
+/* The square from -1 to 1 in x and y fills a square picture; v goes down, as the image's rows do. */
+static const struct view map_facing = {.eye = {0, 0, 2},
+                                       .right = {1, 0, 0},
+                                       .up = {0, 1, 0},
+                                       .back = {0, 0, 1},
+                                       .orthographic = true,
+                                       .half_height = 1,
+                                       .aspect = 1,
+                                       .near = 0.1,
+                                       .far = 10,
+                                       .pivot = 2};
+
+#endif
