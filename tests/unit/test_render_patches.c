@@ -1,0 +1,156 @@
+/* Patches joined to one mesh, and what must see the surface below them once. */
+#include "fail_alloc.h"
+#include "render_lapped.h"
+
+static uint32_t layer_of(const struct patch_mesh *from, const struct hatch_mesh *mesh, uint32_t patch)
+{
+    uint32_t layer = 0;
+    for (uint32_t i = 0; i < 3 * mesh->face_count; i++) {
+        while (i >= from->layer_end[layer])
+            layer++;
+        if (mesh->indices[i] >= from->first_vertex[patch] && mesh->indices[i] < from->first_vertex[patch + 1])
+            return layer;
+    }
+    ck_abort_msg("patch %u has no face", patch);
+    return 0;
+}
+
+/* By their middles: do two patches share a face? */
+static bool overlap(uint32_t a, uint32_t b, const struct hatch_mesh *sphere)
+{
+    for (size_t f = 0; f < sphere->face_count; f++) {
+        double middle[3];
+        middle_of(sphere, f, middle);
+        if (cap_holds(a, middle) && cap_holds(b, middle))
+            return true;
+    }
+    return false;
+}
+
+START_TEST(joined_patches_are_the_surface)
+{
+    begin();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    make_scene(&sphere, &caps);
+    HATCH_TEST_OK(patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
+                  &frame.err);
+    ck_assert_uint_eq(frame.scene.mesh_count, 1);
+    ck_assert_uint_eq(frame.scene.nodes[0].mesh_count, 1);
+    ck_assert_uint_eq(patches[0].patch_count, CAPS);
+    const struct hatch_mesh *joined = &frame.scene.meshes[0].mesh, *surface = &patches[0].surface;
+    ck_assert_uint_eq(surface->face_count, sphere.face_count);
+    ck_assert_uint_gt(joined->face_count, surface->face_count);
+    for (uint32_t v = 0; v < surface->vertex_count; v++)
+        ck_assert_mem_eq(surface->attributes[0].data + 3 * v,
+                         joined->attributes[0].data + 3 * patches[0].vertex_of[v], 3 * sizeof(float));
+    ck_assert_uint_eq(patches[0].layer_end[patches[0].layer_count - 1], 3 * joined->face_count);
+    for (uint32_t a = 0; a < CAPS; a++)
+        for (uint32_t b = a + 1; b < CAPS; b++)
+            if (overlap(a, b, &sphere))
+                ck_assert_uint_lt(layer_of(&patches[0], joined, a), layer_of(&patches[0], joined, b));
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
+static enum hatch_status join(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                              struct hatch_err *err)
+{
+    struct hatch_scene *scene = context, before = *scene;
+    struct hatch_node node = scene->nodes[0];
+    enum hatch_status status = patches_join(scene, keep, scratch, &patches, err);
+    if (status == HATCH_OK) {
+        *scene = before;
+        scene->nodes[0] = node;
+    }
+    return status;
+}
+
+START_TEST(joining_survives_every_failed_allocation)
+{
+    begin();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100);
+    make_scene(&sphere, &caps);
+    ck_assert_uint_gt(hatch_test_fail_alloc(join, &frame.scene, &frame.scene, sizeof frame.scene), 20);
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
+/* Draws tone and lines of what frame holds. */
+static void draw_lines(struct hatch_image *image)
+{
+    const struct line_style style = {
+        .kinds = LINES_ALL, .asked = true, .width_px = 2, .crease_rad = 0.7};
+    struct lines lines;
+    HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30,
+                             &frame.arena, &frame.scratch, &lines, &frame.err),
+                  &frame.err);
+    frame.renderer.lines = &lines;
+    draw_in_tiles("gouraud", 160, 2, image);
+    frame.renderer.lines = NULL;
+    lines_free(&lines);
+}
+
+START_TEST(lines_see_the_surface_once)
+{
+    struct hatch_image lapped, plain, none;
+    begin();
+    fill_mask();
+    struct hatch_mesh mesh = shape_of(_i ? HATCH_SHAPE_PLANE : HATCH_SHAPE_SPHERE, 500);
+    const struct cut planes = {.count = 3, .materials = 1, .place = place_shifted};
+    begin_lapped(&mesh, _i ? &planes : &caps);
+    frame.renderer.style.curve.high = 0.2;
+    draw_lines(&lapped);
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.style.curve.high = 0.2;
+    frame.scene.meshes[0].had_normals = true;
+    draw_lines(&plain);
+    draw_in_tiles("gouraud", 160, 2, &none);
+    ck_assert_double_gt(worst_difference(&plain, &none), 0.5);
+    ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+/* Two spheres, one in a node that makes it three times as large. */
+START_TEST(strokes_have_one_size_on_all_patches)
+{
+    begin();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    make_scene(&sphere, &caps);
+    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
+    nodes[0] = nodes[1] = frame.scene.nodes[0];
+    for (int k = 0; k < 3; k++)
+        nodes[1].scale[k] = 3;
+    frame.scene.nodes = nodes;
+    frame.scene.node_count = 2;
+    HATCH_TEST_OK(patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
+                  &frame.err);
+    frame_begin_scene(patches, &frame_unit, &map, &frame);
+    ck_assert_uint_eq(frame.gpu.item_count, 2);
+    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, &map_facing, 300, SIZE, 3, &frame.scratch, &frame.err),
+                  &frame.err);
+    ck_assert_double_eq_tol((double)frame.gpu.items[1].repeat[0] / (double)frame.gpu.items[0].repeat[0], 3, 1e-3);
+    /* 150 pixels to a unit; a unit of the hatch coordinates is one of the small sphere. */
+    ck_assert_double_eq_tol((double)frame.gpu.items[0].repeat[0], 150.0 / SIZE, 0.05 * 150.0 / SIZE);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render patches");
+    TCase *tests = tcase_create("patches");
+    tcase_add_test(tests, joined_patches_are_the_surface);
+    tcase_add_test(tests, joining_survives_every_failed_allocation);
+    tcase_add_loop_test(tests, lines_see_the_surface_once, 0, 2);
+    tcase_add_test(tests, strokes_have_one_size_on_all_patches);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
