@@ -20,8 +20,12 @@ static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, str
     struct hatch_edges edges;
     HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch,
                                scratch, &edges, err));
+    uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)w->mesh->face_count * 3, err);
+    if (!partner)
+        return HATCH_LIMIT;
+    hatch_edges_partners(&edges, NULL, w->mesh->face_count, partner);
     struct hatch_orientation result;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, &edges, w->dropped, scratch, w->flipped, NULL,
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, partner, w->dropped, scratch, w->flipped, NULL,
                                 &result, err));
     w->notes.faces_flipped = result.faces_flipped;
     w->notes.contrary_edges = result.contrary_edges;

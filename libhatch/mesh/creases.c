@@ -6,24 +6,6 @@
 
 /* Faces that lie on one another leave an edge in directions that differ by rounding only. */
 #define COS_SAME 0.9999
-#define FLAT 1e-5 /* height over width: what a face of floats may have by rounding alone */
-
-/* The unit vector at a right angle to a side that points into its face. */
-static bool direction_of(const struct hatch_mesh *mesh, uint32_t side, double direction[3])
-{
-    const float *positions = mesh->attributes[0].data;
-    uint32_t end = hatch_side_end(side), rest = hatch_side_end(end);
-    double a[3], b[3], c[3], along[3];
-    hatch_vec_of(&positions[(size_t)mesh->indices[side] * 3], a);
-    hatch_vec_of(&positions[(size_t)mesh->indices[end] * 3], b);
-    hatch_vec_of(&positions[(size_t)mesh->indices[rest] * 3], c);
-    hatch_vec_sub(b, a, along);
-    hatch_vec_sub(c, a, direction);
-    hatch_vec_normalize(along);
-    double reach = hatch_vec_length(direction);
-    hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, along), along, direction);
-    return hatch_vec_normalize(direction) > FLAT * reach;
-}
 
 static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_t *sides,
                                     uint32_t count, double cos_crease)
@@ -31,10 +13,10 @@ static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_
     double first[3], other[3];
     uint32_t at = 0, told = 1;
     bool same = true, opposite = false, bent = false;
-    while (at < count && !direction_of(mesh, sides[at], first))
+    while (at < count && !hatch_side_direction(mesh, sides[at], first))
         at++;
     for (uint32_t i = at + 1; i < count; i++) {
-        if (!direction_of(mesh, sides[i], other))
+        if (!hatch_side_direction(mesh, sides[i], other))
             continue;
         double cosine = hatch_vec_dot(first, other);
         told++;

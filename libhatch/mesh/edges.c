@@ -3,6 +3,10 @@
 #include <assert.h>
 #include <string.h>
 
+#include "math/vector.h"
+
+#define FLAT 1e-5 /* height over width: what a face of floats may have by rounding alone */
+
 void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point,
                               uint32_t *point)
 {
@@ -85,4 +89,33 @@ enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, u
     }
     hatch_arena_rewind(scratch, mark);
     return starts ? HATCH_OK : HATCH_LIMIT;
+}
+
+void hatch_edges_partners(const struct hatch_edges *edges, const uint8_t *sharp, uint32_t face_count,
+                          uint32_t *partner)
+{
+    memset(partner, 0xff, (size_t)face_count * 3 * sizeof *partner);
+    for (uint32_t e = 0; e < edges->count; e++) {
+        const uint32_t *sides = &edges->sides[edges->first[e]];
+        if (edges->first[e + 1] - edges->first[e] != 2 || (sharp && sharp[e]))
+            continue;
+        partner[sides[0]] = sides[1];
+        partner[sides[1]] = sides[0];
+    }
+}
+
+bool hatch_side_direction(const struct hatch_mesh *mesh, uint32_t side, double direction[3])
+{
+    const float *positions = mesh->attributes[0].data;
+    uint32_t end = hatch_side_end(side), rest = hatch_side_end(end);
+    double a[3], b[3], c[3], along[3];
+    hatch_vec_of(&positions[(size_t)mesh->indices[side] * 3], a);
+    hatch_vec_of(&positions[(size_t)mesh->indices[end] * 3], b);
+    hatch_vec_of(&positions[(size_t)mesh->indices[rest] * 3], c);
+    hatch_vec_sub(b, a, along);
+    hatch_vec_sub(c, a, direction);
+    hatch_vec_normalize(along);
+    double reach = hatch_vec_length(direction);
+    hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, along), along, direction);
+    return hatch_vec_normalize(direction) > FLAT * reach;
 }

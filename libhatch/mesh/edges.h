@@ -20,6 +20,10 @@ static inline uint32_t hatch_side_end(uint32_t side)
     return side % 3 == 2 ? side - 2 : side + 1;
 }
 
+/* The unit vector at a right angle to a side that points into its face. false when the face is so flat
+ * that rounding decides. */
+bool hatch_side_direction(const struct hatch_mesh *mesh, uint32_t side, double direction[3]);
+
 /* The point of every corner: point[i] = vertex_to_point[mesh->indices[i]]. point: 3 * face_count. */
 void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point,
                               uint32_t *point);
@@ -31,5 +35,10 @@ enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, u
                                    const uint8_t *dropped, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_edges *edges,
                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* partner: per side of all face_count faces the other side of its edge, where that has exactly two faces
+ * and is not sharp; else HATCH_NO_EDGE. sharp: NULL, or per edge. */
+void hatch_edges_partners(const struct hatch_edges *edges, const uint8_t *sharp, uint32_t face_count,
+                          uint32_t *partner);
 
 #endif

@@ -25,27 +25,23 @@ void hatch_sets_join(uint32_t *parent, uint32_t a, uint32_t b)
         parent[a] = b;
 }
 
-/* Joins the corners of all faces along one edge, end by end. */
-static void join_edge(const uint32_t *point, const uint32_t *sides, uint32_t count,
-                      uint32_t *parent)
+/* Joins the corners at both ends of two sides of one edge. */
+static void join_sides(const uint32_t *point, uint32_t side, uint32_t other, uint32_t *parent)
 {
-    uint32_t start = sides[0], end = hatch_side_end(sides[0]);
-    for (uint32_t i = 1; i < count; i++) {
-        uint32_t a = sides[i], b = hatch_side_end(sides[i]);
-        bool same_way = point[a] == point[start];
-        hatch_sets_join(parent, start, same_way ? a : b);
-        hatch_sets_join(parent, end, same_way ? b : a);
-    }
+    uint32_t end = hatch_side_end(side), other_end = hatch_side_end(other);
+    bool same_way = point[side] == point[other];
+    hatch_sets_join(parent, side, same_way ? other : other_end);
+    hatch_sets_join(parent, end, same_way ? other_end : other);
 }
 
-uint32_t hatch_mesh_corner_fans(const uint32_t *point, uint32_t face_count,
-                                const struct hatch_edges *edges, const uint8_t *sharp, uint32_t *fan)
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count,
+                                uint32_t *fan)
 {
     uint32_t corner_count = face_count * 3, fan_count = 0;
     hatch_sets_init(fan, corner_count);
-    for (uint32_t e = 0; e < edges->count; e++)
-        if (edges->first[e + 1] - edges->first[e] == 2 && !(sharp && sharp[e]))
-            join_edge(point, &edges->sides[edges->first[e]], 2, fan);
+    for (uint32_t side = 0; side < corner_count; side++)
+        if (partner[side] != HATCH_NO_EDGE && side < partner[side])
+            join_sides(point, side, partner[side], fan);
     /* A root is the lowest corner of its fan, so its number is known before its members ask. */
     for (uint32_t i = 0; i < corner_count; i++)
         fan[i] = hatch_sets_find(fan, i);
@@ -68,8 +64,8 @@ enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_
     }
     hatch_sets_init(parent, face_count * 3);
     for (uint32_t e = 0; e < edges->count; e++)
-        join_edge(point, &edges->sides[edges->first[e]], edges->first[e + 1] - edges->first[e],
-                  parent);
+        for (uint32_t i = edges->first[e] + 1; i < edges->first[e + 1]; i++)
+            join_sides(point, edges->sides[edges->first[e]], edges->sides[i], parent);
     uint32_t pinched = 0;
     for (uint32_t i = 0; i < face_count * 3; i++)
         if (parent[i] == i && !(dropped && dropped[i / 3]) && fans[point[i]] < 2)

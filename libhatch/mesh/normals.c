@@ -27,6 +27,20 @@ static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, doub
     return !(hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb));
 }
 
+/* Corners are joined across the edges of two faces that are not sharp. */
+static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edges *edges,
+                                          const uint8_t *sharp, struct hatch_arena *scratch,
+                                          struct hatch_err *err)
+{
+    uint32_t faces = w->mesh->face_count;
+    uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)faces * 3, err);
+    if (!partner)
+        return HATCH_LIMIT;
+    hatch_edges_partners(edges, sharp, faces, partner);
+    w->class_count = hatch_mesh_corner_fans(w->point, partner, faces, w->class_of);
+    return HATCH_OK;
+}
+
 static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -41,8 +55,7 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
         sharp[e] = edges.first[e + 1] - edges.first[e] == 2 &&
                    is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
     }
-    w->class_count = hatch_mesh_corner_fans(w->point, w->mesh->face_count, &edges, sharp, w->class_of);
-    return HATCH_OK;
+    return classes_by_edges(w, &edges, sharp, scratch, err);
 }
 
 static double corner_angle(double corners[3][3], int c)
@@ -151,8 +164,9 @@ enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct h
     w.class_of = w.point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
     if (w.class_of) {
         memcpy(w.point, point, corners * sizeof *point);
-        w.class_count = hatch_mesh_corner_fans(point, mesh->face_count, edges, sharp, w.class_of);
-        status = sum_and_build(&w, arena, scratch, &out, err);
+        status = classes_by_edges(&w, edges, sharp, scratch, err);
+        if (status == HATCH_OK)
+            status = sum_and_build(&w, arena, scratch, &out, err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

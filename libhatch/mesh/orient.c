@@ -1,27 +1,19 @@
 #include "mesh/orient.h"
 
+#include <string.h>
+
 #include "math/vector.h"
 
 struct flood {
     const struct hatch_mesh *mesh;
     const uint32_t *point;
-    const struct hatch_edges *edges;
+    const uint32_t *partner;
     uint8_t *flipped;
     uint8_t *seen;  /* per face */
     uint32_t *queue; /* faces of the component, in the order found */
     uint32_t count;
     bool closed;
 };
-
-/* The other side of an edge of exactly two faces, or HATCH_NO_EDGE. */
-static uint32_t partner(const struct hatch_edges *edges, uint32_t side)
-{
-    uint32_t edge = edges->edge_of[side];
-    if (edge == HATCH_NO_EDGE || edges->first[edge + 1] - edges->first[edge] != 2)
-        return HATCH_NO_EDGE;
-    const uint32_t *sides = &edges->sides[edges->first[edge]];
-    return sides[sides[0] == side ? 1 : 0];
-}
 
 /* Two sides of one edge agree when they run in opposite directions. */
 static bool agree(const struct flood *f, uint32_t side, uint32_t other)
@@ -38,7 +30,7 @@ static void flood_from(struct flood *f, uint32_t start)
     f->seen[start] = 1;
     for (uint32_t i = 0; i < f->count; i++)
         for (uint32_t c = 0; c < 3; c++) {
-            uint32_t side = f->queue[i] * 3 + c, other = partner(f->edges, side);
+            uint32_t side = f->queue[i] * 3 + c, other = f->partner[side];
             if (other == HATCH_NO_EDGE) {
                 f->closed = false;
             } else if (!f->seen[other / 3]) {
@@ -68,30 +60,48 @@ static double volume(const struct flood *f)
     return sum;
 }
 
-static uint32_t settle(struct flood *f)
+/* The component's edges of two faces that disagree, as turned and as they came. */
+static void count_contrary(const struct flood *f, uint32_t *turned, uint32_t *before)
 {
-    uint32_t turned = 0;
+    *turned = *before = 0;
+    for (uint32_t i = 0; i < f->count * 3; i++) {
+        uint32_t side = f->queue[i / 3] * 3 + i % 3, other = f->partner[side];
+        if (other == HATCH_NO_EDGE || other < side)
+            continue;
+        *turned += !agree(f, side, other);
+        *before += f->point[side] == f->point[other];
+    }
+}
+
+static void settle(struct flood *f, struct hatch_orientation *result)
+{
+    uint32_t turned = 0, contrary, before;
     for (uint32_t i = 0; i < f->count; i++)
         turned += f->flipped[f->queue[i]];
+    count_contrary(f, &contrary, &before);
+    result->contrary_edges += contrary < before ? contrary : before;
     if (turned == 0)
-        return 0;
+        return;
+    if (before <= contrary) { /* one side alone: no turning helps */
+        for (uint32_t i = 0; i < f->count; i++)
+            f->flipped[f->queue[i]] = 0;
+        return;
+    }
     double size = f->closed ? volume(f) : 0;
     bool other_side = size < 0 || (!(size > 0) && turned > f->count - turned);
-    if (!other_side)
-        return turned;
-    for (uint32_t i = 0; i < f->count; i++)
+    for (uint32_t i = 0; other_side && i < f->count; i++)
         f->flipped[f->queue[i]] = !f->flipped[f->queue[i]];
-    return f->count - turned;
+    result->faces_flipped += other_side ? f->count - turned : turned;
 }
 
 enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_t *point,
-                                    const struct hatch_edges *edges, const uint8_t *dropped,
+                                    const uint32_t *partner, const uint8_t *dropped,
                                     struct hatch_arena *scratch, uint8_t *flipped,
                                     uint32_t *component, struct hatch_orientation *result,
                                     struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct flood f = {.mesh = mesh, .point = point, .edges = edges, .flipped = flipped};
+    struct flood f = {.mesh = mesh, .point = point, .partner = partner, .flipped = flipped};
     f.seen = HATCH_NEW(scratch, uint8_t, mesh->face_count, err);
     f.queue = f.seen ? HATCH_NEW(scratch, uint32_t, mesh->face_count, err) : NULL;
     if (!f.queue) {
@@ -99,19 +109,15 @@ enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_
         return HATCH_LIMIT;
     }
     struct hatch_orientation found = {0};
+    memset(flipped, 0, mesh->face_count);
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         if (f.seen[face] || (dropped && dropped[face]))
             continue;
         flood_from(&f, face);
+        settle(&f, &found);
         for (uint32_t i = 0; component && i < f.count; i++)
             component[f.queue[i]] = found.components;
         found.components++;
-        found.faces_flipped += settle(&f);
-    }
-    for (uint32_t e = 0; e < edges->count; e++) {
-        const uint32_t *sides = &edges->sides[edges->first[e]];
-        if (edges->first[e + 1] - edges->first[e] == 2 && !agree(&f, sides[0], sides[1]))
-            found.contrary_edges++;
     }
     *result = found;
     hatch_arena_rewind(scratch, mark);

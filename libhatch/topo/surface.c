@@ -47,29 +47,50 @@ static enum hatch_status count_vertices(struct hatch_surface_work *w,
     return HATCH_OK;
 }
 
-static enum hatch_status find_sheets(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
-                                     struct hatch_err *err)
+static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                struct hatch_err *err)
 {
-    const struct hatch_mesh *mesh = w->mesh;
-    w->flipped = HATCH_NEW(w->scratch, uint8_t, mesh->face_count, err);
-    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, mesh->face_count, err) : NULL;
-    w->fan = w->component ? HATCH_NEW(w->scratch, uint32_t, (size_t)mesh->face_count * 3, err) : NULL;
-    if (!w->fan)
-        return HATCH_LIMIT;
-    HATCH_TRY(hatch_edges_find(w->point, mesh->face_count, w->position_count, w->dropped, w->scratch,
-                               w->scratch, &w->edges, err));
     struct hatch_orientation turned;
-    HATCH_TRY(hatch_mesh_orient(mesh, w->point, &w->edges, w->dropped, w->scratch, w->flipped,
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped,
                                 w->component, &turned, err));
-    w->fan_count = hatch_mesh_corner_fans(w->point, mesh->face_count, &w->edges, NULL, w->fan);
     w->component_count = turned.components;
     notes->components = turned.components;
     notes->flipped = turned.faces_flipped;
     notes->contrary = turned.contrary_edges;
+    return HATCH_OK;
+}
+
+/* Which pages of an edge of more than two faces agree is known once their faces have been turned; what
+ * they join is then turned as a whole. */
+static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                    struct hatch_err *err)
+{
+    hatch_edges_partners(&w->edges, NULL, w->mesh->face_count, w->partner);
+    HATCH_TRY(orient(w, notes, err));
     for (uint32_t e = 0; e < w->edges.count; e++)
         notes->edges_cut += w->edges.first[e + 1] - w->edges.first[e] > 2;
-    return hatch_mesh_count_pinched(w->point, mesh->face_count, w->position_count, &w->edges,
-                                    w->dropped, w->scratch, &notes->points_split, err);
+    if (notes->edges_cut && hatch_surface_join_pages(w))
+        return orient(w, notes, err);
+    return HATCH_OK;
+}
+
+static enum hatch_status find_sheets(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                     struct hatch_err *err)
+{
+    uint32_t faces = w->mesh->face_count;
+    size_t corners = (size_t)faces * 3;
+    w->flipped = HATCH_NEW(w->scratch, uint8_t, faces, err);
+    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, faces, err) : NULL;
+    w->fan = w->component ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
+    w->partner = w->fan ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
+    if (!w->partner)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_edges_find(w->point, faces, w->position_count, w->dropped, w->scratch, w->scratch,
+                               &w->edges, err));
+    HATCH_TRY(join_faces(w, notes, err));
+    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces, w->fan);
+    return hatch_mesh_count_pinched(w->point, faces, w->position_count, &w->edges, w->dropped,
+                                    w->scratch, &notes->points_split, err);
 }
 
 static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface *surface,

@@ -2,8 +2,10 @@
  * works on surfaces (curvature, direction fields, patches) works on this, and on nothing else.
  *
  * Points are positions: vertices at one place are one point. Where a mesh is not manifold it is
- * cut: an edge of more than two faces becomes borders, a point whose faces do not hang together
- * becomes several points. What is left are components, each a surface with or without borders,
+ * cut: the faces of an edge of more than two are taken apart, and those that continue one another
+ * joined two and two (the edge is then several, some of them borders); a point whose faces do not
+ * hang together becomes several. So two points may be joined by several edges, and stand more than
+ * once in each other's rings. What is left are components, each a surface with or without borders,
  * closed or not, orientable or not, each moved to its middle and scaled to mean edge 1, in
  * doubles: an offset of 10⁶ or a scale of 10^±20 changes nothing. Faces and points of a component
  * follow one another. */

@@ -80,14 +80,9 @@ static void join_sides(const struct hatch_surface_work *w, struct hatch_surface 
                        const uint32_t *new_face)
 {
     memset(s->opposite, 0xff, (size_t)s->face_count * 3 * sizeof *s->opposite);
-    for (uint32_t e = 0; e < w->edges.count; e++) {
-        const uint32_t *sides = &w->edges.sides[w->edges.first[e]];
-        if (w->edges.first[e + 1] - w->edges.first[e] != 2)
-            continue;
-        uint32_t a = new_side(w, new_face, sides[0]), b = new_side(w, new_face, sides[1]);
-        s->opposite[a] = b;
-        s->opposite[b] = a;
-    }
+    for (uint32_t side = 0; side < 3 * w->mesh->face_count; side++)
+        if (w->partner[side] != HATCH_NO_EDGE)
+            s->opposite[new_side(w, new_face, side)] = new_side(w, new_face, w->partner[side]);
 }
 
 enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w,

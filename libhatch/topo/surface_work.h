@@ -16,7 +16,12 @@ struct hatch_surface_work {
     uint32_t *fan;          /* per corner: what becomes a point */
     uint32_t fan_count, component_count;
     struct hatch_edges edges;
+    uint32_t *partner;      /* per side: what it is joined with, or HATCH_NO_EDGE */
 };
+
+/* Joins pages of the edges of more than two faces: two and two of them that run against each other as the
+ * faces are turned, the flattest first. Returns how many pairs it made. */
+uint32_t hatch_surface_join_pages(const struct hatch_surface_work *work);
 
 /* Faces, corners, points and neighbours, component after component: all of the surface but border loops,
  * orientability and rings. */

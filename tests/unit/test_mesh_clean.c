@@ -4,8 +4,7 @@
 #include "fail_alloc.h"
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
 
 static struct hatch_arena keep, scratch;
 
@@ -21,26 +20,9 @@ static void end(void)
     hatch_arena_free(&keep);
 }
 
-static struct hatch_mesh mesh_of(const float *positions, uint32_t vertices, const uint32_t *indices,
-                                 uint32_t faces)
-{
-    struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, vertices, faces, &mesh, &err), &err);
-    memcpy(mesh.attributes[0].data, positions, vertices * 12);
-    memcpy(mesh.indices, indices, faces * 12);
-    return mesh;
-}
-
 static struct hatch_mesh sphere(uint32_t faces)
 {
-    struct hatch_mesh mesh;
-    struct hatch_err err;
-    const struct hatch_shape_options options = {.faces = faces};
-    HATCH_TEST_OK(
-        hatch_shape_make(HATCH_SHAPE_SPHERE, &options, &keep, &scratch, &mesh, &err), &err);
-    mesh.attribute_count = 1;
-    return mesh;
+    return shape(&keep, HATCH_SHAPE_SPHERE, faces);
 }
 
 static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
@@ -65,7 +47,7 @@ static const float square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5, 5, -0.0
 START_TEST(equal_positions_are_one_point)
 {
     const uint32_t faces[] = {0, 1, 2};
-    struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
+    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 1);
     struct hatch_err err;
     uint32_t point[6], count;
     const uint32_t want[] = {0, 1, 2, 3, 4, 0}; /* minus zero is zero */
@@ -79,7 +61,7 @@ START_TEST(what_is_no_surface_is_dropped_and_counted)
 {
     const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2,
                               2, 1, 0, 0, 0, 1, 0, 5, 1, 1, 1, 1};
-    struct hatch_mesh mesh = mesh_of(square, 6, faces, 8);
+    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 8);
     float *uv;
     struct hatch_err err;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
@@ -101,7 +83,7 @@ START_TEST(a_mesh_without_area_is_bad_input)
 {
     const float line[] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
     const uint32_t faces[] = {0, 1, 2, 1, 2, 3};
-    struct hatch_mesh mesh = mesh_of(line, 4, faces, 2);
+    struct hatch_mesh mesh = mesh_of(&keep, line, 4, faces, 2);
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
     ck_assert_int_eq(hatch_mesh_clean(&keep, &scratch, &mesh, &notes, &err), HATCH_BAD_INPUT);
@@ -117,7 +99,7 @@ START_TEST(sizes_near_the_ends_of_float_are_sizes)
         for (int i = 0; i < 18; i++)
             scaled[i] = square[i] * scale;
         const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
-        struct hatch_mesh mesh = mesh_of(scaled, 4, faces, 2);
+        struct hatch_mesh mesh = mesh_of(&keep, scaled, 4, faces, 2);
         struct hatch_err err;
         ck_assert_uint_eq(clean(&mesh).degenerate_dropped, 0);
         HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &mesh, 0, &err), &err);
@@ -127,13 +109,6 @@ START_TEST(sizes_near_the_ends_of_float_are_sizes)
 }
 END_TEST
 
-static void flip(struct hatch_mesh *mesh, uint32_t face)
-{
-    uint32_t *index = &mesh->indices[face * 3], swap = index[1];
-    index[1] = index[2];
-    index[2] = swap;
-}
-
 START_TEST(faces_are_turned_to_agree_and_outwards)
 {
     for (uint32_t every = 2; every < 6; every++) {
@@ -142,7 +117,7 @@ START_TEST(faces_are_turned_to_agree_and_outwards)
         /* every = 2: all but the second ones, so that most look inwards. */
         for (uint32_t f = 0; f < mesh.face_count; f++)
             if ((f % every == 0) != (every == 2)) {
-                flip(&mesh, f);
+                turn(&mesh, f);
                 turned++;
             }
         ck_assert_uint_gt(measure(&mesh).contrary_edges, 0);
@@ -158,43 +133,20 @@ START_TEST(an_open_part_keeps_the_side_of_most_faces)
 {
     const float strip[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 1, 2, 1, 3, 2, 2, 4, 3};
-    struct hatch_mesh mesh = mesh_of(strip, 5, faces, 3);
+    struct hatch_mesh mesh = mesh_of(&keep, strip, 5, faces, 3);
     ck_assert_uint_eq(clean(&mesh).faces_flipped, 1);
     const uint32_t want[] = {0, 1, 2, 1, 3, 2, 2, 3, 4};
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
     const uint32_t first[] = {0, 2, 1, 1, 3, 2, 2, 3, 4};
-    mesh = mesh_of(strip, 5, first, 3);
+    mesh = mesh_of(&keep, strip, 5, first, 3);
     ck_assert_uint_eq(clean(&mesh).faces_flipped, 1);
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
 }
 END_TEST
 
-/* A band of n squares, closed into a ring; the last is joined upside down for a Möbius strip. */
-static struct hatch_mesh band(uint32_t n, bool twisted)
-{
-    struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, 2 * n, 2 * n, &mesh, &err), &err);
-    for (uint32_t i = 0; i < n; i++) {
-        double a = 2 * 3.14159265358979 * i / n, tilt = twisted ? a / 2 : 0;
-        for (uint32_t k = 0; k < 2; k++) {
-            double across = k ? 0.3 : -0.3, radius = 1 + across * sin(tilt);
-            float *p = &mesh.attributes[0].data[(2 * i + k) * 3];
-            p[0] = (float)(radius * cos(a));
-            p[1] = (float)(across * cos(tilt));
-            p[2] = (float)(radius * sin(a));
-        }
-        uint32_t next = (i + 1) % n, swap = twisted && i + 1 == n;
-        const uint32_t c = 2 * next + swap, d = 2 * next + 1 - swap;
-        const uint32_t faces[6] = {2 * i, 2 * i + 1, c, 2 * i + 1, d, c};
-        memcpy(&mesh.indices[i * 6], faces, sizeof faces);
-    }
-    return mesh;
-}
-
 START_TEST(one_sided_surfaces_are_told)
 {
-    struct hatch_mesh plain = band(40, false), twisted = band(40, true);
+    struct hatch_mesh plain = band(&keep, 40, false), twisted = band(&keep, 40, true);
     ck_assert_uint_eq(clean(&plain).contrary_edges, 0);
     ck_assert_uint_eq(measure(&plain).boundary_loops, 2);
     ck_assert_uint_eq(clean(&twisted).contrary_edges, 1);
@@ -210,14 +162,14 @@ START_TEST(pinched_points_and_books_are_told)
     /* Two tetrahedra that share vertex 3; three triangles that share the edge 0 1. */
     const float tips[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 1, 0, 2, 0, 1, 2};
     const uint32_t pair[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 4, 5, 6, 4, 3, 5, 5, 3, 6, 6, 3, 4};
-    struct hatch_mesh mesh = mesh_of(tips, 7, pair, 8);
+    struct hatch_mesh mesh = mesh_of(&keep, tips, 7, pair, 8);
     struct hatch_mesh_figures f = measure(&mesh);
     ck_assert_uint_eq(f.non_manifold_points, 1);
     ck_assert_uint_eq(f.components, 1);
     ck_assert_uint_eq(f.boundary_loops, 0);
     ck_assert_uint_eq(clean(&mesh).non_manifold_points, 1);
     const uint32_t book[] = {0, 1, 2, 1, 0, 3, 0, 1, 6};
-    mesh = mesh_of(tips, 7, book, 3);
+    mesh = mesh_of(&keep, tips, 7, book, 3);
     f = measure(&mesh);
     ck_assert_uint_eq(f.non_manifold_edges, 1);
     ck_assert_uint_eq(f.non_manifold_points, 0);
@@ -225,25 +177,9 @@ START_TEST(pinched_points_and_books_are_told)
 }
 END_TEST
 
-/* Every corner a vertex of its own, and the faces in another order. */
-static struct hatch_mesh soup(const struct hatch_mesh *from)
-{
-    struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, from->face_count * 3, from->face_count, &mesh, &err), &err);
-    for (uint32_t i = 0; i < from->face_count * 3; i++) {
-        uint32_t source = from->face_count * 3 - 1 - i;
-        source = source - source % 3 + (2 - source % 3); /* corners in order again */
-        mesh.indices[i] = i;
-        memcpy(&mesh.attributes[0].data[i * 3], &from->attributes[0].data[from->indices[source] * 3],
-               12);
-    }
-    return mesh;
-}
-
 START_TEST(figures_do_not_depend_on_order_or_welding)
 {
-    struct hatch_mesh mesh = sphere(900), shuffled = soup(&mesh);
+    struct hatch_mesh mesh = sphere(900), shuffled = soup(&keep, &mesh);
     struct hatch_mesh_figures a = measure(&mesh), b = measure(&shuffled);
     ck_assert_uint_eq(b.vertices, 3 * mesh.face_count);
     ck_assert_uint_eq(a.points, b.points);
@@ -257,7 +193,7 @@ END_TEST
 
 START_TEST(normals_of_a_sphere_point_outwards_welded_or_not)
 {
-    struct hatch_mesh smooth = sphere(5000), loose = soup(&smooth);
+    struct hatch_mesh smooth = sphere(5000), loose = soup(&keep, &smooth);
     struct hatch_mesh *both[] = {&smooth, &loose};
     for (int i = 0; i < 2; i++) {
         struct hatch_err err;
@@ -275,26 +211,10 @@ START_TEST(normals_of_a_sphere_point_outwards_welded_or_not)
 }
 END_TEST
 
-static struct hatch_mesh cube(void)
-{
-    static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    float positions[24];
-    uint32_t faces[36];
-    for (int i = 0; i < 24; i++)
-        positions[i] = (float)(i / 3 >> i % 3 & 1);
-    for (int q = 0; q < 6; q++) {
-        static const int corners[6] = {0, 1, 2, 0, 2, 3};
-        for (int i = 0; i < 6; i++)
-            faces[q * 6 + i] = quads[q][corners[i]];
-    }
-    return mesh_of(positions, 8, faces, 12);
-}
-
 START_TEST(creases_double_vertices_and_smooth_ones_do_not)
 {
     struct hatch_err err;
-    struct hatch_mesh smooth = cube(), creased = cube();
+    struct hatch_mesh smooth = cube(&keep), creased = cube(&keep);
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &smooth, 0, &err), &err);
     ck_assert_uint_eq(smooth.vertex_count, 8);
     /* Weighted by angle a cube's corner points along its diagonal, however the squares are cut. */
@@ -326,7 +246,7 @@ START_TEST(tangents_follow_mirrored_and_missing_textures)
     const float uvs[3][8] = {{0, 1, 1, 1, 1, 0, 0, 0}, {1, 1, 0, 1, 0, 0, 1, 0}, {0}};
     const float want[3][2] = {{1, 1}, {-1, -1}, {0, 1}};
     for (int i = 0; i < 3; i++) {
-        struct hatch_mesh mesh = mesh_of(square, 4, faces, 2);
+        struct hatch_mesh mesh = mesh_of(&keep, square, 4, faces, 2);
         struct hatch_err err;
         float *uv;
         HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
@@ -347,7 +267,7 @@ END_TEST
 START_TEST(bounds_are_of_used_vertices)
 {
     const uint32_t faces[] = {0, 1, 2};
-    struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
+    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 1);
     float low[3], high[3];
     ck_assert(hatch_mesh_bounds(&mesh, low, high));
     ck_assert_float_eq(high[0], 1);
