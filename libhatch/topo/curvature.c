@@ -4,6 +4,7 @@
 #include "topo/curvature.h"
 #include "topo/curvature_bend.h"
 #include "topo/curvature_support.h"
+#include "topo/curvature_work.h"
 
 /* Points for each coefficient, at least: with fewer the residual says little. */
 #define POINTS_PER_TERM 1.4
@@ -100,8 +101,8 @@ static void estimate_some(void *context, uint32_t worker)
             estimate_point(run, &run->supports[worker], p);
 }
 
-static enum hatch_status allocate(uint32_t points, struct hatch_arena *arena,
-                                  struct hatch_curvature *curvature, struct hatch_err *err)
+enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
+                                           struct hatch_curvature *curvature, struct hatch_err *err)
 {
     struct hatch_curvature made = {.direction = HATCH_NEW(arena, double, (size_t)points * 3, err)};
     made.value = made.direction ? HATCH_NEW(arena, double, (size_t)points * 2, err) : NULL;
@@ -124,7 +125,7 @@ enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
     assert(!(options->radius < 0) && options->radius <= 100);
     assert(options->degree == 0 || (options->degree >= 2 && options->degree <= HATCH_JET_DEGREE_MAX));
     struct hatch_curvature made;
-    HATCH_TRY(allocate(surface->point_count, arena, &made, err));
+    HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
     struct run run = {.surface = surface,
                       .frames = frames,
                       .radius = options->radius > 0 ? options->radius : RADIUS_DEFAULT,
