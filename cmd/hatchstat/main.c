@@ -3,7 +3,7 @@
 
 #include "subject.h"
 
-static struct stat_options values = {.max_difference = -1, .throws = 8};
+static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1};
 
 static const struct cmd_option options[] = {
     {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
@@ -21,6 +21,10 @@ static const struct cmd_option options[] = {
      &values.throws, NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL, "tam: exit 1 when nesting or tone is broken", &values.check,
      NULL, NULL},
+    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: a file whose field is the one that is wanted",
+     &values.reference, NULL, NULL},
+    {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
+     &values.share, NULL, NULL},
     {0},
 };
 
@@ -31,6 +35,7 @@ static const struct {
     stat_measure measure;
 } subjects[] = {
     {"diff", 2, 2, "2", stat_diff},
+    {"field", 0, -1, "any number", stat_field},
     {"frames", 2, -1, "2 or more", stat_frames},
     {"mesh", 0, -1, "any number", stat_mesh},
     {"tam", 0, 1, "1 at most", stat_tam},
@@ -40,6 +45,7 @@ static const char *const examples[] = {
     "hatchstat diff a.png b.png --max-difference 0.004",
     "hatchstat frames turn.*.png --json",
     "meshgen torus | hatchstat mesh",
+    "dirfield model.glb | hatchstat field",
     "tamgen --strokes ink.tsv -o ink.exr && hatchstat tam ink.exr --strokes ink.tsv --check",
     NULL,
 };
@@ -48,7 +54,7 @@ static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
     .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
-               "tonal art maps (tam FILE)",
+               "direction fields (field FILE ...), tonal art maps (tam FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,

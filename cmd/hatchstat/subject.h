@@ -13,6 +13,8 @@ struct stat_options {
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
     int64_t throws;        /* tam: how many random drawings evenness is compared with */
     bool check;            /* tam: nesting and tone decide the exit status */
+    const char *reference; /* field: NULL when not given */
+    double share;          /* field: of the reference's points, the most confident first */
 };
 
 /* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
@@ -24,6 +26,8 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
                             struct cmd_output *output);
 enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options,
                               struct cmd_output *output);
+enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options,
+                             struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
                             struct cmd_output *output);
 

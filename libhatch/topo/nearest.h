@@ -8,8 +8,9 @@
  * all points. */
 uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3]);
 
-/* The first point that a vertex of the mesh became, or HATCH_NO_SIDE when no face uses it. Looks
- * at all corners. */
-uint32_t hatch_surface_point_of(const struct hatch_surface *surface, uint32_t vertex);
+/* points[v]: the first point that vertex v of the mesh became, or HATCH_NO_SIDE when no face uses it.
+ * points: vertex_count, the mesh's. */
+void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count,
+                                 uint32_t *points);
 
 #endif

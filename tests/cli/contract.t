@@ -9,6 +9,7 @@ mkdir "$FIXTURES"
 fixture() {
     case $1 in
     mesh.glb) meshgen torus --faces 60 ;;
+    field.glb) meshgen torus --faces 60 --field ;;
     map.exr) tamgen --size 64 --tones 3 --levels 2 ;;
     picture.png) tamgen --size 64 --tones 2 --levels 1 --contact-sheet - -o /dev/null ;;
     esac >"$FIXTURES/$1"

@@ -1,0 +1,317 @@
+#include "measure/field_figures.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "math/percentile.h"
+#include "math/vector.h"
+#include "topo/field.h"
+#include "topo/nearest.h"
+
+#define DEGREES (180 / 3.14159265358979323846)
+
+struct compared {
+    double degrees, confidence; /* the reference's */
+};
+
+struct hatch_field_samples {
+    struct hatch_field_samples *older;
+    uint32_t points, faces, compared; /* faces, compared: that have an angle */
+    struct hatch_weighted *confidence, *uv;
+    struct compared *angles;
+};
+
+/* A mesh with its field, per point. */
+struct subject {
+    const struct hatch_mesh *mesh;
+    struct hatch_surface surface;
+    struct hatch_frames frames;
+    double *direction, *confidence;
+};
+
+static enum hatch_status read_subject(const struct hatch_field_sum *sum, const struct hatch_mesh *mesh,
+                                      struct subject *subject, struct hatch_err *err)
+{
+    struct hatch_surface_notes notes;
+    struct hatch_surface *surface = &subject->surface;
+    subject->mesh = mesh;
+    HATCH_TRY(hatch_surface_make(mesh, sum->arena, sum->scratch, surface, &notes, err));
+    HATCH_TRY(hatch_frames_make(surface, sum->arena, sum->scratch, &subject->frames, err));
+    subject->direction = HATCH_NEW(sum->arena, double, 3 * (size_t)surface->point_count, err);
+    subject->confidence =
+        subject->direction ? HATCH_NEW(sum->arena, double, surface->point_count, err) : NULL;
+    if (!subject->confidence)
+        return HATCH_LIMIT;
+    if (!hatch_field_of_mesh(surface, &subject->frames, mesh, subject->direction, subject->confidence))
+        return hatch_fail(err, HATCH_BAD_INPUT, "no direction field (_HATCH_DIR): dirfield adds one");
+    return HATCH_OK;
+}
+
+/* Between lines, 0 .. 90; right for small angles too. */
+static double angle_degrees(const double a[3], const double b[3])
+{
+    double across[3];
+    hatch_vec_cross(a, b, across);
+    return atan2(hatch_vec_length(across), fabs(hatch_vec_dot(a, b))) * DEGREES;
+}
+
+/* Where u rises and v stays, in the plane of a face. False where the texture coordinates are degenerate. */
+static bool rising_u(const struct subject *s, const float *uv, uint32_t face, double rising[3], double *area)
+{
+    const uint32_t *vertex = &s->surface.corner_vertex[3 * (size_t)face];
+    const float *positions = s->mesh->attributes[0].data;
+    double p[3][3], t[3][2], normal[3];
+    for (int c = 0; c < 3; c++) {
+        hatch_vec_of(&positions[3 * (size_t)vertex[c]], p[c]);
+        for (int k = 0; k < 2; k++)
+            t[c][k] = (double)uv[2 * (size_t)vertex[c] + (size_t)k] - (double)uv[2 * (size_t)vertex[0] + (size_t)k];
+    }
+    hatch_vec_triangle(p[0], p[1], p[2], normal);
+    *area = hatch_vec_length(normal) / 2;
+    double determinant = t[1][0] * t[2][1] - t[2][0] * t[1][1];
+    for (int k = 0; k < 3; k++)
+        rising[k] = ((p[1][k] - p[0][k]) * t[2][1] - (p[2][k] - p[0][k]) * t[1][1]) / determinant;
+    double length = hatch_vec_normalize(rising);
+    return length > 0 && isfinite(length);
+}
+
+static enum hatch_status measure_uv(const struct hatch_field_sum *sum, const struct subject *s,
+                                    struct hatch_field_samples *samples, struct hatch_err *err)
+{
+    const float *uv = hatch_mesh_find(s->mesh, "TEXCOORD_0", 2);
+    double rising[3], line[3], area, spread_rad;
+    if (!uv)
+        return HATCH_OK;
+    samples->uv = HATCH_NEW(sum->arena, struct hatch_weighted, s->surface.face_count, err);
+    if (!samples->uv)
+        return HATCH_LIMIT;
+    for (uint32_t f = 0; f < s->surface.face_count; f++) {
+        if (!rising_u(s, uv, f, rising, &area))
+            continue;
+        hatch_field_face(&s->surface, &s->frames, s->direction, f, line, &spread_rad);
+        samples->uv[samples->faces++] = (struct hatch_weighted){angle_degrees(line, rising), area};
+    }
+    return HATCH_OK;
+}
+
+/* Both meshes' vertices as one cloud: those at one place get one number. */
+static enum hatch_status weld_both(const struct hatch_field_sum *sum, const struct hatch_mesh *a,
+                                   const struct hatch_mesh *b, uint32_t *places, uint32_t *place_count,
+                                   struct hatch_err *err)
+{
+    struct hatch_mesh both;
+    struct hatch_arena_mark mark = hatch_arena_mark(sum->scratch);
+    if (a->vertex_count > UINT32_MAX - 1 - b->vertex_count)
+        return hatch_fail(err, HATCH_LIMIT, "too many vertices to compare");
+    HATCH_TRY(hatch_mesh_make(sum->scratch, a->vertex_count + b->vertex_count, 0, &both, err));
+    size_t split = 3 * (size_t)a->vertex_count;
+    memcpy(both.attributes[0].data, a->attributes[0].data, split * sizeof(float));
+    memcpy(both.attributes[0].data + split, b->attributes[0].data, 3 * (size_t)b->vertex_count * sizeof(float));
+    enum hatch_status status = hatch_mesh_weld(&both, sum->scratch, places, place_count, err);
+    hatch_arena_rewind(sum->scratch, mark);
+    return status;
+}
+
+/* partner[v]: the reference's point that vertex v of the mesh meets, or HATCH_NO_SIDE. */
+static enum hatch_status find_partners(const struct hatch_field_sum *sum, const struct subject *s,
+                                       const struct subject *reference, uint32_t *partner,
+                                       struct hatch_err *err)
+{
+    uint32_t own = s->mesh->vertex_count, others = reference->mesh->vertex_count, place_count;
+    uint32_t *point = HATCH_NEW(sum->scratch, uint32_t, others, err);
+    uint32_t *places = point ? HATCH_NEW(sum->scratch, uint32_t, (size_t)own + others, err) : NULL;
+    if (!places)
+        return HATCH_LIMIT;
+    hatch_surface_vertex_points(&reference->surface, others, point);
+    HATCH_TRY(weld_both(sum, s->mesh, reference->mesh, places, &place_count, err));
+    uint32_t *at_place = HATCH_NEW(sum->scratch, uint32_t, place_count, err);
+    if (!at_place)
+        return HATCH_LIMIT;
+    memset(at_place, 0xff, place_count * sizeof *at_place);
+    for (uint32_t v = others; v-- > 0;)
+        if (point[v] != HATCH_NO_SIDE)
+            at_place[places[own + v]] = point[v];
+    bool any = false;
+    for (uint32_t v = 0; v < own; v++) {
+        partner[v] = at_place[places[v]];
+        any = any || partner[v] != HATCH_NO_SIDE;
+    }
+    if (!any && own == others)
+        memcpy(partner, point, own * sizeof *partner);
+    else if (!any)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no point is where one of the reference is, and %u vertices are not %u",
+                          own, others);
+    return HATCH_OK;
+}
+
+/* Both lines are laid into the reference's tangent plane: noise tilts planes, which no stroke shows. */
+static void compare_points(const struct subject *s, const struct subject *reference,
+                           const uint32_t *first_vertex, const uint32_t *partner,
+                           struct hatch_field_samples *samples)
+{
+    for (uint32_t p = 0; p < s->surface.point_count; p++) {
+        uint32_t other = partner[first_vertex[p]];
+        if (other == HATCH_NO_SIDE || !(reference->confidence[other] > 0))
+            continue;
+        const double *normal = &reference->frames.normal[3 * (size_t)other];
+        const double *line = &s->direction[3 * (size_t)p];
+        double laid[3];
+        hatch_vec_add_scaled(line, -hatch_vec_dot(line, normal), normal, laid);
+        samples->angles[samples->compared++] =
+            (struct compared){angle_degrees(laid, &reference->direction[3 * (size_t)other]),
+                              reference->confidence[other]};
+    }
+}
+
+static enum hatch_status compare(const struct hatch_field_sum *sum, const struct subject *s,
+                                 const struct hatch_mesh *mesh, struct hatch_field_samples *samples,
+                                 struct hatch_err *err)
+{
+    struct subject reference;
+    enum hatch_status status = read_subject(sum, mesh, &reference, err);
+    if (status != HATCH_OK)
+        return hatch_fail_at(err, "reference: ");
+    samples->angles = HATCH_NEW(sum->arena, struct compared, s->surface.point_count, err);
+    uint32_t *partner = samples->angles ? HATCH_NEW(sum->scratch, uint32_t, s->mesh->vertex_count, err) : NULL;
+    uint32_t *first_vertex = partner ? HATCH_NEW(sum->scratch, uint32_t, s->surface.point_count, err) : NULL;
+    if (!first_vertex)
+        return HATCH_LIMIT;
+    for (size_t i = 3 * (size_t)s->surface.face_count; i-- > 0;)
+        first_vertex[s->surface.corners[i]] = s->surface.corner_vertex[i];
+    HATCH_TRY(find_partners(sum, s, &reference, partner, err));
+    compare_points(s, &reference, first_vertex, partner, samples);
+    return HATCH_OK;
+}
+
+static enum hatch_status measure_surface(struct hatch_field_sum *sum, const struct subject *s,
+                                         struct hatch_err *err)
+{
+    const struct hatch_surface *surface = &s->surface;
+    struct hatch_singularities singular;
+    struct hatch_field_figures *out = &sum->figures;
+    double energy[2], *nothing = HATCH_NEW(sum->scratch, double, surface->point_count, err);
+    if (!nothing)
+        return HATCH_LIMIT;
+    const struct hatch_field_data none = {.direction = s->direction, .confidence = nothing};
+    HATCH_TRY(hatch_field_singularities(surface, &s->frames, s->direction, sum->arena, sum->scratch, &singular, err));
+    hatch_field_energy(surface, &s->frames, &none, 1, s->direction, energy);
+    out->points += surface->point_count;
+    out->faces += surface->face_count;
+    out->components += surface->component_count;
+    out->singularities += singular.count;
+    out->smoothness += energy[0];
+    for (uint32_t c = 0; c < surface->component_count; c++) {
+        out->euler += surface->components[c].euler;
+        out->index_sum += singular.component_half_turns[c] / 2.0;
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status add(struct hatch_field_sum *sum, const struct hatch_mesh *mesh,
+                             const struct hatch_mesh *reference, struct hatch_err *err)
+{
+    struct subject subject;
+    HATCH_TRY(read_subject(sum, mesh, &subject, err));
+    struct hatch_field_samples *samples = HATCH_NEW(sum->arena, struct hatch_field_samples, 1, err);
+    if (!samples)
+        return HATCH_LIMIT;
+    samples->points = subject.surface.point_count;
+    samples->confidence = HATCH_NEW(sum->arena, struct hatch_weighted, samples->points, err);
+    if (!samples->confidence)
+        return HATCH_LIMIT;
+    for (uint32_t p = 0; p < samples->points; p++)
+        samples->confidence[p] = (struct hatch_weighted){subject.confidence[p], 1};
+    HATCH_TRY(measure_uv(sum, &subject, samples, err));
+    if (reference)
+        HATCH_TRY(compare(sum, &subject, reference, samples, err));
+    HATCH_TRY(measure_surface(sum, &subject, err));
+    samples->older = sum->samples;
+    sum->samples = samples;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const struct hatch_mesh *mesh,
+                                          const struct hatch_mesh *reference, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(sum->scratch);
+    enum hatch_status status = add(sum, mesh, reference, err);
+    hatch_arena_rewind(sum->scratch, mark);
+    return status;
+}
+
+/* The most confident first; equal ones by their angle, so that the choice does not hang on their order. */
+static int by_confidence(const void *a, const void *b)
+{
+    const struct compared *x = a, *y = b;
+    int order = (x->confidence < y->confidence) - (x->confidence > y->confidence);
+    return order ? order : (x->degrees > y->degrees) - (x->degrees < y->degrees);
+}
+
+/* Percentiles of one list of all meshes; copied into a list of its own. */
+enum list { CONFIDENCE, UV };
+
+static enum hatch_status rank(const struct hatch_field_sum *sum, enum list which, const double shares[3],
+                              double out[3], struct hatch_err *err)
+{
+    size_t count = 0;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older)
+        count += which == UV ? s->faces : s->points;
+    struct hatch_weighted *all = HATCH_NEW(sum->scratch, struct hatch_weighted, count, err);
+    if (!all)
+        return HATCH_LIMIT;
+    count = 0;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older) {
+        uint32_t more = which == UV ? s->faces : s->points;
+        if (more)
+            memcpy(&all[count], which == UV ? s->uv : s->confidence, more * sizeof *all);
+        count += more;
+    }
+    hatch_percentiles(all, count, shares, 3, out);
+    return HATCH_OK;
+}
+
+static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double share,
+                                     struct hatch_field_figures *out, struct hatch_err *err)
+{
+    static const double shares[4] = {0.5, 0.75, 0.95, 1};
+    size_t count = 0;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older)
+        count += s->compared;
+    struct compared *all = HATCH_NEW(sum->scratch, struct compared, count, err);
+    struct hatch_weighted *angles = all ? HATCH_NEW(sum->scratch, struct hatch_weighted, count, err) : NULL;
+    if (!angles)
+        return HATCH_LIMIT;
+    count = 0;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older) {
+        if (s->compared)
+            memcpy(&all[count], s->angles, s->compared * sizeof *all);
+        count += s->compared;
+    }
+    qsort(all, count, sizeof *all, by_confidence);
+    count = (size_t)ceil(share * (double)count);
+    for (size_t i = 0; i < count; i++)
+        angles[i] = (struct hatch_weighted){all[i].degrees, 1};
+    hatch_percentiles(angles, count, shares, 4, out->degrees);
+    out->compared = count;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_measure_field_end(const struct hatch_field_sum *sum, double share,
+                                          struct hatch_field_figures *figures, struct hatch_err *err)
+{
+    static const double quartiles[3] = {0.25, 0.5, 0.75}, upper[3] = {0.5, 0.75, 0.95};
+    struct hatch_arena_mark mark = hatch_arena_mark(sum->scratch);
+    struct hatch_field_figures made = sum->figures;
+    assert(share > 0 && share <= 1);
+    enum hatch_status status = rank(sum, CONFIDENCE, quartiles, made.confidence, err);
+    if (status == HATCH_OK)
+        status = rank(sum, UV, upper, made.uv_degrees, err);
+    if (status == HATCH_OK)
+        status = rank_angles(sum, share, &made, err);
+    hatch_arena_rewind(sum->scratch, mark);
+    if (status == HATCH_OK)
+        *figures = made;
+    return status;
+}

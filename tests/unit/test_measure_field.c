@@ -1,0 +1,235 @@
+#include <math.h>
+#include <string.h>
+
+#include "fail_alloc.h"
+#include "measure/field_figures.h"
+#include "mesh/shapes.h"
+#include "run.h"
+
+#define PI 3.14159265358979323846
+
+static struct hatch_arena keep, scratch;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 30);
+    hatch_arena_init(&scratch, (size_t)1 << 30);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+static struct hatch_mesh shape(enum hatch_shape kind, bool field)
+{
+    struct hatch_mesh mesh;
+    const struct hatch_shape_options options = {.faces = 2000, .jitter = 0.5f, .seed = 3, .field = field};
+    HATCH_TEST_OK(hatch_shape_make(kind, &options, &keep, &scratch, &mesh, &err), &err);
+    return mesh;
+}
+
+/* A plane whose lines all lie at one angle to x, which is where u rises. */
+static struct hatch_mesh plane(double degrees)
+{
+    struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false);
+    float *field;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "_HATCH_DIR", 4, &field, &err), &err);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        field[4 * v] = (float)cos(degrees * PI / 180);
+        field[4 * v + 1] = (float)sin(degrees * PI / 180);
+        field[4 * v + 3] = 1;
+    }
+    return mesh;
+}
+
+static struct hatch_field_figures measure(const struct hatch_mesh *mesh, const struct hatch_mesh *reference,
+                                          double share)
+{
+    struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
+    struct hatch_field_figures figures;
+    HATCH_TEST_OK(hatch_measure_field_add(&sum, mesh, reference, &err), &err);
+    HATCH_TEST_OK(hatch_measure_field_end(&sum, share, &figures, &err), &err);
+    return figures;
+}
+
+START_TEST(angles_of_a_turned_field_are_the_turn)
+{
+    struct hatch_mesh a = plane(45), b = plane(0), c = plane(170);
+    struct hatch_field_figures f = measure(&a, &b, 1);
+    ck_assert_uint_eq(f.compared, f.points);
+    for (int i = 0; i < 4; i++)
+        ck_assert_double_eq_tol(f.degrees[i], 45, 1e-5);
+    f = measure(&c, &b, 1);
+    ck_assert_double_eq_tol(f.degrees[3], 10, 1e-5); /* lines have no head */
+}
+END_TEST
+
+START_TEST(u_rises_along_x)
+{
+    struct hatch_mesh a = plane(0), b = plane(-30);
+    ck_assert_double_eq_tol(measure(&a, NULL, 1).uv_degrees[2], 0, 1e-4);
+    ck_assert_double_eq_tol(measure(&b, NULL, 1).uv_degrees[0], 30, 1e-4);
+    for (uint32_t i = 0; i < b.attribute_count; i++)
+        if (strcmp(b.attributes[i].name, "TEXCOORD_0") == 0)
+            b.attributes[i].name[0] = '_';
+    ck_assert_ptr_null(hatch_mesh_find(&b, "TEXCOORD_0", 2));
+    ck_assert(isnan(measure(&b, NULL, 1).uv_degrees[0]));
+}
+END_TEST
+
+START_TEST(a_flat_field_is_smooth_without_singularities)
+{
+    struct hatch_mesh mesh = plane(20);
+    struct hatch_field_figures f = measure(&mesh, NULL, 1);
+    ck_assert_double_eq_tol(f.smoothness, 0, 1e-9);
+    ck_assert_uint_eq(f.singularities, 0);
+    ck_assert_int_eq(f.euler, 1);
+    ck_assert_double_eq(f.index_sum, 1);
+    ck_assert_uint_eq(f.compared, 0);
+    ck_assert(isnan(f.degrees[0]));
+}
+END_TEST
+
+/* Lines at half the angle around a place that is no vertex: an index of a half, and the border turns the rest. */
+START_TEST(singularities_are_counted)
+{
+    struct hatch_mesh mesh = plane(0);
+    float *field = hatch_mesh_find(&mesh, "_HATCH_DIR", 4), *at = mesh.attributes[0].data;
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        double angle = atan2((double)at[3 * v + 1] - 0.013, (double)at[3 * v] - 0.017) / 2;
+        field[4 * v] = (float)cos(angle);
+        field[4 * v + 1] = (float)sin(angle);
+    }
+    struct hatch_field_figures f = measure(&mesh, NULL, 1);
+    ck_assert_uint_eq(f.singularities, 1);
+    ck_assert_double_eq(f.index_sum, 1);
+    ck_assert(f.smoothness > 1);
+    for (uint32_t i = 0; i < 3 * mesh.vertex_count; i++)
+        at[i] *= 1000;
+    ck_assert_double_eq_tol(measure(&mesh, NULL, 1).smoothness, f.smoothness, 1e-4);
+}
+END_TEST
+
+START_TEST(true_fields_of_closed_shapes_have_their_euler_characteristic)
+{
+    struct hatch_mesh ellipsoid = shape(HATCH_SHAPE_ELLIPSOID, true), torus = shape(HATCH_SHAPE_TORUS, true);
+    struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
+    struct hatch_field_figures f = measure(&ellipsoid, &ellipsoid, 1);
+    ck_assert_uint_eq(f.singularities, 4);
+    ck_assert_double_eq(f.index_sum, 2);
+    ck_assert_double_eq_tol(f.degrees[3], 0, 1e-5);
+    f = measure(&torus, NULL, 1);
+    ck_assert_uint_eq(f.singularities, 0);
+    ck_assert_double_eq(f.index_sum, 0);
+    HATCH_TEST_OK(hatch_measure_field_add(&sum, &torus, NULL, &err), &err);
+    HATCH_TEST_OK(hatch_measure_field_add(&sum, &ellipsoid, NULL, &err), &err);
+    HATCH_TEST_OK(hatch_measure_field_end(&sum, 1, &f, &err), &err);
+    ck_assert_int_eq(f.euler, 2);
+    ck_assert_uint_eq(f.components, 2);
+    ck_assert_uint_eq(f.singularities, 4);
+}
+END_TEST
+
+START_TEST(only_the_surest_share_counts)
+{
+    struct hatch_mesh a = plane(0), b = plane(10);
+    float *field = hatch_mesh_find(&b, "_HATCH_DIR", 4);
+    uint32_t sure = 0;
+    for (uint32_t v = 0; v < b.vertex_count; v++) {
+        bool is_sure = v % 4 == 0;
+        sure += is_sure;
+        field[4 * v + 3] = is_sure ? 0.9f : v % 4 == 1 ? 0.0f : 0.2f;
+        field[4 * v] = is_sure ? field[4 * v] : 0.0f;
+    }
+    struct hatch_field_figures f = measure(&a, &b, 1);
+    ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
+    ck_assert_uint_lt(f.compared, f.points); /* confidence 0 is left out */
+    double share = (double)sure / (double)f.compared - 0.001;
+    f = measure(&a, &b, share);
+    ck_assert_uint_eq(f.compared, sure);
+    ck_assert_double_eq_tol(f.degrees[3], 10, 1e-4);
+}
+END_TEST
+
+START_TEST(points_meet_by_place_else_by_number)
+{
+    struct hatch_mesh a = plane(0), b = plane(0), few = shape(HATCH_SHAPE_TORUS, true);
+    struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
+    float *field = hatch_mesh_find(&b, "_HATCH_DIR", 4), *at = b.attributes[0].data;
+    uint32_t last = b.vertex_count - 1;
+    field[4 * last] = 0; /* the line at the place of one vertex is across */
+    field[4 * last + 1] = 1;
+    for (int k = 0; k < 4; k++) { /* that vertex gets another number */
+        float swapped = field[k];
+        field[k] = field[4 * last + (uint32_t)k];
+        field[4 * last + (uint32_t)k] = swapped;
+    }
+    for (int k = 0; k < 3; k++) {
+        float swapped = at[k];
+        at[k] = at[3 * last + (uint32_t)k];
+        at[3 * last + (uint32_t)k] = swapped;
+    }
+    for (uint32_t i = 0; i < 3 * b.face_count; i++)
+        b.indices[i] = b.indices[i] == 0 ? last : b.indices[i] == last ? 0 : b.indices[i];
+    struct hatch_field_figures f = measure(&a, &b, 1);
+    ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
+    ck_assert_double_eq_tol(f.degrees[2], 0, 1e-4);
+    for (uint32_t v = 0; v <= last; v++)
+        at[3 * v + 2] += 0.01f;
+    f = measure(&a, &b, 1);
+    ck_assert_uint_eq(f.compared, f.points);
+    ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
+    ck_assert_int_eq(hatch_measure_field_add(&sum, &a, &few, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "no point is where"));
+}
+END_TEST
+
+START_TEST(a_mesh_without_a_field_is_refused)
+{
+    struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false), with = plane(0);
+    struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
+    ck_assert_int_eq(hatch_measure_field_add(&sum, &mesh, NULL, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "_HATCH_DIR"));
+    ck_assert_int_eq(hatch_measure_field_add(&sum, &with, &mesh, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "reference: "));
+}
+END_TEST
+
+static enum hatch_status call(void *context, struct hatch_arena *arena, struct hatch_arena *work,
+                              struct hatch_err *error)
+{
+    static struct hatch_field_figures unused;
+    struct hatch_field_sum sum = {.arena = arena, .scratch = work};
+    HATCH_TRY(hatch_measure_field_add(&sum, context, context, error));
+    return hatch_measure_field_end(&sum, 0.5, &unused, error);
+}
+
+START_TEST(figures_survive_every_failed_allocation)
+{
+    struct hatch_mesh mesh = plane(0);
+    hatch_test_fail_alloc(call, &mesh, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("measure field");
+    TCase *tests = tcase_create("field");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, angles_of_a_turned_field_are_the_turn);
+    tcase_add_test(tests, u_rises_along_x);
+    tcase_add_test(tests, a_flat_field_is_smooth_without_singularities);
+    tcase_add_test(tests, singularities_are_counted);
+    tcase_add_test(tests, true_fields_of_closed_shapes_have_their_euler_characteristic);
+    tcase_add_test(tests, only_the_surest_share_counts);
+    tcase_add_test(tests, points_meet_by_place_else_by_number);
+    tcase_add_test(tests, a_mesh_without_a_field_is_refused);
+    tcase_add_test(tests, figures_survive_every_failed_allocation);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
