@@ -1,0 +1,124 @@
+/* --arrows: the field to look at in any viewer. Not every viewer draws a PLY's edges; all draw its
+ * triangles. */
+#include <math.h>
+
+#include "dirfield.h"
+#include "math/vector.h"
+
+/* In mean lengths of the edges at the point. */
+#define HALF_LENGTH 0.4
+#define HALF_WIDTH 0.07
+#define LIFT 0.04 /* off the surface, which would hide half of each otherwise */
+
+#define CORNERS 4u
+#define VERTEX_BYTES 15u /* three floats, three bytes */
+
+static void check(enum hatch_status status, const struct hatch_err *err)
+{
+    cmd_check(status, NULL, err);
+}
+
+void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args,
+                           const struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    *arrows = (struct dirfield_arrows){.vertices = {.arena = &args->keep}};
+    arrows->world = HATCH_NEW(&args->keep, float, (size_t)scene->node_count * 16, &err);
+    check(arrows->world ? HATCH_OK : HATCH_LIMIT, &err);
+    hatch_scene_pose(scene, HATCH_NONE, 0, arrows->world);
+}
+
+/* From blue-violet for none over green to yellow for full confidence: as different in grey as in colour. */
+static void color_of(double confidence, uint8_t rgb[3])
+{
+    static const double stops[3][3] = {{68, 1, 84}, {33, 145, 140}, {253, 231, 37}};
+    double at = 2 * fmin(1, fmax(0, confidence));
+    int from = at < 1 ? 0 : 1;
+    for (int k = 0; k < 3; k++)
+        rgb[k] = (uint8_t)lround(stops[from][k] + (at - from) * (stops[from + 1][k] - stops[from][k]));
+}
+
+static double edge_length(const struct hatch_surface *surface, uint32_t point)
+{
+    const double *at = &surface->points[3 * (size_t)point];
+    double sum = 0;
+    uint32_t first = surface->ring_first[point], end = surface->ring_first[point + 1];
+    for (uint32_t i = first; i < end; i++)
+        sum += hatch_vec_distance(at, &surface->points[3 * (size_t)surface->ring_point[i]]);
+    return sum / (end - first) * surface->components[surface->point_component[point]].scale;
+}
+
+static void put_corner(struct dirfield_arrows *arrows, const float *matrix, const double at[3],
+                       const uint8_t rgb[3])
+{
+    struct hatch_err err;
+    for (int row = 0; row < 3; row++) {
+        double sum = matrix ? (double)matrix[12 + row] : at[row];
+        for (int k = 0; matrix && k < 3; k++)
+            sum += (double)matrix[k * 4 + row] * at[k];
+        union {
+            float number;
+            uint32_t bits;
+        } word = {.number = (float)sum};
+        check(hatch_buffer_add_u32le(&arrows->vertices, word.bits, &err), &err);
+    }
+    check(hatch_buffer_add(&arrows->vertices, rgb, 3, &err), &err);
+}
+
+static void put_rhomb(struct dirfield_arrows *arrows, const struct dirfield_part *part,
+                      const float *matrix, uint32_t point)
+{
+    const double *along = &part->field.direction[3 * (size_t)point];
+    const double *normal = &part->frames.normal[3 * (size_t)point];
+    double middle[3], across[3], corner[3], length = edge_length(part->surface, point);
+    uint8_t rgb[3];
+    color_of(part->field.confidence[point], rgb);
+    hatch_surface_position(part->surface, point, middle);
+    hatch_vec_add_scaled(middle, LIFT * length, normal, middle);
+    hatch_vec_cross(normal, along, across);
+    for (uint32_t c = 0; c < CORNERS; c++) {
+        double sign = c < CORNERS / 2 ? length : -length;
+        hatch_vec_add_scaled(middle, sign * (c % 2 ? HALF_WIDTH : HALF_LENGTH), c % 2 ? across : along, corner);
+        put_corner(arrows, matrix, corner, rgb);
+    }
+    arrows->count++;
+}
+
+void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct hatch_scene *scene,
+                         const struct dirfield_part *part)
+{
+    struct hatch_err err;
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        const struct hatch_node *node = &scene->nodes[n];
+        if (part->number < node->first_mesh || part->number - node->first_mesh >= node->mesh_count)
+            continue;
+        const float *matrix = node->skin == HATCH_NONE ? &arrows->world[(size_t)n * 16] : NULL;
+        check(hatch_buffer_reserve(&arrows->vertices,
+                                   (size_t)part->surface->point_count * CORNERS * VERTEX_BYTES, &err), &err);
+        for (uint32_t p = 0; p < part->surface->point_count; p++)
+            put_rhomb(arrows, part, matrix, p);
+    }
+}
+
+struct hatch_bytes dirfield_arrows_end(struct dirfield_arrows *arrows)
+{
+    struct hatch_err err;
+    struct hatch_buffer file = {.arena = arrows->vertices.arena};
+    check(hatch_buffer_print(&file, &err,
+                             "ply\nformat binary_little_endian 1.0\n"
+                             "comment a direction field: color is confidence, violet for 0 to yellow for 1\n"
+                             "element vertex %u\nproperty float x\nproperty float y\nproperty float z\n"
+                             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                             "element face %u\nproperty list uchar int vertex_indices\nend_header\n",
+                             CORNERS * arrows->count, 2 * arrows->count), &err);
+    check(hatch_buffer_reserve(&file, arrows->vertices.size + (size_t)arrows->count * 26, &err), &err);
+    check(hatch_buffer_add(&file, arrows->vertices.data, arrows->vertices.size, &err), &err);
+    for (uint32_t i = 0; i < 2 * arrows->count; i++) {
+        static const uint8_t three = 3;
+        static const uint32_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
+        check(hatch_buffer_add(&file, &three, 1, &err), &err);
+        for (int c = 0; c < 3; c++)
+            check(hatch_buffer_add_u32le(&file, CORNERS * (i / 2) + halves[i % 2][c], &err), &err);
+    }
+    return (struct hatch_bytes){file.data, file.size};
+}

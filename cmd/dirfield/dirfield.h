@@ -1,0 +1,81 @@
+/* What the files of dirfield share. */
+#ifndef DIRFIELD_H
+#define DIRFIELD_H
+
+#include "cmd_field.h"
+#include "cmd_report.h"
+#include "math/percentile.h"
+#include "mesh/scene.h"
+#include "topo/curvature.h"
+#include "topo/field.h"
+
+struct dirfield_options {
+    double turn_deg;      /* from the first principal direction, counter-clockwise seen from outside */
+    struct hatch_curvature_options curvature;
+    struct hatch_field_options field;
+};
+
+enum dirfield_phase { PHASE_SURFACES, PHASE_FRAMES, PHASE_CURVATURE, PHASE_FIELD, PHASE_COUNT };
+
+/* A direction given by hand. */
+struct dirfield_constraint {
+    uint32_t point;
+    uint32_t line; /* of the file */
+    double direction[3], weight;
+};
+
+/* One mesh of the scene. The surface and the constraints live in args->keep, the rest in work, whose
+ * memory goes when the mesh is done. */
+struct dirfield_part {
+    const char *name; /* of the input, for messages */
+    uint32_t number;
+    struct hatch_scene_mesh *mesh;
+    const struct hatch_surface *surface;
+    uint32_t constraint_count;
+    struct dirfield_constraint *constraints;
+    struct hatch_arena work;
+    struct hatch_frames frames;
+    struct hatch_field field;
+    struct hatch_singularities singular;
+    double ms[PHASE_COUNT]; /* of PHASE_SURFACES 0: all are made together */
+};
+
+/* Reads a table of constraints and gives each part its own. Dies on failure. */
+void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts,
+                               uint32_t count);
+
+/* Computes the field of a part, and the singularities. constraints: their file's name for messages.
+ * Dies on failure. */
+void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
+                    const char *constraints, struct dirfield_part *part);
+
+#define DIRFIELD_REPORT_COLUMNS 24
+
+/* A report and its last row, of all meshes together. */
+struct dirfield_report {
+    struct cmd_args *args;
+    struct cmd_report table;
+    double all[DIRFIELD_REPORT_COLUMNS];
+    struct hatch_weighted *confidence; /* of the points so far */
+    uint32_t points;
+};
+
+/* points: of all meshes. */
+void dirfield_report_begin(struct dirfield_report *report, struct cmd_args *args, uint32_t points);
+void dirfield_report_add(struct dirfield_report *report, const struct dirfield_part *part);
+struct hatch_bytes dirfield_report_end(struct dirfield_report *report, double surfaces_ms);
+
+/* A PLY of thin rhombs along the field of every node that shows a mesh, as the scene places it. */
+struct dirfield_arrows {
+    struct hatch_buffer vertices; /* their bytes */
+    uint32_t count;               /* of rhombs */
+    float *world;                 /* 16 a node */
+};
+
+void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args,
+                           const struct hatch_scene *scene);
+void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct hatch_scene *scene,
+                         const struct dirfield_part *part);
+struct hatch_bytes dirfield_arrows_end(struct dirfield_arrows *arrows);
+
+#endif

@@ -1,0 +1,148 @@
+/* --report: what was found, a row for each mesh, each of its components and each singularity, and one for
+ * all. */
+#include <math.h>
+#include <string.h>
+
+#include "dirfield.h"
+#include "math/vector.h"
+
+enum { KIND, MESH, COMPONENT, POINTS, FACES, BORDERS, EULER, INDEX_SUM, SINGULARITIES, INDEX, X, Y, Z,
+       CONFIDENCE, SMOOTHNESS = CONFIDENCE + 3, DISAGREEMENT, ITERATIONS, RESIDUAL, TIMES,
+       COLUMNS = TIMES + PHASE_COUNT };
+
+static const char *const columns[COLUMNS + 1] = {
+    "kind",           "mesh",         "component",      "points",         "faces",
+    "border_loops",   "euler",        "index_sum",      "singularities",  "index",
+    "x",              "y",            "z",              "confidence_p25", "confidence_p50",
+    "confidence_p75", "smoothness",   "disagreement",   "iterations",     "residual",
+    "surfaces_ms",    "frames_ms",    "curvature_ms",   "field_ms",       NULL};
+
+_Static_assert(COLUMNS <= DIRFIELD_REPORT_COLUMNS, "the last row has no room");
+
+void dirfield_report_begin(struct dirfield_report *report, struct cmd_args *args, uint32_t points)
+{
+    struct hatch_err err;
+    *report = (struct dirfield_report){.args = args};
+    cmd_report_begin(&report->table, args, columns);
+    report->confidence = HATCH_NEW(&args->keep, struct hatch_weighted, points, &err);
+    cmd_check(report->confidence ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+}
+
+/* A row without figures: what is not known, or means nothing for the kind, is not a number. */
+static void begin_row(double row[COLUMNS])
+{
+    for (int i = 0; i < COLUMNS; i++)
+        row[i] = NAN;
+}
+
+static void put_row(struct dirfield_report *report, const char *kind, const double row[COLUMNS])
+{
+    cmd_report_text(&report->table, kind);
+    for (int i = KIND + 1; i < COLUMNS; i++)
+        cmd_report_number(&report->table, row[i]);
+}
+
+static void put_quartiles(struct hatch_weighted *values, uint32_t count, double row[COLUMNS])
+{
+    static const double quartiles[3] = {0.25, 0.5, 0.75};
+    hatch_percentiles(values, count, quartiles, 3, &row[CONFIDENCE]);
+}
+
+/* Components follow one another by points and by faces. */
+static struct hatch_weighted *add_confidence(struct dirfield_report *report,
+                                             const struct dirfield_part *part,
+                                             const struct hatch_component *component)
+{
+    struct hatch_weighted *values = &report->confidence[report->points];
+    for (uint32_t i = 0; i < component->point_count; i++)
+        values[i] = (struct hatch_weighted){part->field.confidence[component->first_point + i], 1};
+    report->points += component->point_count;
+    return values;
+}
+
+static uint32_t component_of_face(const struct hatch_surface *surface, uint32_t face)
+{
+    return surface->point_component[surface->corners[3 * (size_t)face]];
+}
+
+static void put_component(struct dirfield_report *report, const struct dirfield_part *part, uint32_t c,
+                          uint32_t singularities)
+{
+    const struct hatch_component *component = &part->surface->components[c];
+    double row[COLUMNS];
+    begin_row(row);
+    row[MESH] = part->number;
+    row[COMPONENT] = c;
+    row[POINTS] = component->point_count;
+    row[FACES] = component->face_count;
+    row[BORDERS] = component->border_loops;
+    row[EULER] = component->euler;
+    row[INDEX_SUM] = part->singular.component_half_turns[c] / 2.0;
+    row[SINGULARITIES] = singularities;
+    put_quartiles(add_confidence(report, part, component), component->point_count, row);
+    put_row(report, "component", row);
+    for (int i = POINTS; i <= SINGULARITIES; i++)
+        report->all[i] += row[i];
+}
+
+static void put_singularity(struct dirfield_report *report, const struct dirfield_part *part, uint32_t i)
+{
+    uint32_t face = part->singular.faces[i];
+    double row[COLUMNS], corner[3], middle[3] = {0, 0, 0};
+    begin_row(row);
+    row[MESH] = part->number;
+    row[COMPONENT] = component_of_face(part->surface, face);
+    row[INDEX] = part->singular.half_turns[i] / 2.0;
+    for (size_t c = 0; c < 3; c++) {
+        hatch_surface_position(part->surface, part->surface->corners[3 * (size_t)face + c], corner);
+        hatch_vec_add_scaled(middle, 1.0 / 3, corner, middle);
+    }
+    hatch_vec_copy(middle, &row[X]);
+    put_row(report, "singularity", row);
+}
+
+static void put_mesh(struct dirfield_report *report, const struct dirfield_part *part)
+{
+    double row[COLUMNS], *all = report->all;
+    begin_row(row);
+    row[MESH] = part->number;
+    row[POINTS] = part->surface->point_count;
+    row[FACES] = part->surface->face_count;
+    row[SINGULARITIES] = part->singular.count;
+    all[SMOOTHNESS] += row[SMOOTHNESS] = part->field.energy[0];
+    all[DISAGREEMENT] += row[DISAGREEMENT] = part->field.energy[1];
+    row[ITERATIONS] = part->field.iterations;
+    row[RESIDUAL] = part->field.residual;
+    all[ITERATIONS] = fmax(all[ITERATIONS], row[ITERATIONS]);
+    all[RESIDUAL] = fmax(all[RESIDUAL], row[RESIDUAL]);
+    for (int phase = PHASE_FRAMES; phase < PHASE_COUNT; phase++)
+        all[TIMES + phase] += row[TIMES + phase] = part->ms[phase];
+    put_row(report, "mesh", row);
+}
+
+/* Singular faces rise, and so do the components of faces. */
+void dirfield_report_add(struct dirfield_report *report, const struct dirfield_part *part)
+{
+    uint32_t first = 0;
+    put_mesh(report, part);
+    for (uint32_t c = 0; c < part->surface->component_count; c++) {
+        uint32_t end = first;
+        while (end < part->singular.count &&
+               component_of_face(part->surface, part->singular.faces[end]) == c)
+            end++;
+        put_component(report, part, c, end - first);
+        for (; first < end; first++)
+            put_singularity(report, part, first);
+    }
+}
+
+struct hatch_bytes dirfield_report_end(struct dirfield_report *report, double surfaces_ms)
+{
+    double row[COLUMNS];
+    memcpy(row, report->all, sizeof row);
+    row[MESH] = row[COMPONENT] = row[INDEX] = row[X] = row[Y] = row[Z] = NAN;
+    row[TIMES + PHASE_SURFACES] = surfaces_ms;
+    put_quartiles(report->confidence, report->points, row);
+    put_row(report, "all", row);
+    return cmd_report_end(&report->table);
+}

@@ -1,0 +1,97 @@
+#include <math.h>
+
+#include "dirfield.h"
+#include "math/vector.h"
+
+#define STANDING 1e-3 /* a direction whose tangent part is shorter than this share stands on the surface */
+
+static void end_phase(struct dirfield_part *part, enum dirfield_phase phase, double begun_ms)
+{
+    part->ms[phase] = cmd_elapsed_ms() - begun_ms;
+    cmd_progress("directions", (double)(phase + 1) / PHASE_COUNT);
+}
+
+static void check(const struct dirfield_part *part, enum hatch_status status, struct hatch_err *err)
+{
+    if (status != HATCH_OK && part->number > 0)
+        hatch_fail_at(err, "mesh %u: ", part->number);
+    cmd_check(status, part->name, err);
+}
+
+/* Right angles are exact, and need no side to be seen from. */
+static void turn(const struct hatch_frames *frames, const struct hatch_surface *surface, double degrees,
+                 double *direction)
+{
+    double right_angles = degrees / 90, radians = degrees * (3.14159265358979323846 / 180);
+    bool exact = right_angles == floor(right_angles), across = exact && fmod(right_angles, 2) != 0;
+    double along = exact ? !across : cos(radians), aside = exact ? across : sin(radians);
+    for (size_t p = 0; p < surface->point_count; p++) {
+        double *d = &direction[3 * p], left[3];
+        hatch_vec_cross(&frames->normal[3 * p], d, left);
+        for (int k = 0; k < 3; k++)
+            d[k] = along * d[k] + aside * left[k];
+    }
+}
+
+static enum hatch_status check_sides(const struct hatch_surface *surface, double degrees,
+                                     struct hatch_err *err)
+{
+    for (uint32_t c = 0; c < surface->component_count && fmod(degrees, 90) != 0; c++)
+        if (!surface->components[c].orientable)
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "component %u has but one side, from which no turn by %g degrees can be seen: "
+                              "--direction max and min are possible",
+                              c, degrees);
+    return HATCH_OK;
+}
+
+/* What was given by hand replaces what was found, and is not turned. */
+static void constrain(const char *file, struct dirfield_part *part, double *direction, double **hard)
+{
+    struct hatch_err err;
+    *hard = NULL;
+    if (part->constraint_count == 0)
+        return;
+    *hard = HATCH_NEW(&part->work, double, part->surface->point_count, &err);
+    cmd_check(*hard ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < part->constraint_count; i++) {
+        const struct dirfield_constraint *given = &part->constraints[i];
+        const double *normal = &part->frames.normal[3 * (size_t)given->point];
+        double *d = &direction[3 * (size_t)given->point], unit[3];
+        hatch_vec_copy(given->direction, unit);
+        hatch_vec_normalize(unit);
+        hatch_vec_add_scaled(unit, -hatch_vec_dot(unit, normal), normal, d);
+        if (!(hatch_vec_normalize(d) > STANDING)) {
+            hatch_fail(&err, HATCH_BAD_INPUT, "line %u: the direction stands on the surface, as its normal does",
+                       given->line);
+            cmd_die(file, &err);
+        }
+        (*hard)[given->point] = given->weight;
+    }
+}
+
+void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
+                    const char *constraints, struct dirfield_part *part)
+{
+    struct hatch_err err;
+    struct hatch_curvature curvature;
+    double begun_ms = cmd_elapsed_ms(), *hard;
+    check(part, check_sides(part->surface, options->turn_deg, &err), &err);
+    check(part, hatch_frames_make(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
+    end_phase(part, PHASE_FRAMES, begun_ms);
+
+    begun_ms = cmd_elapsed_ms();
+    check(part, hatch_curvature_estimate(part->surface, &part->frames, &options->curvature, cmd_pool(args),
+                                         &part->work, &args->scratch, &curvature, &err), &err);
+    turn(&part->frames, part->surface, options->turn_deg, curvature.direction);
+    constrain(constraints, part, curvature.direction, &hard);
+    end_phase(part, PHASE_CURVATURE, begun_ms);
+
+    begun_ms = cmd_elapsed_ms();
+    const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard};
+    check(part, hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args),
+                                  &part->work, &args->scratch, &part->field, &err), &err);
+    end_phase(part, PHASE_FIELD, begun_ms);
+    check(part, hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work,
+                                          &args->scratch, &part->singular, &err), &err);
+}
