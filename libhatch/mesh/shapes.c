@@ -22,8 +22,8 @@ const char *hatch_shape_name(enum hatch_shape shape)
 struct surfaces {
     uint32_t count;
     struct hatch_grid grids[HATCH_SHAPE_SURFACES_MAX];
-    struct hatch_surface_size sizes[HATCH_SHAPE_SURFACES_MAX];
-    double even[HATCH_SHAPE_SURFACES_MAX][HATCH_SURFACE_PIECES_MAX * (HATCH_GRID_SAMPLES + 1)];
+    struct hatch_formula_size sizes[HATCH_SHAPE_SURFACES_MAX];
+    double even[HATCH_SHAPE_SURFACES_MAX][HATCH_FORMULA_PIECES_MAX * (HATCH_GRID_SAMPLES + 1)];
 };
 
 static double at_least(double least, double value)
@@ -37,7 +37,7 @@ static double cut(struct surfaces *s, double size)
     double faces = 0;
     for (uint32_t g = 0; g < s->count; g++) {
         struct hatch_grid *grid = &s->grids[g];
-        const struct hatch_surface *surface = &grid->surface;
+        const struct hatch_formula *surface = &grid->surface;
         uint32_t pieces = surface->u_pieces;
         double least = surface->wraps_u ? ceil(3.0 / pieces) : 1;
         double columns = pieces * at_least(least, round(s->sizes[g].u / pieces / size));
@@ -86,7 +86,7 @@ static void lay_texture(struct surfaces *s, enum hatch_shape_uv uv)
             v += p < grid->surface.v_pieces ? s->sizes[g].v[p] : 0;
         }
         if (uv == HATCH_SHAPE_UV_EVEN) {
-            hatch_surface_even(&grid->surface, s->even[g]);
+            hatch_formula_even(&grid->surface, s->even[g]);
             grid->v_even = s->even[g];
         }
     }
@@ -169,11 +169,11 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
     struct surfaces *s = HATCH_NEW(scratch, struct surfaces, 1, err);
     if (!s)
         return HATCH_LIMIT;
-    struct hatch_surface parts[HATCH_SHAPE_SURFACES_MAX];
+    struct hatch_formula parts[HATCH_SHAPE_SURFACES_MAX];
     s->count = hatch_shape_surfaces(shape, parts);
     for (uint32_t g = 0; g < s->count; g++) {
         s->grids[g].surface = parts[g];
-        hatch_surface_measure(&parts[g], &s->sizes[g]);
+        hatch_formula_measure(&parts[g], &s->sizes[g]);
     }
     cut_into(s, options->faces);
     lay_texture(s, options->uv);

@@ -81,7 +81,7 @@ static double moved(double jitter, uint64_t seed, uint64_t stream, uint64_t poin
 static void parameters(const struct hatch_grid *grid, const struct hatch_shape_options *options,
                        uint64_t stream, uint32_t row, uint32_t column, double *u, double *v)
 {
-    const struct hatch_surface *surface = &grid->surface;
+    const struct hatch_formula *surface = &grid->surface;
     struct row_place place = place_of(grid, row);
     double i = column, j = place.row, rows = grid->rows[place.piece];
     bool inner_row = surface->wraps_v || (row > 0 && row < row_count(grid));
@@ -129,13 +129,13 @@ static void fill_vertex(const struct hatch_grid *grid, const struct hatch_shape_
                         uint64_t stream, uint32_t row, uint32_t column,
                         const struct vertex_arrays *arrays, size_t vertex)
 {
-    const struct hatch_surface *surface = &grid->surface;
+    const struct hatch_formula *surface = &grid->surface;
     bool last_column = surface->wraps_u && column == grid->columns;
     bool last_row = surface->wraps_v && row == row_count(grid);
     double u, v;
     /* Both sides of a seam are evaluated at one place, so that they agree to the last bit. */
     parameters(grid, options, stream, last_row ? 0 : row, last_column ? 0 : column, &u, &v);
-    struct hatch_surface_point point;
+    struct hatch_formula_point point;
     surface->at(surface, surface->wraps_u ? wrapped(u, surface->u_pieces) : u,
                 surface->wraps_v ? wrapped(v, surface->v_pieces) : v, &point);
     hatch_vec_round(point.position, &arrays->position[vertex * 3]);

@@ -4,9 +4,9 @@
 
 #include "mesh/shapes.h"
 
-#define HATCH_SURFACE_PIECES_MAX 4u
+#define HATCH_FORMULA_PIECES_MAX 4u
 
-struct hatch_surface_point {
+struct hatch_formula_point {
     double position[3], normal[3]; /* normal: unit, outwards */
     double along_u[3];             /* direction of rising u, unit, orthogonal to the normal */
 };
@@ -14,39 +14,39 @@ struct hatch_surface_point {
 /* Seen from outside, u rises to the right and v downwards, so that no texture is mirrored. u runs
  * from 0 to u_pieces, v from 0 to v_pieces; grid lines stand on every whole number, so that the
  * pieces (the patches of the teapot) keep their borders. */
-struct hatch_surface {
-    void (*at)(const struct hatch_surface *surface, double u, double v,
-               struct hatch_surface_point *point);
+struct hatch_formula {
+    void (*at)(const struct hatch_formula *surface, double u, double v,
+               struct hatch_formula_point *point);
     const void *context;            /* for at */
-    uint32_t u_pieces, v_pieces;    /* v_pieces: at most HATCH_SURFACE_PIECES_MAX */
+    uint32_t u_pieces, v_pieces;    /* v_pieces: at most HATCH_FORMULA_PIECES_MAX */
     bool wraps_u, wraps_v;
     bool pole_first, pole_last;     /* the first or last row is one point */
 };
 
 /* Sizes in space, measured on the surface. */
-struct hatch_surface_size {
+struct hatch_formula_size {
     double u;                             /* mean length of a line of constant v, weighted by area */
-    double v[HATCH_SURFACE_PIECES_MAX];   /* mean length of each piece of a line of constant u */
+    double v[HATCH_FORMULA_PIECES_MAX];   /* mean length of each piece of a line of constant u */
 };
 
 /* How fine a surface is cut, and how its texture lies on it. */
 struct hatch_grid {
-    struct hatch_surface surface;
+    struct hatch_formula surface;
     uint32_t columns;                          /* over all of u */
-    uint32_t rows[HATCH_SURFACE_PIECES_MAX];   /* of each piece of v */
+    uint32_t rows[HATCH_FORMULA_PIECES_MAX];   /* of each piece of v */
     double u_repeats;                          /* TEXCOORD_0's u at the end of the surface's u */
-    double v_texture[HATCH_SURFACE_PIECES_MAX + 1]; /* TEXCOORD_0's v at every whole v */
+    double v_texture[HATCH_FORMULA_PIECES_MAX + 1]; /* TEXCOORD_0's v at every whole v */
     const double *v_even;  /* NULL, or: share of a piece's length at HATCH_GRID_SAMPLES + 1 even
                               parameters, piece after piece */
 };
 
 #define HATCH_GRID_SAMPLES 64u
 
-void hatch_surface_measure(const struct hatch_surface *surface, struct hatch_surface_size *size);
+void hatch_formula_measure(const struct hatch_formula *surface, struct hatch_formula_size *size);
 
 /* share[piece * (HATCH_GRID_SAMPLES + 1) + i]: how much of the piece's length lies before parameter
  * i / HATCH_GRID_SAMPLES; for hatch_grid.v_even. */
-void hatch_surface_even(const struct hatch_surface *surface, double *share);
+void hatch_formula_even(const struct hatch_formula *surface, double *share);
 
 uint32_t hatch_grid_vertex_count(const struct hatch_grid *grid);
 uint32_t hatch_grid_face_count(const struct hatch_grid *grid);
@@ -64,7 +64,7 @@ void hatch_grid_displace(const struct hatch_grid *grid, double distance, uint64_
 
 /* The surfaces of a shape: 1, or the teapot's 4. */
 #define HATCH_SHAPE_SURFACES_MAX 4u
-uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_surface *surfaces);
-uint32_t hatch_teapot_surfaces(struct hatch_surface *surfaces);
+uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_formula *surfaces);
+uint32_t hatch_teapot_surfaces(struct hatch_formula *surfaces);
 
 #endif

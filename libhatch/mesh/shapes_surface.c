@@ -10,18 +10,18 @@ static const double semi_axes[3] = {1.0, 0.7, 0.5};
 
 /* A point of a surface of revolution around y: its radius and height, and the profile's normal. */
 static void revolve(double u, double radius, double height, double normal_radial,
-                    double normal_height, struct hatch_surface_point *point)
+                    double normal_height, struct hatch_formula_point *point)
 {
     double c = cos(2 * PI * u), s = sin(2 * PI * u);
-    *point = (struct hatch_surface_point){
+    *point = (struct hatch_formula_point){
         .position = {radius * c, height, -radius * s},
         .normal = {normal_radial * c, normal_height, -normal_radial * s},
         .along_u = {-s, 0, -c},
     };
 }
 
-static void sphere_at(const struct hatch_surface *surface, double u, double v,
-                      struct hatch_surface_point *point)
+static void sphere_at(const struct hatch_formula *surface, double u, double v,
+                      struct hatch_formula_point *point)
 {
     (void)surface;
     bool pole = v <= 0 || v >= 1; /* where sin(π) would leave a tiny circle */
@@ -29,8 +29,8 @@ static void sphere_at(const struct hatch_surface *surface, double u, double v,
     revolve(u, radius, cos(PI * v), radius, cos(PI * v), point);
 }
 
-static void ellipsoid_at(const struct hatch_surface *surface, double u, double v,
-                         struct hatch_surface_point *point)
+static void ellipsoid_at(const struct hatch_formula *surface, double u, double v,
+                         struct hatch_formula_point *point)
 {
     sphere_at(surface, u, v, point);
     for (int k = 0; k < 3; k++) {
@@ -42,61 +42,61 @@ static void ellipsoid_at(const struct hatch_surface *surface, double u, double v
     hatch_vec_normalize(point->along_u);
 }
 
-static void cylinder_at(const struct hatch_surface *surface, double u, double v,
-                        struct hatch_surface_point *point)
+static void cylinder_at(const struct hatch_formula *surface, double u, double v,
+                        struct hatch_formula_point *point)
 {
     (void)surface;
     revolve(u, 1, 1 - 2 * v, 1, 0, point);
 }
 
-static void cone_at(const struct hatch_surface *surface, double u, double v,
-                    struct hatch_surface_point *point)
+static void cone_at(const struct hatch_formula *surface, double u, double v,
+                    struct hatch_formula_point *point)
 {
     (void)surface;
     revolve(u, v, 1 - 2 * v, 2 / sqrt(5.0), 1 / sqrt(5.0), point);
 }
 
-static void torus_at(const struct hatch_surface *surface, double u, double v,
-                     struct hatch_surface_point *point)
+static void torus_at(const struct hatch_formula *surface, double u, double v,
+                     struct hatch_formula_point *point)
 {
     (void)surface;
     double c = cos(2 * PI * v), s = -sin(2 * PI * v);
     revolve(u, 1 + TUBE * c, TUBE * s, c, s, point);
 }
 
-static void plane_at(const struct hatch_surface *surface, double u, double v,
-                     struct hatch_surface_point *point)
+static void plane_at(const struct hatch_formula *surface, double u, double v,
+                     struct hatch_formula_point *point)
 {
     (void)surface;
-    *point = (struct hatch_surface_point){
+    *point = (struct hatch_formula_point){
         .position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
 }
 
-static void saddle_at(const struct hatch_surface *surface, double u, double v,
-                      struct hatch_surface_point *point)
+static void saddle_at(const struct hatch_formula *surface, double u, double v,
+                      struct hatch_formula_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v;
-    *point = (struct hatch_surface_point){
+    *point = (struct hatch_formula_point){
         .position = {x, y, (x * x - y * y) / 2}, .normal = {-x, y, 1}, .along_u = {1, 0, x}};
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
 }
 
-static void wave_at(const struct hatch_surface *surface, double u, double v,
-                    struct hatch_surface_point *point)
+static void wave_at(const struct hatch_formula *surface, double u, double v,
+                    struct hatch_formula_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v, slope = cos(4 * x) / 2;
-    *point = (struct hatch_surface_point){
+    *point = (struct hatch_formula_point){
         .position = {x, y, sin(4 * x) / 8}, .normal = {-slope, 0, 1}, .along_u = {1, 0, slope}};
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
 }
 
-uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_surface *surfaces)
+uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_formula *surfaces)
 {
-    static const struct hatch_surface formulas[HATCH_SHAPE_COUNT] = {
+    static const struct hatch_formula formulas[HATCH_SHAPE_COUNT] = {
         [HATCH_SHAPE_SPHERE] = {.at = sphere_at, .wraps_u = true, .pole_first = true,
                                 .pole_last = true},
         [HATCH_SHAPE_CYLINDER] = {.at = cylinder_at, .wraps_u = true},
@@ -115,15 +115,15 @@ uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_surface *surf
     return 1;
 }
 
-static void position_at(const struct hatch_surface *surface, double u, double v, double out[3])
+static void position_at(const struct hatch_formula *surface, double u, double v, double out[3])
 {
-    struct hatch_surface_point point;
+    struct hatch_formula_point point;
     surface->at(surface, u, v, &point);
     hatch_vec_copy(point.position, out);
 }
 
 /* Adds one strip of cells between two lines of constant v. */
-static void measure_strip(const struct hatch_surface *surface, double v, double v_next,
+static void measure_strip(const struct hatch_formula *surface, double v, double v_next,
                           double *length_u, double *length_v, double *area)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
@@ -141,7 +141,7 @@ static void measure_strip(const struct hatch_surface *surface, double v, double 
     }
 }
 
-void hatch_surface_measure(const struct hatch_surface *surface, struct hatch_surface_size *size)
+void hatch_formula_measure(const struct hatch_formula *surface, struct hatch_formula_size *size)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
     double area_sum = 0, u_sum = 0;
@@ -159,7 +159,7 @@ void hatch_surface_measure(const struct hatch_surface *surface, struct hatch_sur
     size->u = u_sum / area_sum;
 }
 
-void hatch_surface_even(const struct hatch_surface *surface, double *share)
+void hatch_formula_even(const struct hatch_formula *surface, double *share)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
     for (uint32_t piece = 0; piece < surface->v_pieces; piece++) {

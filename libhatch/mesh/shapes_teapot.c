@@ -94,7 +94,7 @@ static void tube_control(const void *rows, int row, int piece, int i, double out
 }
 
 /* Position and the two partial derivatives, in the published frame. */
-static void evaluate(const struct hatch_surface *surface, control_point control, double u, double v,
+static void evaluate(const struct hatch_formula *surface, control_point control, double u, double v,
                      double p[3], double du[3], double dv[3])
 {
     int column = (int)u, row = (int)v;
@@ -124,8 +124,8 @@ static void to_our_frame(double a[3])
     a[2] = -y;
 }
 
-static void patch_at(const struct hatch_surface *surface, control_point control, double u, double v,
-                     struct hatch_surface_point *point)
+static void patch_at(const struct hatch_formula *surface, control_point control, double u, double v,
+                     struct hatch_formula_point *point)
 {
     double *p = point->position, du[3], dv[3];
     evaluate(surface, control, u, v, p, du, dv);
@@ -153,27 +153,27 @@ static void patch_at(const struct hatch_surface *surface, control_point control,
     to_our_frame(point->along_u);
 }
 
-static void turned_at(const struct hatch_surface *surface, double u, double v,
-                      struct hatch_surface_point *point)
+static void turned_at(const struct hatch_formula *surface, double u, double v,
+                      struct hatch_formula_point *point)
 {
     patch_at(surface, wall_control, u, v, point);
 }
 
-static void tube_at(const struct hatch_surface *surface, double u, double v,
-                    struct hatch_surface_point *point)
+static void tube_at(const struct hatch_formula *surface, double u, double v,
+                    struct hatch_formula_point *point)
 {
     patch_at(surface, tube_control, u, v, point);
 }
 
-uint32_t hatch_teapot_surfaces(struct hatch_surface *surfaces)
+uint32_t hatch_teapot_surfaces(struct hatch_formula *surfaces)
 {
-    surfaces[0] = (struct hatch_surface){.at = turned_at, .context = wall, .u_pieces = 4,
+    surfaces[0] = (struct hatch_formula){.at = turned_at, .context = wall, .u_pieces = 4,
                                          .v_pieces = 4, .wraps_u = true, .pole_last = true};
-    surfaces[1] = (struct hatch_surface){.at = turned_at, .context = lid, .u_pieces = 4,
+    surfaces[1] = (struct hatch_formula){.at = turned_at, .context = lid, .u_pieces = 4,
                                          .v_pieces = 2, .wraps_u = true, .pole_first = true};
-    surfaces[2] = (struct hatch_surface){.at = tube_at, .context = handle, .u_pieces = 2,
+    surfaces[2] = (struct hatch_formula){.at = tube_at, .context = handle, .u_pieces = 2,
                                          .v_pieces = 2, .wraps_u = true};
-    surfaces[3] = (struct hatch_surface){.at = tube_at, .context = spout, .u_pieces = 2,
+    surfaces[3] = (struct hatch_formula){.at = tube_at, .context = spout, .u_pieces = 2,
                                          .v_pieces = 2, .wraps_u = true};
     return 4;
 }
