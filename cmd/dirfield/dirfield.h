@@ -11,6 +11,7 @@
 
 struct dirfield_options {
     double turn_deg;      /* from the first principal direction, counter-clockwise seen from outside */
+    double coarse;        /* share of the faces to which meshes are simplified; 0: not at all */
     struct hatch_curvature_options curvature;
     struct hatch_field_options field;
 };

@@ -9,9 +9,9 @@
 #include "io/gltf.h"
 
 static int method, solver;
-static bool solver_given;
+static bool solver_given, fit_given;
 static double smooth = CMD_FIELD_SMOOTH, radius;
-static int64_t degree;
+static int64_t degree, coarse;
 static const char *direction = "max", *constraints, *report_path, *arrows_path;
 
 static const char *const method_choices[] = {"linear", "hz", NULL};
@@ -28,10 +28,12 @@ static const struct cmd_option options[] = {
      NULL},
     {'c', "constraints", CMD_TEXT, 0, 0, "FILE", "directions given by hand: see the manual", &constraints,
      NULL, NULL},
+    {0, "coarse", CMD_INT, 1, 20000000, "FACES", "curvature of the mesh simplified to so many faces", &coarse,
+     NULL, NULL},
     {0, "radius", CMD_REAL, 0.5, 100, "EDGES", "fit over this far, in mean edges (default: as noise asks)",
-     &radius, NULL, NULL},
+     &radius, NULL, &fit_given},
     {0, "degree", CMD_INT, 2, 4, "N", "of the fitted polynomial (default: as noise asks)", &degree, NULL,
-     NULL},
+     &fit_given},
     {'r', "report", CMD_TEXT, 0, 0, "FILE", "singularities, confidence, times: a table", &report_path, NULL,
      NULL},
     {'a', "arrows", CMD_TEXT, 0, 0, "FILE.ply", "the field as coloured slivers, to look at", &arrows_path,
@@ -73,6 +75,8 @@ static void read_options(struct dirfield_options *how)
 {
     if (solver_given && method == HATCH_FIELD_HZ)
         cmd_usage("--solver goes with --method linear");
+    if (fit_given && coarse)
+        cmd_usage("--radius and --degree do not go with --coarse, which fits to each face's neighbours");
     *how = (struct dirfield_options){
         .turn_deg = turn_of(direction),
         .curvature = {.radius = radius, .degree = (uint32_t)degree},
@@ -100,6 +104,15 @@ static struct dirfield_part *make_parts(struct cmd_args *args, const char *input
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         parts[i] = (struct dirfield_part){cmd_input_name(input), i, &scene->meshes[i], &surfaces[i], .ms = {0}};
     return parts;
+}
+
+/* Of several meshes each gets as many of the coarse faces as it has of the others. */
+static double coarse_share(const struct dirfield_part *parts, uint32_t count)
+{
+    double faces = 0;
+    for (uint32_t i = 0; i < count; i++)
+        faces += parts[i].surface->face_count;
+    return fmin(1, (double)coarse / faces);
 }
 
 static void begin_extras(struct cmd_args *args, const struct hatch_scene *scene,
@@ -175,6 +188,7 @@ int main(int argc, char **argv)
     if (constraints)
         dirfield_read_constraints(&args, constraints, parts, scene.mesh_count);
     begin_extras(&args, &scene, parts, &extras);
+    how.coarse = coarse_share(parts, scene.mesh_count);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
         work(&args, &how, &scene, &parts[i], &extras);
     encode(&args, &scene, input, &files[0]);

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "dirfield.h"
+#include "io/openmesh.h"
 #include "math/vector.h"
 
 #define STANDING 1e-3 /* a direction whose tangent part is shorter than this share stands on the surface */
@@ -45,6 +46,20 @@ static enum hatch_status check_sides(const struct hatch_surface *surface, double
     return HATCH_OK;
 }
 
+static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_options *options,
+                                  struct dirfield_part *part, struct hatch_curvature *curvature,
+                                  struct hatch_err *err)
+{
+    if (!(options->coarse > 0))
+        return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature,
+                                        cmd_pool(args), &part->work, &args->scratch, curvature, err);
+    struct hatch_mesh coarse;
+    uint32_t faces = (uint32_t)fmax(1, round(options->coarse * part->surface->face_count));
+    HATCH_TRY(hatch_mesh_decimate(&part->mesh->mesh, faces, &part->work, &args->scratch, &coarse, NULL, err));
+    return hatch_curvature_coarse(part->surface, &part->frames, &coarse, &part->work, &args->scratch,
+                                  curvature, err);
+}
+
 /* What was given by hand replaces what was found, and is not turned. */
 static void constrain(const char *file, struct dirfield_part *part, double *direction, double **hard)
 {
@@ -81,8 +96,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     end_phase(part, PHASE_FRAMES, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
-    check(part, hatch_curvature_estimate(part->surface, &part->frames, &options->curvature, cmd_pool(args),
-                                         &part->work, &args->scratch, &curvature, &err), &err);
+    check(part, estimate(args, options, part, &curvature, &err), &err);
     turn(&part->frames, part->surface, options->turn_deg, curvature.direction);
     constrain(constraints, part, curvature.direction, &hard);
     end_phase(part, PHASE_CURVATURE, begun_ms);
