@@ -6,7 +6,6 @@
  * (0.00005 degrees). */
 #define DIRECTION_STEP 0x1p-20
 #define CONFIDENCE_STEP 0x1p-12
-#define CREASE_RAD 1.0471975511965976f /* 60 degrees */
 
 static void round_direction(const double direction[3], double confidence, float out[4])
 {
@@ -35,7 +34,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
         size_t p = vertex_point[v];
         round_direction(&direction[3 * p], confidence[p], &directions[4 * v]);
     }
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CREASE_RAD, &err), name, &err);
+    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CMD_FIELD_CREASE_RAD, &err), name, &err);
     mesh->mesh = made;
     mesh->file_vertices = made.vertex_count;
     mesh->had_normals = true;

@@ -3,7 +3,7 @@
 
 #include "subject.h"
 
-static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1};
+static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1, .samples = 100000};
 
 static const struct cmd_option options[] = {
     {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
@@ -19,12 +19,14 @@ static const struct cmd_option options[] = {
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
     {0, "throws", CMD_INT, 1, 1000, "N", "tam: random drawings to compare with (default 8)",
      &values.throws, NULL, NULL},
-    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam: exit 1 when nesting or tone is broken", &values.check,
-     NULL, NULL},
+    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped: exit 1 when a bar is missed: see the manual",
+     &values.check, NULL, NULL},
     {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: a file whose field is the one that is wanted",
      &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
      &values.share, NULL, NULL},
+    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped: places that are looked at (default 100000)",
+     &values.samples, NULL, NULL},
     {0},
 };
 
@@ -37,6 +39,7 @@ static const struct {
     {"diff", 2, 2, "2", stat_diff},
     {"field", 0, -1, "any number", stat_field},
     {"frames", 2, -1, "2 or more", stat_frames},
+    {"lapped", 0, 1, "1 at most", stat_lapped},
     {"mesh", 0, -1, "any number", stat_mesh},
     {"tam", 0, 1, "1 at most", stat_tam},
 };
@@ -54,7 +57,7 @@ static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
     .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
-               "direction fields (field FILE ...), tonal art maps (tam FILE)",
+               "direction fields (field FILE ...), tonal art maps (tam FILE), lapped patches (lapped FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,

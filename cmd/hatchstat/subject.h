@@ -12,9 +12,10 @@ struct stat_options {
     bool srgb;             /* diff, frames: sRGB numbers in place of linear light */
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
     int64_t throws;        /* tam: how many random drawings evenness is compared with */
-    bool check;            /* tam: nesting and tone decide the exit status */
+    bool check;            /* tam: nesting and tone decide the exit status; lapped: its bars do */
     const char *reference; /* field: NULL when not given */
     double share;          /* field: of the reference's points, the most confident first */
+    int64_t samples;       /* lapped: for coverage */
 };
 
 /* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
@@ -28,6 +29,8 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
                               struct cmd_output *output);
 enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options,
                              struct cmd_output *output);
+enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options,
+                              struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
                             struct cmd_output *output);
 

@@ -4,6 +4,7 @@
 
 #include "math/percentile.h"
 #include "math/vector.h"
+#include "measure/stretch.h"
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
 
@@ -117,46 +118,6 @@ static void measure_edges(struct work *w)
     w->out->edge_mean = w->edges.count ? sum / w->edges.count : 0;
 }
 
-/* One triangle's map to texture space. */
-struct stretch {
-    double weight; /* its area */
-    double uv_area; /* signed */
-    double angle;
-};
-
-/* The singular values of the map from the triangle's plane to texture space, from its metric: with
- * E = u·u + v·v and |det|, (s1 ± s2)² = E ± 2 |det|. */
-static bool measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
-                            struct stretch *s)
-{
-    double p[3][3], normal[3], x[3], ab[3], ac[3], t[3][2];
-    const uint32_t *index = &mesh->indices[(size_t)face * 3];
-    if (!hatch_mesh_corners(mesh, face, p))
-        return false;
-    hatch_vec_triangle(p[0], p[1], p[2], normal);
-    hatch_vec_sub(p[1], p[0], ab);
-    hatch_vec_sub(p[2], p[0], ac);
-    for (int c = 0; c < 3; c++)
-        for (size_t k = 0; k < 2; k++)
-            t[c][k] = (double)uv[(size_t)index[c] * 2 + k] - (double)uv[(size_t)index[0] * 2 + k];
-    double doubled = hatch_vec_length(normal), length = hatch_vec_length(ab);
-    hatch_vec_copy(ab, x);
-    hatch_vec_normalize(x);
-    /* Corners (0, 0), (length, 0), (cx, cy) in the plane; derivatives of u and v along both axes. */
-    double cx = hatch_vec_dot(ac, x), cy = doubled / length, e = 0, d[2][2];
-    for (int k = 0; k < 2; k++) {
-        d[k][0] = t[1][k] / length;
-        d[k][1] = (t[2][k] - d[k][0] * cx) / cy;
-        e += d[k][0] * d[k][0] + d[k][1] * d[k][1];
-    }
-    double det = d[0][0] * d[1][1] - d[0][1] * d[1][0];
-    double plus = sqrt(e + 2 * fabs(det)), minus = sqrt(fmax(0, e - 2 * fabs(det)));
-    s->weight = doubled / 2;
-    s->uv_area = det * s->weight;
-    s->angle = (plus + minus) / (plus - minus);
-    return true;
-}
-
 static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
 {
     const float *uv = hatch_mesh_find(w->mesh, "TEXCOORD_0", 2);
@@ -165,7 +126,7 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     if (!uv)
         return HATCH_OK;
     static const double shares[3] = {0.05, 0.5, 0.95};
-    struct stretch *list = HATCH_NEW(w->scratch, struct stretch, w->mesh->face_count, err);
+    struct hatch_stretch *list = HATCH_NEW(w->scratch, struct hatch_stretch, w->mesh->face_count, err);
     struct hatch_weighted *values =
         list ? HATCH_NEW(w->scratch, struct hatch_weighted, w->mesh->face_count, err) : NULL;
     if (!values)
@@ -173,27 +134,27 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     double kept = 0, degenerate = 0, mirrored = 0, uv_area = 0;
     uint32_t count = 0;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
-        struct stretch *s = &list[count];
-        if (!measure_stretch(w->mesh, uv, f, s))
+        struct hatch_stretch *s = &list[count];
+        if (!hatch_stretch_of(w->mesh, uv, f, s))
             continue;
-        if (!(fabs(s->uv_area) > 0) || !isfinite(s->angle)) {
-            degenerate += s->weight;
+        if (!(fabs(s->uv_area) > 0) || !isfinite(s->ratio)) {
+            degenerate += s->area;
             continue;
         }
-        kept += s->weight;
+        kept += s->area;
         /* v runs down the texture: its own right way round is the other one in u and v. */
-        mirrored += s->uv_area > 0 ? s->weight : 0;
+        mirrored += s->uv_area > 0 ? s->area : 0;
         uv_area += fabs(s->uv_area);
         count++;
     }
     out->degenerate_share = kept + degenerate > 0 ? degenerate / (kept + degenerate) : 0;
     out->mirrored_share = kept > 0 ? mirrored / kept : 0;
     for (uint32_t i = 0; i < count; i++)
-        values[i] = (struct hatch_weighted){list[i].angle, list[i].weight};
+        values[i] = (struct hatch_weighted){list[i].ratio, list[i].area};
     hatch_percentiles(values, count, shares, 3, out->angle);
     for (uint32_t i = 0; i < count; i++)
-        values[i] = (struct hatch_weighted){fabs(list[i].uv_area) / list[i].weight * (kept / uv_area),
-                                            list[i].weight};
+        values[i] = (struct hatch_weighted){fabs(list[i].uv_area) / list[i].area * (kept / uv_area),
+                                            list[i].area};
     hatch_percentiles(values, count, shares, 3, out->area);
     return HATCH_OK;
 }

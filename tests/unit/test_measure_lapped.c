@@ -1,0 +1,320 @@
+/* Lapped patches made by hand, whose figures are known. */
+#include <math.h>
+#include <string.h>
+
+#include "fail_alloc.h"
+#include "measure/lapped_figures.h"
+#include "run.h"
+
+#define SAMPLES 200000
+#define SIDE 64u
+
+static struct hatch_arena keep, scratch;
+static struct hatch_scene scene;
+static struct hatch_scene_mesh patches[4];
+static struct hatch_node nodes[2];
+static struct hatch_material material = {.base_texture = 0, .base_texcoord = 1, .outline = true};
+static struct hatch_image masks[1];
+static struct hatch_lapped_figures figures;
+static struct hatch_err err;
+
+/* A unit square of two faces, split by x = y: face 0 below it, face 1 above. */
+static const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+static const uint32_t faces[2][3] = {{0, 1, 2}, {0, 2, 3}};
+
+/* What a patch is: which faces, how u and v grow with x and y, where its mask lies. */
+struct made {
+    uint32_t first, count;
+    double u_of_x, v_of_y;
+    double mask_from, mask_size; /* mask coordinates are from + size * (x, y) */
+    double field_deg;
+};
+
+static void add_patch(const struct made *how)
+{
+    struct hatch_mesh *mesh = &patches[scene.mesh_count++].mesh;
+    float *uv, *mask, *field;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, how->count, mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "TEXCOORD_0", 2, &uv, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "TEXCOORD_1", 2, &mask, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "_HATCH_DIR", 4, &field, &err), &err);
+    for (uint32_t i = 0; i < how->count * 3; i++) /* corners turned round from patch to patch */
+        mesh->indices[i] = faces[how->first + i / 3][(i + scene.mesh_count) % 3];
+    double angle = how->field_deg * 3.14159265358979323846 / 180;
+    for (uint32_t v = 0; v < 4; v++) {
+        double x = (double)corners[v][0], y = (double)corners[v][1];
+        memcpy(&mesh->attributes[0].data[3 * v], corners[v], sizeof corners[v]);
+        uv[2 * v] = (float)(how->u_of_x * x);
+        uv[2 * v + 1] = (float)(how->v_of_y * y);
+        mask[2 * v] = (float)(how->mask_from + how->mask_size * x);
+        mask[2 * v + 1] = (float)(how->mask_from + how->mask_size * y);
+        field[4 * v] = (float)cos(angle) * (v % 2 ? -1 : 1); /* a line has no head */
+        field[4 * v + 1] = (float)sin(angle) * (v % 2 ? -1 : 1);
+        field[4 * v + 3] = 1;
+    }
+    nodes[0].mesh_count = scene.mesh_count;
+}
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+    hatch_arena_init(&scratch, (size_t)1 << 28);
+    memset(nodes, 0, sizeof nodes);
+    memset(patches, 0, sizeof patches);
+    scene = (struct hatch_scene){.node_count = 1,
+                                 .material_count = 1,
+                                 .texture_count = 1,
+                                 .meshes = patches,
+                                 .nodes = nodes,
+                                 .materials = &material};
+    /* Opaque in its left half. */
+    HATCH_TEST_OK(hatch_image_make(&keep, SIDE, SIDE, "YA", &masks[0], &err), &err);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        masks[0].pixels[2 * i + 1] = i % SIDE < SIDE / 2;
+}
+
+static void end(void)
+{
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+static void measure(void)
+{
+    HATCH_TEST_OK(hatch_measure_lapped(&scene, masks, SAMPLES, 1, &scratch, &figures, &err), &err);
+}
+
+static const struct made plain = {0, 2, 3, -3, 0, 1, 0};
+static const struct made first_face = {0, 1, 3, -3, 0.1, 0.2, 0}; /* its mask lies in the opaque half */
+
+START_TEST(half_a_mask_covers_half)
+{
+    add_patch(&plain);
+    measure();
+    ck_assert_uint_eq(figures.patches, 1);
+    ck_assert_uint_eq(figures.faces, 2);
+    ck_assert_double_eq(figures.overlap, 1);
+    /* Opacity is 1 up to the middle of the last opaque texel. */
+    double want = (SIDE / 2 - 0.5) / SIDE;
+    ck_assert_double_eq_tol(figures.covered, want, 0.004);
+    ck_assert_double_eq(figures.opacity_min, 0);
+    ck_assert_uint_eq(figures.hidden, 0);
+}
+END_TEST
+
+START_TEST(a_mask_without_alpha_covers_all)
+{
+    HATCH_TEST_OK(hatch_image_make(&keep, 4, 4, "Y", &masks[0], &err), &err);
+    add_patch(&plain);
+    measure();
+    ck_assert_double_eq(figures.covered, 1);
+    ck_assert_double_eq(figures.opacity_min, 1);
+}
+END_TEST
+
+/* Outside of its square the mask is as at the border: here nothing to the right, all to the left. */
+START_TEST(masks_are_clamped)
+{
+    struct made left = plain, right = plain;
+    left.mask_from = -5;
+    right.mask_from = 1.5;
+    add_patch(&right);
+    measure();
+    ck_assert_double_eq(figures.covered, 0);
+    add_patch(&left);
+    measure();
+    ck_assert_double_eq(figures.covered, 1);
+}
+END_TEST
+
+START_TEST(two_patches_cover_what_either_does)
+{
+    add_patch(&plain);
+    add_patch(&first_face);
+    measure();
+    ck_assert_uint_eq(figures.faces, 2);
+    ck_assert_uint_eq(figures.patch_faces, 3);
+    ck_assert_double_eq(figures.overlap, 1.5);
+    double c = (SIDE / 2 - 0.5) / SIDE; /* of the face above x = y, what lies left of c */
+    ck_assert_double_eq_tol(figures.covered, 0.5 + c - c * c / 2, 0.004);
+}
+END_TEST
+
+/* Halves of opacity over each other are three quarters, and no cover. */
+START_TEST(opacities_compose)
+{
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        masks[0].pixels[2 * i + 1] = 0.5f;
+    add_patch(&plain);
+    add_patch(&plain);
+    measure();
+    ck_assert_double_eq(figures.covered, 0);
+    ck_assert_double_eq(figures.opacity_min, 0.75);
+}
+END_TEST
+
+/* One is opaque on the left, the other on the right: each is read at the right place. */
+START_TEST(complements_cover_all)
+{
+    struct made right = plain;
+    right.mask_from = 0.9;
+    right.mask_size = -1;
+    add_patch(&plain);
+    add_patch(&right);
+    measure();
+    ck_assert_double_eq(figures.covered, 1);
+}
+END_TEST
+
+START_TEST(a_patch_under_a_core_is_hidden)
+{
+    struct made half = first_face;
+    half.mask_from = 0;
+    half.mask_size = 1;
+    add_patch(&half);
+    add_patch(&first_face);
+    measure();
+    ck_assert_uint_eq(figures.hidden, 1);
+    ck_assert_double_eq(figures.covered, 1);
+    ck_assert_double_eq(figures.overlap, 2);
+    add_patch(&half); /* over it, not under */
+    measure();
+    ck_assert_uint_eq(figures.hidden, 1);
+}
+END_TEST
+
+START_TEST(stretch_is_the_ratio)
+{
+    struct made wide = plain;
+    wide.u_of_x = 7.5;
+    add_patch(&wide);
+    measure();
+    for (int i = 0; i < HATCH_LAPPED_SHARES; i++) {
+        ck_assert_double_eq_tol(figures.stretch[i], 2.5, 1e-12);
+        ck_assert_double_eq_tol(figures.area[i], 1, 1e-12);
+    }
+    /* Of three faces, two have 2.5 and one 1: texture areas 22.5, 22.5 and 9, the whole's is 18. */
+    add_patch(&first_face);
+    measure();
+    ck_assert_double_eq_tol(figures.stretch[HATCH_LAPPED_P50], 2.5, 1e-12);
+    ck_assert_double_eq_tol(figures.area[HATCH_LAPPED_P50], 22.5 / 18, 1e-12);
+    ck_assert_double_eq_tol(figures.area[HATCH_LAPPED_MAX], 2, 1e-12);
+}
+END_TEST
+
+START_TEST(mirrored_and_flat_faces_are_flipped)
+{
+    struct made mirrored = plain, flat = first_face;
+    mirrored.v_of_y = 3;
+    flat.u_of_x = 0;
+    add_patch(&plain);
+    measure();
+    ck_assert_uint_eq(figures.flipped, 0);
+    add_patch(&mirrored);
+    add_patch(&flat);
+    measure();
+    ck_assert_uint_eq(figures.flipped, 3);
+    ck_assert_double_eq_tol(figures.stretch[HATCH_LAPPED_MAX], 1, 1e-12); /* a flat face has none */
+}
+END_TEST
+
+START_TEST(angles_are_those_to_rising_u)
+{
+    struct made turned = plain;
+    turned.field_deg = 10;
+    add_patch(&turned);
+    measure();
+    for (int i = 0; i < HATCH_LAPPED_SHARES; i++)
+        ck_assert_double_eq_tol(figures.angle_deg[i], 10, 1e-5);
+    patches[0].mesh.attribute_count--; /* no _HATCH_DIR */
+    measure();
+    ck_assert_double_nan(figures.angle_deg[HATCH_LAPPED_P50]);
+}
+END_TEST
+
+/* A sheared square: the direction in which u rises and v stays is not the gradient of u. */
+START_TEST(u_rises_where_v_stays)
+{
+    add_patch(&plain);
+    float *uv = hatch_mesh_find(&patches[0].mesh, "TEXCOORD_0", 2);
+    float *field = hatch_mesh_find(&patches[0].mesh, "_HATCH_DIR", 4);
+    for (uint32_t v = 0; v < 4; v++) {
+        uv[2 * v + 1] = corners[v][0] - corners[v][1];
+        field[4 * v] = field[4 * v + 1] = 1;
+    }
+    measure();
+    ck_assert_double_eq_tol(figures.angle_deg[HATCH_LAPPED_MAX], 0, 1e-5);
+}
+END_TEST
+
+START_TEST(meshes_at_one_place_are_not_one)
+{
+    add_patch(&first_face);
+    add_patch(&first_face);
+    nodes[0].mesh_count = 1;
+    nodes[1] = (struct hatch_node){.first_mesh = 1, .mesh_count = 1};
+    scene.node_count = 2;
+    measure();
+    ck_assert_uint_eq(figures.faces, 2);
+    ck_assert_double_eq(figures.overlap, 1);
+}
+END_TEST
+
+START_TEST(what_is_no_lapped_file_is_refused)
+{
+    add_patch(&plain);
+    struct hatch_lapped_figures before = figures;
+    struct hatch_mesh whole = patches[0].mesh;
+    patches[0].mesh.attribute_count = 2;
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "patch 0: no TEXCOORD_0 or no TEXCOORD_1");
+    patches[0].mesh = whole;
+    masks[0].pixels = NULL;
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "patch 0: no mask");
+    patches[0].material = HATCH_NONE;
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_msg(strstr(err.text, "no patches") != NULL, "%s", err.text);
+    ck_assert_mem_eq(&before, &figures, sizeof before);
+}
+END_TEST
+
+static enum hatch_status measure_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                     struct hatch_err *error)
+{
+    (void)context;
+    HATCH_TRY(hatch_arena_array(kept, 1, 1, error) ? HATCH_OK : HATCH_LIMIT);
+    return hatch_measure_lapped(&scene, masks, 10, 1, temporary, &figures, error);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    add_patch(&plain);
+    hatch_test_fail_alloc(measure_one, NULL, &figures, sizeof figures);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("measure lapped");
+    TCase *tests = tcase_create("lapped");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, half_a_mask_covers_half);
+    tcase_add_test(tests, a_mask_without_alpha_covers_all);
+    tcase_add_test(tests, masks_are_clamped);
+    tcase_add_test(tests, two_patches_cover_what_either_does);
+    tcase_add_test(tests, opacities_compose);
+    tcase_add_test(tests, complements_cover_all);
+    tcase_add_test(tests, a_patch_under_a_core_is_hidden);
+    tcase_add_test(tests, stretch_is_the_ratio);
+    tcase_add_test(tests, mirrored_and_flat_faces_are_flipped);
+    tcase_add_test(tests, angles_are_those_to_rising_u);
+    tcase_add_test(tests, u_rises_where_v_stays);
+    tcase_add_test(tests, meshes_at_one_place_are_not_one);
+    tcase_add_test(tests, what_is_no_lapped_file_is_refused);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
