@@ -7,24 +7,29 @@
 
 struct page {
     uint32_t side;
+    uint32_t component;
     bool forward; /* runs from the lower point, as turned */
     double direction[3];
 };
 
-/* Two pages that are one bent sheet: as flat as can be, of those that agree. */
+/* Two pages that are one bent sheet: of those that agree, two that hang together elsewhere if there are
+ * such (parts that do not may each lie either way round), and of these as flat as can be. */
 static bool find_pair(const struct page *pages, uint32_t count, uint32_t *a, uint32_t *b)
 {
-    double least = 2;
+    const double apart = 4, none = 8; /* over any fold, and over any fold apart */
+    double least = none;
     for (uint32_t i = 0; i < count; i++)
         for (uint32_t k = i + 1; k < count; k++) {
             double fold = hatch_vec_dot(pages[i].direction, pages[k].direction);
+            if (pages[i].component != pages[k].component)
+                fold += apart;
             if (pages[i].forward != pages[k].forward && fold < least) {
                 least = fold;
                 *a = i;
                 *b = k;
             }
         }
-    return least < 2;
+    return least < none;
 }
 
 static uint32_t join_edge(const struct hatch_surface_work *w, const uint32_t *sides, uint32_t count)
@@ -33,6 +38,7 @@ static uint32_t join_edge(const struct hatch_surface_work *w, const uint32_t *si
     uint32_t pairs = 0, a = 0, b = 0;
     for (uint32_t i = 0; i < count; i++) {
         pages[i].side = sides[i];
+        pages[i].component = w->component[sides[i] / 3];
         pages[i].forward = (w->point[sides[i]] < w->point[hatch_side_end(sides[i])]) !=
                            (w->flipped[sides[i] / 3] != 0);
         hatch_side_direction(w->mesh, sides[i], pages[i].direction);

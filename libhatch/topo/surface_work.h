@@ -20,7 +20,7 @@ struct hatch_surface_work {
 };
 
 /* Joins pages of the edges of more than two faces: two and two of them that run against each other as the
- * faces are turned, the flattest first. Returns how many pairs it made. */
+ * faces are turned, those of one component first, then the flattest. Returns how many pairs it made. */
 uint32_t hatch_surface_join_pages(const struct hatch_surface_work *work);
 
 /* Faces, corners, points and neighbours, component after component: all of the surface but border loops,

@@ -181,12 +181,20 @@ START_TEST(solids_that_share_an_edge_are_two)
         b.attributes[0].data[3 * i]++;
         b.attributes[0].data[3 * i + 1]++;
     }
-    struct hatch_mesh mesh = both(&keep, &a, &b);
-    struct hatch_surface s = make(&mesh);
-    ck_assert_uint_eq(notes.edges_cut, 1);
-    ck_assert_uint_eq(notes.points_split, 0);
-    expect(&s, 2, 2, 0);
-    ck_assert_uint_eq(s.point_count, 16);
+    struct hatch_mesh mesh = both(&keep, &a, &b), good = both(&keep, &a, &b);
+    struct hatch_surface want = make(&good);
+    for (uint32_t step = 1; step < 6; step++) { /* as they are, half turned, and less */
+        struct hatch_surface s = make(&mesh);
+        ck_assert_uint_eq(notes.edges_cut, 1);
+        ck_assert_uint_eq(notes.points_split, 0);
+        expect(&s, 2, 2, 0);
+        ck_assert_uint_eq(s.point_count, 16);
+        ck_assert_mem_eq(s.corners, want.corners, want.face_count * 12);
+        mesh = both(&keep, &good, &good);
+        mesh.face_count = good.face_count;
+        for (uint32_t f = 0; f < mesh.face_count; f += step + 1)
+            turn(&mesh, f);
+    }
 }
 END_TEST
 
@@ -223,7 +231,7 @@ START_TEST(crowds_are_no_burden)
         float *p = &pages.attributes[0].data[6 + 3 * i], *q = &fan.attributes[0].data[3 + 3 * i];
         p[0] = q[0] = x;
         p[1] = q[1] = y;
-        const uint32_t page[3] = {0, 1, 2 + i}, slice[3] = {0, 1 + i, 1 + (i + 1) % COUNT};
+        const uint32_t page[3] = {i % 2, 1 - i % 2, 2 + i}, slice[3] = {0, 1 + i, 1 + (i + 1) % COUNT};
         memcpy(&pages.indices[3 * i], page, sizeof page);
         memcpy(&fan.indices[3 * i], slice, sizeof slice);
     }
