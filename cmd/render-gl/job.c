@@ -7,6 +7,7 @@
 #include "render-gl/repeat.h"
 
 #define TWO_PI 6.28318530717958648
+#define FIELD_SHADE 0.25 /* of the tone, so that marks stand out */
 #define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
 
 void job_read(struct job *job)
@@ -16,6 +17,9 @@ void job_read(struct job *job)
     load_scene(&job->args, options->scene_path, &job->scene, &job->patches);
     if (options->map_path)
         cmd_read_map(&job->args, options->map_path, &job->map);
+    if (options->technique == TECHNIQUE_PATCHES)
+        cmd_check(load_check_patches(&job->scene, job->patches, &err),
+                  cmd_input_name(options->scene_path), &err);
     if (techniques[options->technique]->columns != COLUMNS_NONE)
         cmd_check(load_check_texcoords(&job->scene, &err), cmd_input_name(options->scene_path), &err);
     if (options->animation > 0 && options->animation >= job->scene.animation_count) {
@@ -111,6 +115,13 @@ void job_prepare(struct job *job)
         cmd_check(repeat_set(&job->gpu, options->repeat, &view, options->height, job->map.size_px,
                              job->map.levels, scratch, &err),
                   cmd_input_name(options->scene_path), &err);
+    if (options->technique == TECHNIQUE_FIELD) {
+        cmd_check(field_make(&job->gpu, &view, options->height, &job->renderer.shaders, &job->args.keep,
+                             scratch, &job->field, &err),
+                  cmd_input_name(options->scene_path), &err);
+        job->renderer.field = &job->field;
+        job->renderer.style.curve.high *= FIELD_SHADE;
+    }
     cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err), NULL,
               &err);
 }
@@ -149,6 +160,7 @@ void job_make_target(struct job *job, struct target *target)
 void job_end(struct job *job)
 {
     lines_free(&job->lines);
+    field_free(&job->field);
     renderer_free(&job->renderer);
     material_free(&job->gpu);
     scene_free(&job->gpu);

@@ -3,6 +3,7 @@
 #define RENDER_JOB_H
 
 #include "render-gl/context.h"
+#include "render-gl/field.h"
 #include "render-gl/load.h"
 #include "render-gl/options.h"
 
@@ -16,6 +17,7 @@ struct job {
     struct gpu_scene gpu;
     struct renderer renderer;
     struct lines lines;
+    struct field field;
     struct cmd_output **outputs; /* one per frame, or one for a report; NULL with a window */
     struct pose_span span;   /* all frames */
     struct view fixed_view;  /* used when view_is_fixed */

@@ -25,3 +25,13 @@ enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct h
                               i);
     return HATCH_OK;
 }
+
+enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct patch_mesh *patches,
+                                     struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (patches[i].patch_count)
+            return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT,
+                      "the scene has no patches: dirfield FILE | lapped-param makes some");
+}

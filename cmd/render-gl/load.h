@@ -11,6 +11,10 @@
 void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene,
                 struct patch_mesh **patches);
 
+/* HATCH_BAD_INPUT when there are none. */
+enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct patch_mesh *patches,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
 /* HATCH_BAD_INPUT when a mesh has no texture coordinates, with the commands that give it some. */
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
     HATCH_MUST_USE;

@@ -11,7 +11,7 @@
 #define AMBIENT 0.05 /* light from everywhere, so that shadows hold some form */
 
 /* What the table fills; options_read turns it into struct options. */
-static int technique;
+static int technique, show;
 static const char *map_path, *paper = "white", *ink = "black";
 static const char *camera, *uv_scale = "auto", *shader_folder;
 static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
@@ -22,11 +22,13 @@ static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
-static bool samples_given, time_given, animation_given, fov_given, frames_given, from_given;
+static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given, frames_given, from_given;
+
+static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
 static struct cmd_option table[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
-     &technique, NULL, NULL},
+     &technique, NULL, &technique_given},
     {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map, as tamgen writes it", &map_path, NULL,
      NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
@@ -42,6 +44,8 @@ static struct cmd_option table[] = {
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
      "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
+    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, shown,
+     &show_given},
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
      "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
      NULL},
@@ -286,6 +290,10 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
 {
     table[0].choices = technique_names();
     cmd_begin(&program, argc, argv, args);
+    if (show_given && (technique_given || probe))
+        cmd_usage("--show goes with neither --technique nor --probe");
+    if (show_given)
+        technique = (int)TECHNIQUE_PATCHES + show;
     if (!samples_given && techniques[technique]->samples)
         samples = techniques[technique]->samples;
     uint32_t side = (uint32_t)lround(sqrt((double)samples));

@@ -6,7 +6,7 @@
 #include "render-gl/renderer.h"
 
 struct options {
-    int technique;           /* index into techniques */
+    int technique;           /* index into techniques; what --show shows is one */
     const char *map_path;    /* NULL: none */
     const char *scene_path;  /* NULL: standard input */
     const char *shader_folder;

@@ -41,7 +41,7 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
 {
     const struct technique *chosen = techniques[technique];
     struct gpu_columns *columns = columns_of(renderer, chosen);
-    assert(technique <= TECHNIQUE_PROBE && (renderer->map || chosen->columns == COLUMNS_NONE));
+    assert(technique < TECHNIQUE_COUNT && (renderer->map || chosen->columns == COLUMNS_NONE));
     if (!renderer->block_buffer) {
         glCreateBuffers(1, &renderer->block_buffer);
         glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL,
@@ -50,6 +50,8 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     if (chosen->columns != COLUMNS_NONE && columns->form == COLUMNS_NONE)
         HATCH_TRY(columns_upload(renderer->map, chosen->columns, renderer->style.anisotropy,
                                  renderer->size_max_px, scratch, columns, err));
+    if (technique == TECHNIQUE_PATCHES)
+        HATCH_TRY(scene_tell_patches(renderer->scene, scratch, err));
     for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
         uint32_t variant = draw_variant_of(renderer, technique, &renderer->scene->items[i]);
         GLuint *program = &renderer->programs[technique][variant];
@@ -85,6 +87,8 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
         columns_set_bias(columns, (float)log2(target->side));
     glEnable(GL_CULL_FACE);
     draw_items(renderer, technique);
+    if (technique == TECHNIQUE_FIELD && renderer->field)
+        field_draw(renderer->field, target);
     target_resolve(target);
     clock_end_pass(renderer->clock, "resolve");
 }
@@ -116,7 +120,7 @@ enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
 
 enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *err)
 {
-    for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
+    for (uint32_t technique = 0; technique < TECHNIQUE_COUNT; technique++)
         for (uint32_t variant = 0; variant < VARIANTS; variant++) {
             GLuint *program = &renderer->programs[technique][variant], fresh;
             if (!*program)
@@ -140,7 +144,7 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
 
 void renderer_free(struct renderer *renderer)
 {
-    for (uint32_t technique = 0; technique <= TECHNIQUE_PROBE; technique++)
+    for (uint32_t technique = 0; technique < TECHNIQUE_COUNT; technique++)
         for (uint32_t variant = 0; variant < VARIANTS; variant++)
             glDeleteProgram(renderer->programs[technique][variant]);
     for (int geometry = 0; geometry < 2; geometry++)

@@ -3,6 +3,7 @@
 #define RENDER_RENDERER_H
 
 #include "render-gl/clock.h"
+#include "render-gl/field.h"
 #include "render-gl/frame.h"
 #include "render-gl/lines.h"
 #include "render-gl/scene.h"
@@ -28,11 +29,12 @@ struct renderer {
     struct gpu_scene *scene;
     uint32_t size_max_px;
     struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
-    GLuint programs[TECHNIQUE_PROBE + 1][VARIANTS];
+    GLuint programs[TECHNIQUE_COUNT][VARIANTS];
     GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
     GLuint block_buffer;
     struct frame_block block;
     struct lines *lines; /* NULL: none */
+    struct field *field; /* what the technique field draws; else NULL */
     struct clock *clock; /* NULL: nobody wants to know how long passes take */
 };
 

@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/random.h"
+
 static void middle_of(const struct hatch_mesh *mesh, double middle[3])
 {
     float low[3], high[3];
@@ -232,6 +234,42 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
     return HATCH_OK;
 }
 
+static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_arena *scratch,
+                                          struct hatch_err *err)
+{
+    const struct patch_mesh *patches = mesh->patches;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t count = patches->first_vertex[patches->patch_count];
+    float *tones = HATCH_NEW(scratch, float, count + (size_t)1, err);
+    if (!tones)
+        return HATCH_LIMIT;
+    for (uint32_t patch = 0; patch < patches->patch_count; patch++)
+        for (uint32_t v = patches->first_vertex[patch]; v < patches->first_vertex[patch + 1]; v++)
+            tones[v] = 0.75f * hatch_random_unit(1, 0, patch);
+    glCreateBuffers(1, &mesh->patch_tones);
+    glNamedBufferStorage(mesh->patch_tones, (GLsizeiptr)(sizeof *tones * (count + 1u)), tones, 0);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+enum hatch_status scene_tell_patches(struct gpu_scene *gpu, struct hatch_arena *scratch,
+                                     struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        GLuint array = gpu->items[i].vertex_array;
+        struct gpu_mesh *mesh = &gpu->meshes[gpu->items[i].mesh];
+        if (!mesh->patches)
+            continue;
+        if (!mesh->patch_tones)
+            HATCH_TRY(make_patch_tones(mesh, scratch, err));
+        glVertexArrayVertexBuffer(array, 2, mesh->patch_tones, 0, sizeof(float));
+        glEnableVertexArrayAttrib(array, PATCH_ATTRIBUTE);
+        glVertexArrayAttribFormat(array, PATCH_ATTRIBUTE, 1, GL_FLOAT, GL_FALSE, 0);
+        glVertexArrayAttribBinding(array, PATCH_ATTRIBUTE, 2);
+    }
+    return HATCH_OK;
+}
+
 void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t count)
 {
     glDeleteBuffers(1, &item->repeats);
@@ -259,6 +297,7 @@ void scene_free(struct gpu_scene *gpu)
         glDeleteBuffers(1, &gpu->meshes[i].vertices);
         glDeleteBuffers(1, &gpu->meshes[i].indices);
         glDeleteBuffers(1, &gpu->meshes[i].surface_indices);
+        glDeleteBuffers(1, &gpu->meshes[i].patch_tones);
     }
     *gpu = (struct gpu_scene){0};
 }

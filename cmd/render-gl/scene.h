@@ -16,7 +16,9 @@ struct vertex {
     float base_texcoord[2];
 };
 
-#define REPEAT_ATTRIBUTE 4u /* its place among the vertex stage's inputs */
+/* Places among the vertex stage's inputs. */
+#define REPEAT_ATTRIBUTE 4u
+#define PATCH_ATTRIBUTE 5u
 
 struct gpu_mesh {
     GLuint vertices, indices;
@@ -25,6 +27,7 @@ struct gpu_mesh {
     const struct hatch_mesh *surface;  /* what is there to see: without the overlaps of patches */
     const struct patch_mesh *patches;  /* NULL: an ordinary mesh */
     GLuint surface_indices;            /* with patches: of the surface's faces */
+    GLuint patch_tones;                /* a random tone for each vertex, its patch's; 0: not told yet */
 };
 
 struct gpu_item {
@@ -70,6 +73,10 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
 
 /* Gives the vertices of an item repeats of their own; count of them. NULL takes them away. */
 void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t count);
+
+/* Gives the vertices of patches a tone each, by which patches can be told apart. Again is cheap. */
+enum hatch_status scene_tell_patches(struct gpu_scene *gpu, struct hatch_arena *scratch,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 void scene_free(struct gpu_scene *gpu);
 

@@ -4,16 +4,17 @@
 
 extern const struct technique technique_tam, technique_tam_flat, technique_tam_face,
     technique_tam_gouraud, technique_tam_triple, technique_tam_threshold, technique_gouraud,
-    technique_probe;
+    technique_probe, technique_patches, technique_field;
 
-const struct technique *const techniques[TECHNIQUE_PROBE + 1] = {
+const struct technique *const techniques[TECHNIQUE_COUNT] = {
     &technique_tam,        &technique_tam_flat,      &technique_tam_face, &technique_tam_gouraud,
-    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,  &technique_probe};
+    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,  &technique_probe,
+    &technique_patches,    &technique_field};
 
 const char *const *technique_names(void)
 {
-    static const char *names[TECHNIQUE_PROBE + 1];
-    for (size_t i = 0; i < TECHNIQUE_PROBE; i++)
+    static const char *names[TECHNIQUE_CHOICES + 1];
+    for (size_t i = 0; i < TECHNIQUE_CHOICES; i++)
         names[i] = techniques[i]->name;
     return names;
 }

@@ -8,7 +8,11 @@
 
 #define TECHNIQUE_PASSES_MAX 4u
 #define TECHNIQUE_GOURAUD 6u /* the reference for tone and for speed */
-#define TECHNIQUE_PROBE 7u /* the last in the list, and no choice of --technique */
+#define TECHNIQUE_CHOICES 7u /* of --technique; those after them serve other options */
+#define TECHNIQUE_PROBE 7u
+#define TECHNIQUE_PATCHES 8u
+#define TECHNIQUE_FIELD 9u
+#define TECHNIQUE_COUNT 10u
 
 /* What a technique makes of patches over a surface. */
 enum technique_patches {
@@ -32,9 +36,9 @@ struct technique {
 };
 
 /* In the order of --technique's choices. */
-extern const struct technique *const techniques[TECHNIQUE_PROBE + 1];
+extern const struct technique *const techniques[TECHNIQUE_COUNT];
 
-/* Their names, for the option table; the last entry is NULL. */
+/* The choices' names, for the option table; the last entry is NULL. */
 const char *const *technique_names(void);
 
 #endif

@@ -36,10 +36,10 @@ static void say_keys(void)
 {
     cmd_say("drag: turn; shift+drag or right button: pan; ctrl+drag: move the light");
     cmd_say("arrows: turn; wheel, + and -: nearer and further; f: the view of the start");
-    cmd_say("1 to %u, t: technique; space: pause or play the animation", TECHNIQUE_PROBE);
+    cmd_say("1 to %u, t: technique; space: pause or play the animation", TECHNIQUE_CHOICES);
     cmd_say("[ and ]: turn the strokes; < and >: make their pattern smaller and larger");
     cmd_say("s: save a picture; r: read --shader-dir again; ?: these lines; q, escape: close");
-    for (uint32_t i = 0; i < TECHNIQUE_PROBE; i++)
+    for (uint32_t i = 0; i < TECHNIQUE_CHOICES; i++)
         cmd_say("%u %s: %s", i + 1, techniques[i]->name, techniques[i]->summary);
 }
 
@@ -81,7 +81,7 @@ static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
     window->stale = true;
-    if (character >= '1' && character < '1' + TECHNIQUE_PROBE)
+    if (character >= '1' && character < '1' + TECHNIQUE_CHOICES)
         set_technique(window, character - '1');
     switch (character) {
     case '?':
@@ -96,7 +96,7 @@ static void on_character(GLFWwindow *handle, unsigned character)
         window->moved = true;
         break;
     case 't':
-        set_technique(window, (window->technique + 1) % TECHNIQUE_PROBE);
+        set_technique(window, window->technique + 1 < TECHNIQUE_CHOICES ? window->technique + 1 : 0);
         break;
     case ' ':
         window->paused = !window->paused;

@@ -18,6 +18,9 @@ draw="render-gl --size 32x24 -o picture.png"
 refuses "no map" 2 2 "--tam FILE" $draw torus.glb
 refuses "a mesh that strokes cannot follow" 3 1 lapped-param $draw plain.obj --tam map.exr
 ok "its tone can be drawn" render-gl --size 32x24 -t gouraud plain.obj -o tone.png
+refuses "patches where there are none" 3 1 lapped-param $draw torus.glb --show patches
+refuses "directions where there are none" 3 1 dirfield $draw torus.glb --show field
+refuses "two things to show" 2 2 "--show" $draw torus.glb --show field --technique tam --tam map.exr
 refuses "a camera that is not there" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
 refuses "an animation that is not there" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
 refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak

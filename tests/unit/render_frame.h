@@ -26,7 +26,7 @@ static const struct bounds frame_unit = {.radius = 1.0};
 
 static inline uint32_t frame_technique(const char *name)
 {
-    for (uint32_t i = 0; i < TECHNIQUE_PROBE; i++)
+    for (uint32_t i = 0; i < TECHNIQUE_COUNT; i++)
         if (strcmp(techniques[i]->name, name) == 0)
             return i;
     ck_abort_msg("no technique %s", name);

@@ -50,7 +50,7 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
                                  .scene = &gpu,
                                  .lines = &lines,
                                  .size_max_px = context.size_max_px};
-    HATCH_TEST_OK(renderer_prepare(&renderer, TECHNIQUE_PROBE - 1, &scratch, &err), &err);
+    HATCH_TEST_OK(renderer_prepare(&renderer, TECHNIQUE_GOURAUD, &scratch, &err), &err);
 }
 
 /* The ink of each pixel, lowest row last; drawn in tiles of target_px. */
@@ -61,7 +61,7 @@ static struct hatch_image draw(const struct view *view, uint32_t target_px, uint
     struct hatch_err err;
     HATCH_TEST_OK(hatch_image_make(&keep, 400, 400, "RGB", &image, &err), &err);
     HATCH_TEST_OK(target_make(target_px, target_px, side, &renderer.shaders, &target, &err), &err);
-    HATCH_TEST_OK(picture_draw(&renderer, TECHNIQUE_PROBE - 1, view, &target, &image, &err), &err);
+    HATCH_TEST_OK(picture_draw(&renderer, TECHNIQUE_GOURAUD, view, &target, &image, &err), &err);
     target_free(&target);
     for (uint32_t i = 0; i < 3 * 400 * 400; i++)
         image.pixels[i] = 1 - image.pixels[i];

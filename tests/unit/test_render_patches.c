@@ -116,6 +116,63 @@ START_TEST(lines_see_the_surface_once)
 }
 END_TEST
 
+START_TEST(patches_have_tones_of_their_own)
+{
+    struct hatch_image image;
+    uint32_t tones = 0;
+    begin();
+    round_mask();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 2000);
+    begin_lapped(&sphere, &caps);
+    frame.renderer.style.light = (struct own_light){true, 0, 0};
+    draw_in_tiles("patches", 160, 1, &image);
+    /* Along a row, steps between neighbours that the light does not make. */
+    for (uint32_t x = 50; x < 110; x++)
+        tones += fabsf(image.pixels[3 * (80 * 160 + x)] - image.pixels[3 * (80 * 160 + x + 1)]) > 0.02f;
+    ck_assert_uint_ge(tones, 3);
+    frame_end(&frame);
+}
+END_TEST
+
+/* Directions along x on a plane, half of them the other way round. */
+START_TEST(marks_lie_evenly_along_directions)
+{
+    struct field field;
+    float *directions;
+    begin();
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200);
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &plane, "_HATCH_DIR", 4, &directions, &frame.err),
+                  &frame.err);
+    for (size_t v = 0; v < plane.vertex_count; v++) {
+        directions[4 * v] = v % 2 ? 1.0f : -1.0f;
+        directions[4 * v + 3] = 0.5f;
+    }
+    frame_begin(&plane, &frame_unit, NULL, &frame);
+    HATCH_TEST_OK(field_make(&frame.gpu, &map_facing, 200, &frame.renderer.shaders, &frame.arena,
+                             &frame.scratch, &field, &frame.err),
+                  &frame.err);
+    struct target target;
+    HATCH_TEST_OK(target_make(8, 8, 1, &frame.renderer.shaders, &target, &frame.err), &frame.err);
+    target_begin(&target, frame.renderer.style.inks.paper);
+    field_draw(&field, &target);
+    /* 100 pixels to a unit, 11 from mark to mark. */
+    ck_assert_uint_gt(field.count, 200);
+    for (uint32_t a = 0; a < field.count; a++) {
+        const float *line = field.lines + FIELD_FLOATS * a;
+        ck_assert_double_eq_tol(fabs((double)line[3]), 0.5 * 0.9 * 0.11, 1e-6);
+        ck_assert_double_le(fabs((double)line[4]), 1e-6);
+        ck_assert_double_eq_tol((double)line[6], 0.5, 1e-6);
+        for (uint32_t b = 0; b < a; b++) {
+            const float *other = field.lines + FIELD_FLOATS * b;
+            ck_assert_double_gt(hypot((double)(line[0] - other[0]), (double)(line[1] - other[1])), 0.1099);
+        }
+    }
+    field_free(&field);
+    target_free(&target);
+    frame_end(&frame);
+}
+END_TEST
+
 /* Two spheres, one in a node that makes it three times as large. */
 START_TEST(strokes_have_one_size_on_all_patches)
 {
@@ -148,6 +205,8 @@ static Suite *suite(void)
     tcase_add_test(tests, joined_patches_are_the_surface);
     tcase_add_test(tests, joining_survives_every_failed_allocation);
     tcase_add_loop_test(tests, lines_see_the_surface_once, 0, 2);
+    tcase_add_test(tests, patches_have_tones_of_their_own);
+    tcase_add_test(tests, marks_lie_evenly_along_directions);
     tcase_add_test(tests, strokes_have_one_size_on_all_patches);
     suite_add_tcase(made, tests);
     return made;

@@ -1,0 +1,282 @@
+#include "render-gl/field.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "math/vector.h"
+
+#define SPACING_PX 11.0
+#define WIDTH_PX 1.5
+#define LENGTH 0.9        /* of the spacing */
+#define MARKS_MAX 200000u
+#define TRIES 8           /* places looked at for each that there is room for */
+#define CELLS 96          /* along a side of the grid around the unit scene */
+
+static const struct hatch_mesh *surface_of(const struct gpu_scene *scene, const struct gpu_item *item)
+{
+    return scene->meshes[item->mesh].surface;
+}
+
+/* Where marks have been put, so that others keep away: lists in the cells of a grid. */
+struct spread {
+    struct field *field;
+    double spacing;
+    uint32_t *head;   /* of each cell: mark + 1 */
+    uint32_t *next;   /* of each mark: mark + 1 */
+    double *place;    /* of each mark, and its face's normal: 6 */
+    uint64_t tried;
+};
+
+static void pose_surface(const struct field *field, const struct gpu_item *item)
+{
+    const struct hatch_mesh *surface = surface_of(field->scene, item);
+    const struct bounds *bounds = &field->scene->bounds;
+    struct pose pose = field->scene->pose;
+    pose_mesh(&pose, item->node, surface, field->positions, NULL);
+    for (size_t i = 0; i < 3 * (size_t)surface->vertex_count; i++)
+        field->positions[i] = (field->positions[i] - bounds->center[i % 3]) / bounds->radius;
+}
+
+static void corners_of(const struct field *field, const struct hatch_mesh *surface, uint32_t face,
+                       const double *corner[3])
+{
+    for (size_t c = 0; c < 3; c++)
+        corner[c] = field->positions + 3 * (size_t)surface->indices[3 * (size_t)face + c];
+}
+
+static int cell_along(double at)
+{
+    double cell = floor((at + 1) * (0.5 * CELLS));
+    return cell < 0 ? 0 : cell >= CELLS ? CELLS - 1 : (int)cell;
+}
+
+/* Is there no mark so close? On a thin sheet each side has marks of its own. */
+static bool is_free(const struct spread *spread, const double place[6])
+{
+    int low[3], high[3];
+    for (int k = 0; k < 3; k++) {
+        low[k] = cell_along(place[k] - spread->spacing);
+        high[k] = cell_along(place[k] + spread->spacing);
+    }
+    for (int x = low[0]; x <= high[0]; x++)
+        for (int y = low[1]; y <= high[1]; y++)
+            for (int z = low[2]; z <= high[2]; z++)
+                for (uint32_t m = spread->head[(x * CELLS + y) * CELLS + z]; m; m = spread->next[m - 1]) {
+                    const double *other = spread->place + 6 * (size_t)(m - 1);
+                    if (hatch_vec_distance(place, other) < spread->spacing &&
+                        hatch_vec_dot(place + 3, other + 3) > 0)
+                        return false;
+                }
+    return true;
+}
+
+/* The direction at a place of a face, in the file's coordinates; that of corners which point the other way
+ * is turned round. false where there is none. */
+static bool direction_at(const struct hatch_mesh *surface, struct field_mark *mark)
+{
+    const float *directions = hatch_mesh_find(surface, "_HATCH_DIR", 4);
+    const uint32_t *index = surface->indices + 3 * (size_t)mark->face;
+    double sum[3] = {0, 0, 0}, first[3], corners[3][3], edges[2][3];
+    hatch_vec_of(directions + 4 * (size_t)index[0], first);
+    mark->confidence = 0;
+    for (int c = 0; c < 3; c++) {
+        double direction[3];
+        hatch_vec_of(directions + 4 * (size_t)index[c], direction);
+        double share = (double)mark->share[c];
+        mark->confidence += mark->share[c] * directions[4 * (size_t)index[c] + 3];
+        hatch_vec_add_scaled(sum, hatch_vec_dot(direction, first) < 0 ? -share : share, direction, sum);
+    }
+    if (!hatch_mesh_corners(surface, mark->face, corners))
+        return false;
+    for (int e = 0; e < 2; e++)
+        hatch_vec_sub(corners[e + 1], corners[0], edges[e]);
+    double aa = hatch_vec_dot(edges[0], edges[0]), ab = hatch_vec_dot(edges[0], edges[1]);
+    double bb = hatch_vec_dot(edges[1], edges[1]), det = aa * bb - ab * ab;
+    double a = hatch_vec_dot(edges[0], sum), b = hatch_vec_dot(edges[1], sum);
+    double along[2] = {(a * bb - b * ab) / det, (b * aa - a * ab) / det};
+    mark->velocity[0] = (float)(-along[0] - along[1]);
+    mark->velocity[1] = (float)along[0];
+    mark->velocity[2] = (float)along[1];
+    return det > 0 && isfinite(along[0]) && isfinite(along[1]) && (along[0] != 0 || along[1] != 0);
+}
+
+static void try_place(struct spread *spread, const struct hatch_mesh *surface, uint32_t face,
+                      const double *const corner[3])
+{
+    struct field *field = spread->field;
+    struct field_mark mark = {.face = face};
+    double place[6] = {0, 0, 0};
+    double u = (double)hatch_random_unit(1, 0, spread->tried), v = (double)hatch_random_unit(1, 1, spread->tried);
+    spread->tried++;
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    const double share[3] = {1 - u - v, u, v};
+    for (int c = 0; c < 3; c++) {
+        mark.share[c] = (float)share[c];
+        hatch_vec_add_scaled(place, share[c], corner[c], place);
+    }
+    hatch_vec_triangle(corner[0], corner[1], corner[2], place + 3);
+    if (field->count == MARKS_MAX || !is_free(spread, place) || !direction_at(surface, &mark))
+        return;
+    uint32_t *head = &spread->head[(cell_along(place[0]) * CELLS + cell_along(place[1])) * CELLS +
+                                   cell_along(place[2])];
+    for (int i = 0; i < 6; i++)
+        spread->place[6 * (size_t)field->count + (size_t)i] = place[i];
+    field->marks[field->count] = mark;
+    spread->next[field->count++] = *head;
+    *head = field->count;
+}
+
+static double area_of(const double *const corner[3])
+{
+    double normal[3];
+    hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
+    return 0.5 * hatch_vec_length(normal);
+}
+
+/* All faces, or their area alone where spread is NULL. */
+static double visit_faces(struct field *field, struct spread *spread)
+{
+    const struct gpu_scene *scene = field->scene;
+    double area = 0, owed = 0;
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct hatch_mesh *surface = surface_of(scene, &scene->items[i]);
+        bool has = hatch_mesh_find(surface, "_HATCH_DIR", 4) != NULL;
+        if (has)
+            pose_surface(field, &scene->items[i]);
+        for (uint32_t face = 0; face < surface->face_count && has; face++) {
+            const double *corner[3];
+            corners_of(field, surface, face, corner);
+            double here = area_of(corner);
+            area += isfinite(here) ? here : 0;
+            if (!spread || !isfinite(here))
+                continue;
+            for (owed += TRIES * here / (spread->spacing * spread->spacing); owed >= 1; owed--)
+                try_place(spread, surface, face, corner);
+        }
+        field->item_end[i] = field->count;
+    }
+    return area;
+}
+
+static enum hatch_status spread_marks(struct field *field, const struct view *view, double height_px,
+                                      struct hatch_arena *scratch, struct hatch_err *err)
+{
+    static const double middle[3] = {0, 0, 0};
+    double area = visit_faces(field, NULL);
+    struct spread spread = {.field = field,
+                            .spacing = SPACING_PX / view_pixels_per_unit(view, middle, height_px)};
+    if (!(spread.spacing > 0) || !isfinite(spread.spacing))
+        spread.spacing = 0.02;
+    /* Marks stand about as dense as circles of half the spacing around them can be packed. */
+    spread.spacing = fmax(spread.spacing, sqrt(area / MARKS_MAX));
+    field->half_length = 0.5 * LENGTH * spread.spacing;
+    spread.head = HATCH_NEW(scratch, uint32_t, (size_t)CELLS * CELLS * CELLS, err);
+    spread.next = spread.head ? HATCH_NEW(scratch, uint32_t, MARKS_MAX, err) : NULL;
+    spread.place = spread.next ? HATCH_NEW(scratch, double, 6 * (size_t)MARKS_MAX, err) : NULL;
+    if (!spread.place)
+        return HATCH_LIMIT;
+    visit_faces(field, &spread);
+    return HATCH_OK;
+}
+
+static void make_array(struct field *field)
+{
+    static const GLint sizes[3] = {3, 3, 1};
+    GLuint offset = 0;
+    glCreateBuffers(1, &field->buffer);
+    glNamedBufferData(field->buffer, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * (field->count + 1u)),
+                      NULL, GL_DYNAMIC_DRAW);
+    glCreateVertexArrays(1, &field->array);
+    glVertexArrayVertexBuffer(field->array, 0, field->buffer, 0, sizeof(float) * FIELD_FLOATS);
+    glVertexArrayBindingDivisor(field->array, 0, 1);
+    for (GLuint i = 0; i < 3; i++) {
+        glEnableVertexArrayAttrib(field->array, i);
+        glVertexArrayAttribFormat(field->array, i, sizes[i], GL_FLOAT, GL_FALSE, offset);
+        glVertexArrayAttribBinding(field->array, i, 0);
+        offset += (GLuint)sizeof(float) * (GLuint)sizes[i];
+    }
+}
+
+enum hatch_status field_make(const struct gpu_scene *scene, const struct view *view, double height_px,
+                             const struct shader_source *shaders, struct hatch_arena *arena,
+                             struct hatch_arena *scratch, struct field *field, struct hatch_err *err)
+{
+    static const struct shader_stages stages = {.vertex = "field_mark.vert", .fragment = "field_mark.frag"};
+    struct field made = {.scene = scene};
+    uint32_t most = 0;
+    bool any = false;
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct hatch_mesh *surface = surface_of(scene, &scene->items[i]);
+        any = any || hatch_mesh_find(surface, "_HATCH_DIR", 4);
+        most = surface->vertex_count > most ? surface->vertex_count : most;
+    }
+    if (!any)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE computes some");
+    made.positions = HATCH_NEW(arena, double, 3 * (size_t)most, err);
+    made.item_end = made.positions ? HATCH_NEW(arena, uint32_t, scene->item_count, err) : NULL;
+    made.marks = made.item_end ? HATCH_NEW(arena, struct field_mark, MARKS_MAX, err) : NULL;
+    if (!made.marks)
+        return HATCH_LIMIT;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = spread_marks(&made, view, height_px, scratch, err);
+    hatch_arena_rewind(scratch, mark);
+    HATCH_TRY(status);
+    made.lines = HATCH_NEW(arena, float, FIELD_FLOATS * (size_t)made.count, err);
+    if (!made.lines)
+        return HATCH_LIMIT;
+    HATCH_TRY(shader_program(shaders, &stages, "", &made.program, err));
+    make_array(&made);
+    *field = made;
+    return HATCH_OK;
+}
+
+static void place_mark(const struct field *field, const struct hatch_mesh *surface,
+                       const struct field_mark *mark, float *line)
+{
+    const double *corner[3];
+    double middle[3] = {0, 0, 0}, way[3] = {0, 0, 0};
+    corners_of(field, surface, mark->face, corner);
+    for (int c = 0; c < 3; c++) {
+        hatch_vec_add_scaled(middle, (double)mark->share[c], corner[c], middle);
+        hatch_vec_add_scaled(way, (double)mark->velocity[c], corner[c], way);
+    }
+    double length = hatch_vec_length(way);
+    for (int k = 0; k < 3; k++) {
+        line[k] = (float)middle[k];
+        line[3 + k] = length > 0 ? (float)(field->half_length * way[k] / length) : 0.0f;
+    }
+    line[6] = mark->confidence;
+}
+
+void field_draw(struct field *field, const struct target *target)
+{
+    const struct gpu_scene *scene = field->scene;
+    uint32_t at = 0;
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct gpu_item *item = &scene->items[i];
+        if (at < field->item_end[i])
+            pose_surface(field, item);
+        for (; at < field->item_end[i]; at++)
+            place_mark(field, surface_of(scene, item), &field->marks[at], &field->lines[FIELD_FLOATS * at]);
+    }
+    glNamedBufferSubData(field->buffer, 0, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * field->count),
+                         field->lines);
+    glUseProgram(field->program);
+    glUniform2f(8, (float)(WIDTH_PX / target->width), (float)(WIDTH_PX / target->height));
+    glBindVertexArray(field->array);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)field->count);
+    glDepthMask(GL_TRUE);
+}
+
+void field_free(struct field *field)
+{
+    glDeleteVertexArrays(1, &field->array);
+    glDeleteBuffers(1, &field->buffer);
+    glDeleteProgram(field->program);
+    *field = (struct field){.count = 0};
+}
