@@ -22,7 +22,8 @@ static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
-static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given, frames_given, from_given;
+static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given;
+static bool frames_given, from_given;
 
 static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
