@@ -10,6 +10,7 @@ fixture() {
     case $1 in
     mesh.glb) meshgen torus --faces 60 ;;
     field.glb) meshgen torus --faces 60 --field ;;
+    lapped.glb) meshgen torus --faces 60 | lapped-param ;;
     map.exr) tamgen --size 64 --tones 3 --levels 2 ;;
     picture.png) tamgen --size 64 --tones 2 --levels 1 --contact-sheet - -o /dev/null ;;
     esac >"$FIXTURES/$1"

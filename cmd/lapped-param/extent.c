@@ -1,0 +1,89 @@
+#include <math.h>
+
+#include "lapped_param.h"
+#include "math/vector.h"
+
+/* A box that grows. */
+struct box {
+    double low[3], high[3];
+    bool any;
+};
+
+static void add_point(struct box *box, const double point[3])
+{
+    for (int k = 0; k < 3; k++) {
+        box->low[k] = box->any ? fmin(box->low[k], point[k]) : point[k];
+        box->high[k] = box->any ? fmax(box->high[k], point[k]) : point[k];
+    }
+    box->any = true;
+}
+
+/* The mesh's own box, moved; matrix: column-major. */
+static void add_mesh(struct box *box, const struct hatch_mesh *mesh, const float *matrix)
+{
+    float ends[2][3];
+    if (!hatch_mesh_bounds(mesh, ends[0], ends[1]))
+        return;
+    for (int corner = 0; corner < 8; corner++) {
+        double point[3];
+        for (int row = 0; row < 3; row++) {
+            point[row] = (double)matrix[12 + row];
+            for (int k = 0; k < 3; k++)
+                point[row] += (double)matrix[4 * k + row] * (double)ends[corner >> k & 1][k];
+        }
+        add_point(box, point);
+    }
+}
+
+static double scale_of(const float *matrix)
+{
+    double columns[3][3], cross[3];
+    for (int column = 0; column < 3; column++)
+        hatch_vec_of(&matrix[4 * column], columns[column]);
+    hatch_vec_cross(columns[0], columns[1], cross);
+    return cbrt(fabs(hatch_vec_dot(cross, columns[2])));
+}
+
+/* Where a node's meshes stand: a skin's joints move them, the node itself does not. joints: room for all
+ * matrices of the largest skin. */
+static const float *place_of(const struct hatch_scene *scene, uint32_t n, const float *world, float *joints)
+{
+    if (scene->nodes[n].skin == HATCH_NONE)
+        return world + 16 * (size_t)n;
+    hatch_scene_skin(scene, scene->nodes[n].skin, world, joints);
+    return joints;
+}
+
+void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene,
+                          struct lapped_param_extent *extent)
+{
+    struct hatch_err err;
+    struct box box = {.any = false};
+    size_t joint_count = 0;
+    for (uint32_t s = 0; s < scene->skin_count; s++)
+        joint_count = scene->skins[s].joint_count > joint_count ? scene->skins[s].joint_count : joint_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    float *world = HATCH_NEW(&args->scratch, float, 16 * (size_t)scene->node_count, &err);
+    float *joints = world ? HATCH_NEW(&args->scratch, float, 16 * joint_count, &err) : NULL;
+    extent->scale = joints ? HATCH_NEW(&args->keep, double, scene->mesh_count, &err) : NULL;
+    cmd_check(extent->scale ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    hatch_scene_pose(scene, HATCH_NONE, 0, world);
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        const struct hatch_node *node = &scene->nodes[n];
+        if (node->mesh_count == 0)
+            continue;
+        const float *place = place_of(scene, n, world, joints);
+        for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++) {
+            add_mesh(&box, &scene->meshes[m].mesh, place);
+            extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : scale_of(place);
+        }
+    }
+    /* What no node draws, or only without a volume, is as large as it is. */
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : 1;
+    static const float nowhere[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    for (uint32_t m = 0; m < scene->mesh_count && !box.any; m++)
+        add_mesh(&box, &scene->meshes[m].mesh, nowhere);
+    extent->diagonal = hatch_vec_distance(box.low, box.high);
+    hatch_arena_rewind(&args->scratch, mark);
+}

@@ -1,0 +1,150 @@
+/* lapped-param: covers a surface with overlapping patches whose texture coordinates follow a field. */
+#include <math.h>
+#include <stdio.h>
+
+#include "cmd_scene.h"
+#include "cmd_surface.h"
+#include "io/gltf.h"
+#include "lapped_param.h"
+
+#define TILES_ON_DIAGONAL 8 /* a tile is so much smaller than the scene unless --tile says otherwise */
+
+static double size, curved = 0.5, stretch = 1.3, turn_deg = 10, tile, roughness = 0.5, feather = 0.1;
+static int64_t mask_size = 256;
+
+static const struct cmd_option options[] = {
+    {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
+     "of a patch, in diagonals of the scene (default: from the surface)", &size, NULL, NULL},
+    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where it is curved (default 0.5)", &curved,
+     NULL, NULL},
+    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.3)", &stretch, NULL,
+     NULL},
+    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 10)", &turn_deg,
+     NULL, NULL},
+    {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
+     "side of a tile of hatching, in the scene's units (default: 1/8 of the diagonal)", &tile, NULL, NULL},
+    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.5)",
+     &roughness, NULL, NULL},
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.1)",
+     &feather, NULL, NULL},
+    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 256)", &mask_size, NULL,
+     NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "meshgen torus | dirfield | lapped-param -v -o torus.glb",
+    "lapped-param --size 0.3 --seed 3 model.glb -o lapped.glb",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "lapped-param",
+    .operands = "[FILE]",
+    .summary = "cover a surface with overlapping patches whose hatching follows its form",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .seeded = true,
+    .binary = true,
+};
+
+static void read_options(const struct cmd_args *args, struct lapped_param_options *how)
+{
+    *how = (struct lapped_param_options){
+        .lapped = {.size = size,
+                   .curved = curved,
+                   .stretch_max = stretch,
+                   .turn_max_rad = fmin(turn_deg, 90) * (3.14159265358979323846 / 180),
+                   .seed = args->seed},
+        .tile = tile,
+        .roughness = roughness,
+        .feather = feather,
+        .mask_px = (uint32_t)mask_size,
+    };
+}
+
+/* Sizes in the terms of a mesh that the scene shows larger or smaller than it is. */
+static void set_sizes(const struct lapped_param_options *how, const struct lapped_param_extent *extent,
+                      uint32_t index, struct lapped_param_part *part)
+{
+    float low[3] = {0}, high[3] = {0};
+    double diagonal = 0, scale = extent->scale[index];
+    hatch_mesh_bounds(&part->mesh->mesh, low, high);
+    for (int k = 0; k < 3; k++)
+        diagonal = hypot(diagonal, (double)high[k] - (double)low[k]);
+    part->tile = (how->tile > 0 ? how->tile : extent->diagonal / TILES_ON_DIAGONAL) / scale;
+    part->size = how->lapped.size > 0 ? fmin(how->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
+}
+
+static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
+                                       const struct lapped_param_options *how,
+                                       const struct hatch_outline *outline, struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    struct lapped_param_extent extent;
+    const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
+    struct lapped_param_part *parts =
+        HATCH_NEW(&args->keep, struct lapped_param_part, scene->mesh_count, &err);
+    cmd_check(parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    lapped_param_measure(args, scene, &extent);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct lapped_param_part *part = &parts[i];
+        *part = (struct lapped_param_part){
+            .name = cmd_input_name(input), .mesh = &scene->meshes[i], .surface = &surfaces[i]};
+        set_sizes(how, &extent, i, part);
+        lapped_param_cover(args, how, outline, part);
+        cmd_progress("patches", (double)(i + 1) / scene->mesh_count);
+    }
+    return parts;
+}
+
+static void describe(const struct lapped_param_part *parts, uint32_t count)
+{
+    uint32_t patches = 0, cut = 0, enlarged = 0, hidden = 0;
+    double faces = 0, patch_faces = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        patches += parts[i].patches;
+        hidden += parts[i].hidden;
+        cut += parts[i].cut;
+        enlarged += parts[i].enlarged;
+        faces += parts[i].faces;
+        patch_faces += parts[i].patch_faces;
+    }
+    cmd_note("%u patches, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face",
+             patches, patch_faces / faces, hidden, cut, enlarged);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    struct lapped_param_options how;
+    struct hatch_scene scene;
+    struct hatch_outline outline;
+    struct hatch_err err;
+    cmd_begin(&program, argc, argv, &args);
+    read_options(&args, &how);
+    const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
+    cmd_check_ending(args.output, "glb");
+    struct cmd_output *output = cmd_open_output(args.output, true);
+
+    cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    lapped_param_clear(&args, name, &scene);
+    hatch_outline_make(args.seed, how.roughness, how.feather, &outline);
+    struct lapped_param_part *parts = cover(&args, input, &how, &outline, &scene);
+    describe(parts, scene.mesh_count);
+    lapped_param_replace(&args, &scene, parts);
+    lapped_param_mask(&args, &outline, how.mask_px, &scene);
+
+    char comment[200];
+    snprintf(comment, sizeof comment,
+             "lapped-param --size %g --curved %g --stretch %g --turn %g --tile %g --roughness %g --feather %g "
+             "--seed %llu",
+             size, curved, stretch, turn_deg, tile, roughness, feather,
+             (unsigned long long)args.seed);
+    struct hatch_buffer file = {.arena = &args.keep};
+    cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), name, &err);
+    cmd_write(output, file.data, file.size);
+    return cmd_end(&args, HATCH_OK);
+}

@@ -1,0 +1,114 @@
+#include <string.h>
+
+#include "io/png.h"
+#include "lapped_param.h"
+
+/* Texture coordinates and tangents give way to the hatching's, and so does a field that is none. */
+static bool gives_way(const struct hatch_mesh_attribute *attribute)
+{
+    return strncmp(attribute->name, "TEXCOORD_", 9) == 0 || strcmp(attribute->name, "TANGENT") == 0 ||
+           (strcmp(attribute->name, "_HATCH_DIR") == 0 && attribute->components != 4);
+}
+
+void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    bool *textured = HATCH_NEW(&args->keep, bool, scene->material_count, &err);
+    cmd_check(textured ? HATCH_OK : HATCH_LIMIT, name, &err);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct hatch_scene_mesh *mesh = &scene->meshes[i];
+        const struct hatch_material *material =
+            mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
+        if (material && material->outline)
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: take the file that it was made of"),
+                      name, &err);
+        if (material && material->base_texture != HATCH_NONE)
+            textured[mesh->material] = true;
+        uint32_t kept = 1;
+        for (uint32_t a = 1; a < mesh->mesh.attribute_count; a++)
+            if (!gives_way(&mesh->mesh.attributes[a]))
+                mesh->mesh.attributes[kept++] = mesh->mesh.attributes[a];
+        mesh->mesh.attribute_count = kept;
+    }
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < scene->material_count; m++) {
+        count += textured[m];
+        scene->materials[m].base_texture = HATCH_NONE;
+        scene->materials[m].alpha_cutoff = 0;
+    }
+    scene->texture_count = 0;
+    if (count > 0)
+        cmd_warn(name, "%u texture%s left out: the texture coordinates are the hatching's now", count,
+                 count == 1 ? "" : "s");
+}
+
+void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene,
+                          const struct lapped_param_part *parts)
+{
+    struct hatch_err err;
+    size_t total = 0;
+    uint32_t *first = HATCH_NEW(&args->keep, uint32_t, (size_t)scene->mesh_count + 1, &err);
+    cmd_check(first ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        first[i] = (uint32_t)total;
+        total += parts[i].made_count;
+    }
+    first[scene->mesh_count] = (uint32_t)total;
+    struct hatch_scene_mesh *meshes = HATCH_NEW(&args->keep, struct hatch_scene_mesh, total, &err);
+    cmd_check(meshes && total < HATCH_NONE ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        memcpy(meshes + first[i], parts[i].made, parts[i].made_count * sizeof *meshes);
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        struct hatch_node *node = &scene->nodes[n];
+        uint32_t end = first[node->first_mesh + node->mesh_count];
+        node->first_mesh = first[node->first_mesh];
+        node->mesh_count = end - node->first_mesh;
+    }
+    scene->meshes = meshes;
+    scene->mesh_count = (uint32_t)total;
+}
+
+/* White, with the mask as alpha: a viewer that knows nothing of hatching shows the plain surface. */
+static void encode_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,
+                        struct hatch_texture *texture)
+{
+    struct hatch_err err;
+    struct hatch_image mask, image;
+    struct hatch_buffer file = {.arena = &args->keep};
+    cmd_check(hatch_outline_raster(outline, side_px, &args->keep, &mask, &err), NULL, &err);
+    cmd_check(hatch_image_make(&args->keep, side_px, side_px, "RGBA", &image, &err), NULL, &err);
+    for (size_t i = 0; i < (size_t)side_px * side_px; i++) {
+        float *pixel = &image.pixels[4 * i];
+        pixel[0] = pixel[1] = pixel[2] = 1;
+        pixel[3] = mask.pixels[i];
+    }
+    cmd_check(hatch_png_write(&image, HATCH_PNG_RAW, 8, NULL, &args->scratch, &file, &err), NULL, &err);
+    *texture = (struct hatch_texture){file.data, file.size};
+}
+
+void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,
+                       struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    uint32_t plain = scene->material_count;
+    struct hatch_material *materials = HATCH_NEW(&args->keep, struct hatch_material, plain + 1, &err);
+    struct hatch_texture *texture = HATCH_NEW(&args->keep, struct hatch_texture, 1, &err);
+    cmd_check(materials && texture ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    memcpy(materials, scene->materials, plain * sizeof *materials);
+    materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}};
+    for (uint32_t m = 0; m <= plain; m++) {
+        materials[m].base_texture = 0;
+        materials[m].base_texcoord = 1;
+        materials[m].base_repeat = false;
+        materials[m].outline = true;
+    }
+    scene->materials = materials;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].material == HATCH_NONE) {
+            scene->meshes[i].material = plain;
+            scene->material_count = plain + 1;
+        }
+    encode_mask(args, outline, side_px, texture);
+    scene->textures = texture;
+    scene->texture_count = 1;
+}
