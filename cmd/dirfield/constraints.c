@@ -44,8 +44,8 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
     for (int k = 0; k < KEYS; k++) {
         bool wanted = k == VERTEX ? by_vertex : k > Z || !by_vertex;
         if (wanted != (header->column_of[k] >= 0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "header: %s '%s': want vertex, or x y z, and dx dy dz weight",
-                              wanted ? "no column" : "beside vertex", key_names[k]);
+            return hatch_fail(err, HATCH_BAD_INPUT, "header: %s '%s', want vertex, or x y z, and dx dy dz weight",
+                              wanted ? "no" : "vertex and", key_names[k]);
     }
     return HATCH_OK;
 }

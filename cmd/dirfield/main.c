@@ -140,6 +140,25 @@ static void work(struct cmd_args *args, const struct dirfield_options *how, cons
     hatch_arena_free(&part->work);
 }
 
+static void say(const struct cmd_args *args, const char *input, const struct dirfield_part *parts, uint32_t count)
+{
+    uint32_t components = 0, undirected = 0, singularities = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        components += parts[i].surface->component_count;
+        undirected += parts[i].field.undirected;
+        singularities += parts[i].singular.count;
+    }
+    if (undirected > 0 && components == 1)
+        cmd_warn(cmd_input_name(input), "the surface has no direction of its own, as a plane or a sphere: its "
+                                        "lines are smooth, but follow from nothing");
+    else if (undirected > 0)
+        cmd_warn(cmd_input_name(input), "%u of %u parts have no direction of their own, as a plane or a sphere: "
+                                        "their lines are smooth, but follow from nothing",
+                 undirected, components);
+    cmd_note("%u singularities; peak memory %zu KiB", singularities,
+             (args->keep.peak_bytes + args->scratch.peak_bytes) / 1024);
+}
+
 static void set_content(struct cmd_file *file, struct hatch_bytes bytes)
 {
     file->data = bytes.data;
@@ -196,6 +215,7 @@ int main(int argc, char **argv)
         set_content(extras.report_file, dirfield_report_end(&extras.report, surfaces_ms));
     if (extras.arrows_file)
         set_content(extras.arrows_file, dirfield_arrows_end(&extras.arrows));
+    say(&args, input, parts, scene.mesh_count);
     cmd_write_all(files, file_count);
     return cmd_end(&args, HATCH_OK);
 }

@@ -1,0 +1,135 @@
+# dirfield: directions, constraints by hand, reports, arrows; what it refuses.
+. "${TOP:-.}/tests/tap.sh"
+command -v dirfield >/dev/null || { skip "direction fields" "no dirfield"; finish; }
+
+# column NAME [ROW] <TABLE: the first row's by default
+column() {
+    awk -F'\t' -v name="$1" -v row="${2:-1}" '
+        NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i}
+        NR == row + 1 {print $c}'
+}
+
+# angle A B: the median angle between two fields, rounded to degrees
+angle() {
+    hatchstat field "$1" --reference "$2" | column deg_p50 | awk '{printf "%.0f\n", $1}'
+}
+
+meshgen torus --faces 1000 --field -o true.glb
+meshgen torus --faces 1000 -o torus.glb
+meshgen plane --faces 200 -o plane.glb
+dirfield torus.glb -o max.glb
+dirfield torus.glb --direction min -o min.glb
+dirfield torus.glb --direction 30 -o turned.glb
+dirfield torus.glb --direction -60 -o other.glb
+is "the field is the torus's own" "$(angle max.glb true.glb | awk '{print $1 < 3}')" 1
+is "min is across" "$(angle min.glb max.glb)" 90
+is "30 degrees are" "$(angle turned.glb max.glb)" 30
+is "30 and -60 degrees are counted the same way" "$(angle turned.glb other.glb)" 90
+for how in '--method hz' '--solver cholesky' '--radius 2 --degree 2' '--coarse 500' '--smooth 0'; do
+    try dirfield torus.glb $how -o how.glb
+    is "$how: the same but for a few degrees" \
+        "$status $(hatchstat field how.glb --reference max.glb | column deg_p50 | awk '{print $1 < 8}')" "0 1"
+done
+
+try dirfield plane.glb -o flat.glb
+is "a plane's lines follow from nothing, and that is said" "$status $(grep -c 'no direction of its own' .err)" "0 1"
+is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
+is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print $1 < 1e-6}')" 1
+
+# given HEADER ROW ...: dirfield of the plane with these constraints
+given() {
+    printf '%b\n' "$@" >hand.tsv
+    try dirfield plane.glb --constraints hand.tsv -o hand.glb
+}
+towards() { # DX DY: a plane with this true field
+    printf 'x\ty\tz\tdx\tdy\tdz\tweight\n' >all.tsv
+    printf '%s\n' "0 0 0" "1 1 0" "-1 1 0" "1 -1 0" "-1 -1 0" |
+        while read -r x y z; do printf '%s\t%s\t%s\t%s\t%s\t0\t1000\n' $x $y $z "$1" "$2"; done >>all.tsv
+    dirfield -q plane.glb --constraints all.tsv -o towards.glb
+}
+towards 1 1
+given 'vertex\tdx\tdy\tdz\tweight' '7\t1\t1\t0\t1'
+is "one vertex turns a whole plane" "$status $(wc -c <.err) $(angle hand.glb towards.glb)" "0 0 0"
+given '# towards the viewer as well' 'weight\tz\ty\tx\tdz\tdy\tdx' '' '1\t5\t0.1\t0.1\t3\t2\t-2'
+is "and so does the point nearest to a place" "$status $(angle hand.glb towards.glb)" "0 90"
+try dirfield -q plane.glb --constraints all.tsv --direction min -o hand.glb
+is "--direction does not turn what was given" "$status $(angle hand.glb towards.glb)" "0 0"
+given 'vertex\tdx\tdy\tdz\tweight' '7\t1\t0\t0\t1' '7\t1\t1\t0\t1'
+is "the later row counts" "$status $(angle hand.glb towards.glb)" "0 0"
+
+# bad_row SENTENCE HEADER ROW ...
+bad_row() {
+    sentence=$1
+    shift
+    given "$@"
+    refused "refused: $sentence" 3 1
+    is "as it says" "$(cat .err)" "dirfield: hand.tsv: $sentence"
+}
+head='vertex\tdx\tdy\tdz\tweight'
+bad_row "line 3: weight 'x' is not a number" "$head" '1\t1\t0\t0\t1' '1\t1\t0\t0\tx'
+bad_row "line 2: dx 'nan' is not a number" "$head" '1\tnan\t0\t0\t1'
+bad_row "line 2: 4 fields, want 5" "$head" '1\t1\t0\t0'
+bad_row "line 2: vertex 99999, want a whole number from 0 to $(($(hatchstat mesh plane.glb | column vertices) - 1))" \
+    "$head" '99999\t1\t0\t0\t1'
+bad_row "line 2: weight 0, want over 0 and at most 1e+06" "$head" '1\t1\t0\t0\t0'
+bad_row "line 2: the direction has no length" "$head" '1\t0\t0\t0\t1'
+bad_row "line 2: the direction stands on the surface, as its normal does" "$head" '1\t0\t0\t5\t1'
+bad_row "header: 'wait' is no column of constraints" 'vertex\twait' '1\t1'
+bad_row "header: 'dx' stands twice" 'vertex\tdx\tdx' '1\t1'
+bad_row "header: no 'weight', want vertex, or x y z, and dx dy dz weight" 'vertex\tdx\tdy\tdz' '1'
+bad_row "header: vertex and 'y', want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
+bad_row "no header line" ''
+try dirfield plane.glb --constraints nonesuch.tsv -o out.glb
+refused "constraints that are missing" 4 1
+
+dirfield torus.glb --report report.tsv -o again.glb
+cmp -s again.glb max.glb
+is "a report changes nothing in the mesh" $? 0
+is "its rows" "$(cut -f1 report.tsv | paste -sd' ')" "kind mesh component all"
+is "faces, index and Euler characteristic of a torus" \
+    "$(column faces 2 <report.tsv) $(column index_sum 2 <report.tsv) $(column euler 2 <report.tsv)" \
+    "$(hatchstat mesh torus.glb | column faces) 0 0"
+meshgen ellipsoid --faces 2000 | dirfield --json --report report.json >ellipsoid.glb
+is "an ellipsoid has four singularities of a half in its report" \
+    "$(grep -c '"kind": "singularity".*"index": 0.5' report.json) $(grep -c '"index_sum": 2' report.json)" "4 2"
+is "and hatchstat finds them too" "$(hatchstat field ellipsoid.glb | column singularities)" 4
+
+dirfield torus.glb --arrows arrows.ply >piped.glb
+is "arrows are a mesh, a rhomb for each point" "$(hatchstat mesh -q arrows.ply | cut -f1,2)" \
+    "$(printf 'vertices\tfaces\n%d\t%d' $((4 * $(column points 1 <report.tsv))) $((2 * $(column points 1 <report.tsv))))"
+cmp -s piped.glb max.glb
+is "arrows change nothing in the mesh" $? 0
+try dirfield torus.glb --arrows arrows.obj -o out.glb
+refused "arrows are PLY" 2 2
+try dirfield torus.glb --report /dev/full -o full.glb
+refused "a report on a full disk" 4 1
+is "leaves no mesh" "$(ls full.glb .full* 2>/dev/null)" ""
+try dirfield torus.glb --report report.tsv --arrows report.tsv -o out.glb
+refused "two outputs in one place" "2 4" 2
+
+try dirfield torus.glb --direction up
+refused "an unknown direction" 2 2
+try dirfield torus.glb --direction 400
+refused "a turn of more than a turn" 2 2
+try dirfield torus.glb --method hz --solver cholesky
+refused "a solver of another method" 2 2
+try dirfield torus.glb --coarse 100 --radius 3
+refused "a radius for the coarse fit" 2 2
+
+# A strip of ten quads whose ends meet upside down.
+awk 'BEGIN {
+    for (i = 0; i < 10; i++) for (side = -1; side < 2; side += 2) {
+        a = i * 6.283185307179586 / 10; r = 1 + side * .3 * cos(a / 2)
+        printf "v %.9f %.9f %.9f\n", r * cos(a), r * sin(a), side * .3 * sin(a / 2)
+    }
+    for (i = 0; i < 10; i++) {
+        a = 2 * i + 1; b = a + 1; c = i < 9 ? a + 2 : 2; d = i < 9 ? a + 3 : 1
+        printf "f %d %d %d\nf %d %d %d\n", a, c, d, a, d, b
+    }
+}' >moebius.obj
+try dirfield moebius.obj --direction 45 -o out.glb
+grep -q 'but one side' .err
+is "a one-sided surface is not turned by 45 degrees" "$status $? $(wc -l <.err)" "3 0 2"
+try dirfield moebius.obj --direction min -o out.glb
+is "but by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"
+finish
