@@ -17,9 +17,9 @@ static const struct cmd_option options[] = {
      &values.style, NULL, NULL},
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: tamgen's --set", &values.settings, NULL, NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
-    {0, "throws", CMD_INT, 1, 1000, "N", "tam: random drawings to compare with (default 8)",
+    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with (default 8)",
      &values.throws, NULL, NULL},
-    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped: exit 1 when a bar is missed: see the manual",
+    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a bar is missed: see the manual",
      &values.check, NULL, NULL},
     {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: a file whose field is the one that is wanted",
      &values.reference, NULL, NULL},
@@ -41,6 +41,7 @@ static const struct {
     {"frames", 2, -1, "2 or more", stat_frames},
     {"lapped", 0, 1, "1 at most", stat_lapped},
     {"mesh", 0, -1, "any number", stat_mesh},
+    {"seeds", 0, 1, "1 at most", stat_seeds},
     {"tam", 0, 1, "1 at most", stat_tam},
 };
 
@@ -57,7 +58,8 @@ static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
     .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
-               "direction fields (field FILE ...), tonal art maps (tam FILE), lapped patches (lapped FILE)",
+               "direction fields (field FILE ...), lapped patches (lapped FILE), "
+               "tonal art maps (tam FILE), seed sets (seeds FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,

@@ -11,8 +11,8 @@ struct stat_options {
     double max_difference; /* diff: negative when not given */
     bool srgb;             /* diff, frames: sRGB numbers in place of linear light */
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
-    int64_t throws;        /* tam: how many random drawings evenness is compared with */
-    bool check;            /* tam: nesting and tone decide the exit status; lapped: its bars do */
+    int64_t throws;        /* tam, seeds: how many random drawings to compare with */
+    bool check;            /* tam, lapped, seeds: what must hold decides the exit status */
     const char *reference; /* field: NULL when not given */
     double share;          /* field: of the reference's points, the most confident first */
     int64_t samples;       /* lapped: for coverage */
@@ -34,6 +34,8 @@ enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
                             struct cmd_output *output);
 
+enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options,
+                             struct cmd_output *output);
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
                            struct cmd_output *output);
 

@@ -1,4 +1,5 @@
 /* Draws sets and keeps those whose seeds are spread best. */
+#include <math.h>
 #include <string.h>
 
 #include "seed/spread.h"
@@ -9,7 +10,6 @@ struct choice {
     struct hatch_seed_place *places;
     uint32_t placed;
     uint8_t *crumbs;
-    double own, together; /* of the candidate */
     uint64_t steps;
 };
 
@@ -17,77 +17,113 @@ static enum hatch_status draw(struct choice *choice, uint64_t stream, struct hat
                               struct hatch_err *err)
 {
     struct hatch_cycle_options cycle = choice->options->cycle;
-    struct hatch_seed_set set = {cycle.count, choice->crumbs};
     uint64_t steps = 0;
     cycle.stream = stream;
     HATCH_TRY(hatch_cycle_make(&cycle, scratch, choice->crumbs, &steps, err));
     choice->steps += steps;
-    hatch_seed_places(&set, choice->places + choice->placed);
-    HATCH_TRY(hatch_spread_distance(choice->places + choice->placed, cycle.count, scratch,
-                                    &choice->own, err));
-    choice->own /= hatch_spread_bound(cycle.count);
-    choice->together = choice->own;
-    if (!choice->placed)
-        return HATCH_OK;
-    uint32_t all = choice->placed + cycle.count;
-    HATCH_TRY(hatch_spread_distance(choice->places, all, scratch, &choice->together, err));
-    choice->together /= hatch_spread_bound(all);
     return HATCH_OK;
 }
 
-static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, uint8_t *crumbs,
+/* The candidate's own spread and, from the second layer on, that of all layers with it. */
+static enum hatch_status weigh(struct choice *choice, struct hatch_arena *scratch,
+                               double *goodness, struct hatch_err *err)
+{
+    const struct hatch_seed_set set = {choice->options->cycle.count, choice->crumbs};
+    uint32_t all = choice->placed + set.count;
+    double own, together;
+    hatch_seed_places(&set, choice->places + choice->placed);
+    HATCH_TRY(hatch_spread_distance(choice->places + choice->placed, set.count, scratch, &own, err));
+    own /= hatch_spread_bound(set.count);
+    if (choice->placed) {
+        HATCH_TRY(hatch_spread_distance(choice->places, all, scratch, &together, err));
+        own *= own * together / hatch_spread_bound(all);
+    }
+    *goodness = own;
+    return HATCH_OK;
+}
+
+static uint32_t candidates_of(const struct hatch_seeds_options *options)
+{
+    uint32_t fitting = 100000u / options->cycle.count;
+    if (options->candidates)
+        return options->candidates;
+    return fitting > 1000 ? 1000 : fitting > 1 ? fitting : 1;
+}
+
+static enum hatch_status choose_layer(struct choice *choice, uint32_t layer,
+                                      const struct hatch_seed_set *set,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
+    uint32_t candidates = candidates_of(choice->options);
     double best = -1;
-    for (uint32_t i = 0; i < choice->options->candidates; i++) {
+    for (uint32_t i = 0; i < candidates; i++) {
+        double goodness = 0;
         HATCH_TRY(draw(choice, (uint64_t)layer << 32 | i, scratch, err));
-        if (choice->own * choice->together <= best)
+        if (candidates > 1)
+            HATCH_TRY(weigh(choice, scratch, &goodness, err));
+        if (goodness <= best)
             continue;
-        best = choice->own * choice->together;
-        memcpy(crumbs, choice->crumbs, choice->options->cycle.count);
+        best = goodness;
+        memcpy(set->crumbs, choice->crumbs, set->count);
     }
+    hatch_seed_places(set, choice->places + choice->placed);
+    choice->placed += set->count;
     return HATCH_OK;
 }
 
 enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_seeds *seeds, struct hatch_seeds_result *result,
+                                   struct hatch_seeds *seeds, uint64_t *steps,
                                    struct hatch_err *err)
 {
     uint32_t count = options->cycle.count;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_seeds made = {.layer_count = options->layers};
-    struct hatch_seeds_result figures = {.distance = 1};
     struct choice choice = {.options = options};
-    enum hatch_status status = HATCH_LIMIT;
     made.layers = HATCH_NEW(arena, struct hatch_seed_set, options->layers, err);
     if (made.layers)
         choice.places = HATCH_NEW(scratch, struct hatch_seed_place,
                                   (size_t)count * options->layers, err);
     choice.crumbs = choice.places ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
-    if (choice.crumbs)
-        status = HATCH_OK;
+    enum hatch_status status = choice.crumbs ? HATCH_OK : HATCH_LIMIT;
     for (uint32_t i = 0; status == HATCH_OK && i < options->layers; i++) {
-        struct hatch_seed_set *set = &made.layers[i];
-        set->count = count;
-        set->crumbs = HATCH_NEW(arena, uint8_t, count, err);
-        status = set->crumbs ? choose_layer(&choice, i, set->crumbs, scratch, err) : HATCH_LIMIT;
-        if (status != HATCH_OK)
-            break;
-        hatch_seed_places(set, choice.places + choice.placed);
-        double own;
-        status = hatch_spread_distance(choice.places + choice.placed, count, scratch, &own, err);
-        choice.placed += count;
-        if (status == HATCH_OK && own / hatch_spread_bound(count) < figures.distance)
-            figures.distance = own / hatch_spread_bound(count);
+        made.layers[i].count = count;
+        made.layers[i].crumbs = HATCH_NEW(arena, uint8_t, count, err);
+        status = made.layers[i].crumbs ? choose_layer(&choice, i, &made.layers[i], scratch, err)
+                                       : HATCH_LIMIT;
     }
-    if (status == HATCH_OK)
-        status = hatch_spread_distance(choice.places, choice.placed, scratch, &figures.together, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
-    figures.together /= hatch_spread_bound(choice.placed);
-    figures.steps = choice.steps;
     *seeds = made;
-    *result = figures;
+    *steps = choice.steps;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch,
+                                     double *within, double *together, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    size_t total = 0;
+    for (uint32_t i = 0; i < seeds->layer_count; i++)
+        total += seeds->layers[i].count;
+    if (total > UINT32_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "%zu seeds in all layers", total);
+    struct hatch_seed_place *places = HATCH_NEW(scratch, struct hatch_seed_place, total, err);
+    enum hatch_status status = places ? HATCH_OK : HATCH_LIMIT;
+    double smallest = 1, distance = 1;
+    uint32_t placed = 0;
+    for (uint32_t i = 0; status == HATCH_OK && i < seeds->layer_count; i++) {
+        const struct hatch_seed_set *set = &seeds->layers[i];
+        hatch_seed_places(set, places + placed);
+        status = hatch_spread_distance(places + placed, set->count, scratch, &distance, err);
+        smallest = fmin(smallest, distance / hatch_spread_bound(set->count));
+        placed += set->count;
+    }
+    if (status == HATCH_OK)
+        status = hatch_spread_distance(places, placed, scratch, &distance, err);
+    hatch_arena_rewind(scratch, mark);
+    HATCH_TRY(status);
+    *within = smallest;
+    *together = distance / hatch_spread_bound(placed);
     return HATCH_OK;
 }

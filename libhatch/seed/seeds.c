@@ -71,11 +71,9 @@ enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char 
     for (uint32_t i = 0; i < seeds->layer_count; i++) {
         const struct hatch_seed_set *set = &seeds->layers[i];
         HATCH_TRY(hatch_buffer_reserve(file, (size_t)set->count + 1, err));
-        for (uint32_t k = 0; k < set->count; k++) {
-            const char digit = (char)('0' + set->crumbs[k]);
-            HATCH_TRY(hatch_buffer_add(file, &digit, 1, err));
-        }
-        HATCH_TRY(hatch_buffer_add(file, "\n", 1, err));
+        for (uint32_t k = 0; k < set->count; k++)
+            file->data[file->size++] = (uint8_t)('0' + set->crumbs[k]);
+        file->data[file->size++] = '\n';
     }
     return HATCH_OK;
 }

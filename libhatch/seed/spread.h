@@ -23,22 +23,23 @@ enum hatch_status hatch_spread_discrepancy(const struct hatch_seed_place *places
 struct hatch_seeds_options {
     struct hatch_cycle_options cycle; /* stream is set for each set */
     uint32_t layers;                  /* 1 .. HATCH_SEED_LAYERS_MAX */
-    uint32_t candidates;              /* sets drawn for each layer, at least 1 */
-};
-
-/* What choosing cost and gave. */
-struct hatch_seeds_result {
-    uint64_t steps; /* backtrack: crumbs tried */
-    double distance;  /* the smallest of all layers' smallest distances, over the bound */
-    double together;  /* the smallest distance between any two seeds of all layers, over their bound */
+    uint32_t candidates;              /* sets drawn for each layer; 0: by size, a thousand of up to a
+                                         hundred seeds, one from a hundred thousand on */
 };
 
 /* Draws candidates for each layer in turn and keeps the one of the largest product of two figures: the
- * smallest distance within it over its bound, and the smallest distance among it and the layers before
- * it over theirs, so that layers do not put strokes on each other. */
+ * square of the smallest distance within it over its bound, and the smallest distance among it and the
+ * layers before it over theirs, so that layers do not put strokes on each other. *steps receives how many crumbs
+ * backtracking tried. */
 enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_seeds *seeds, struct hatch_seeds_result *result,
+                                   struct hatch_seeds *seeds, uint64_t *steps,
                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* The smallest of all layers' smallest distances, over the bound of each; and the smallest distance
+ * between any two seeds of all layers, over their bound. */
+enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch,
+                                     double *within, double *together, struct hatch_err *err)
+    HATCH_MUST_USE;
 
 #endif

@@ -12,6 +12,7 @@ fixture() {
     field.glb) meshgen torus --faces 60 --field ;;
     lapped.glb) meshgen torus --faces 60 | lapped-param ;;
     map.exr) tamgen --size 64 --tones 3 --levels 2 ;;
+    four.seeds) seedgen -n 4096 --layers 4 --candidates 1 ;;
     picture.png) tamgen --size 64 --tones 2 --levels 1 --contact-sheet - -o /dev/null ;;
     esac >"$FIXTURES/$1"
     [ -s "$FIXTURES/$1" ] || fail "fixture $1 is made"

@@ -1,0 +1,49 @@
+/* hatchstat seeds FILE: the figures of seed sets, a row for each layer. */
+#include <math.h>
+
+#include "measure/seed_figures.h"
+#include "subject.h"
+
+static const char *const columns[] = {
+    "layer",           "seeds",         "uneven",      "astray",      "distance",  "distance_sparse",
+    "distance_random", "distance_bayer", "discrepancy", "correlation", "power_1_4", "power_1_2",
+    "power_3_4",       "power_1",       NULL};
+
+static void report_row(struct cmd_report *report, uint32_t layer, const struct hatch_seed_figures *f)
+{
+    cmd_report_whole(report, layer);
+    cmd_report_whole(report, f->seeds);
+    cmd_report_whole(report, f->uneven);
+    cmd_report_number(report, f->whole ? (double)f->astray : (double)NAN);
+    cmd_report_number(report, f->distance);
+    cmd_report_number(report, f->distance_sparse);
+    cmd_report_number(report, f->distance_random);
+    cmd_report_number(report, f->distance_bayer);
+    cmd_report_number(report, f->whole ? f->discrepancy : (double)NAN);
+    cmd_report_number(report, f->correlation);
+    for (uint32_t ring = 0; ring < HATCH_SEED_RINGS; ring++)
+        cmd_report_number(report, f->whole ? f->power[ring] : (double)NAN);
+}
+
+enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options,
+                             struct cmd_output *output)
+{
+    const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
+    const char *name = cmd_input_name(path);
+    struct cmd_report report;
+    struct hatch_seeds seeds;
+    struct hatch_err err;
+    bool good = true;
+    cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &seeds, &err), name, &err);
+    cmd_report_begin(&report, args, columns);
+    for (uint32_t i = 0; i < seeds.layer_count; i++) {
+        struct hatch_seed_figures figures;
+        cmd_check(hatch_measure_seeds(&seeds.layers[i], (uint32_t)options->throws, &args->scratch,
+                                      &figures, &err),
+                  name, &err);
+        report_row(&report, i + 1, &figures);
+        good = good && !figures.uneven && !figures.astray;
+    }
+    cmd_report_write(&report, output);
+    return options->check && !good ? HATCH_DIFFERS : HATCH_OK;
+}

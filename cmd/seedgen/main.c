@@ -1,0 +1,93 @@
+/* seedgen: makes seed sets for recursive procedural tonal art maps. */
+#include <stdio.h>
+
+#include "plot.h"
+#include "seed/spread.h"
+
+static int64_t count = 64, layers = 1, candidates = 0, nodes_max = 200000000;
+static int method = HATCH_CYCLE_ANY;
+static const char *plot_path;
+
+static const char *const methods[] = {"any", "euler", "backtrack", NULL};
+
+static const struct cmd_option options[] = {
+    {'n', "count", CMD_INT, HATCH_CYCLE_MIN, HATCH_CYCLE_MAX, "N", "seeds in a set (default 64)",
+     &count, NULL, NULL},
+    {'l', "layers", CMD_INT, 1, HATCH_SEED_LAYERS_MAX, "N", "sets to make, one per layer (default 1)",
+     &layers, NULL, NULL},
+    {'c', "candidates", CMD_INT, 0, 1000000, "N",
+     "sets drawn for each layer, of which the best spread is kept (default 0: by N)", &candidates,
+     NULL, NULL},
+    {'m', "method", CMD_CHOICE, 0, 0, "HOW",
+     "any (default), euler or backtrack; the last two make powers of four", &method, methods, NULL},
+    {0, "max-nodes", CMD_INT, 1, 1e15, "N",
+     "backtrack: crumbs to try before it gives up (default 200000000)", &nodes_max, NULL, NULL},
+    {'p', "plot", CMD_TEXT, 0, 0, "FILE", "draw the sets as an SVG too", &plot_path, NULL, NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "seedgen -n 64 --layers 4 --candidates 1000 -o four.seeds",
+    "seedgen -n 16 --plot sixteen.svg | hatchstat seeds",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "seedgen",
+    .operands = "",
+    .summary = "make seed sets: where strokes stand at every scale",
+    .examples = examples,
+    .options = options,
+    .seeded = true,
+};
+
+static void make(struct cmd_args *args, struct hatch_seeds *seeds)
+{
+    const struct hatch_seeds_options how = {
+        .cycle = {.method = (enum hatch_cycle_method)method,
+                  .count = (uint32_t)count,
+                  .seed = args->seed,
+                  .steps_max = (uint64_t)nodes_max},
+        .layers = (uint32_t)layers,
+        .candidates = (uint32_t)candidates,
+    };
+    uint64_t steps;
+    double within, together;
+    struct hatch_err err;
+    cmd_check(hatch_seeds_make(&how, &args->keep, &args->scratch, seeds, &steps, &err), NULL, &err);
+    if (!args->verbose)
+        return;
+    cmd_check(hatch_seeds_spread(seeds, &args->scratch, &within, &together, &err), NULL, &err);
+    cmd_note("smallest distance within a set %.3f, among all sets %.3f of the largest possible",
+             within, together);
+    if (method == HATCH_CYCLE_BACKTRACK)
+        cmd_note("%llu crumbs tried", (unsigned long long)steps);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    if (plot_path)
+        cmd_check_ending(plot_path, "svg");
+    struct cmd_output *output = cmd_open_output(args.output, false);
+    struct cmd_output *plot = plot_path ? cmd_open_output(plot_path, false) : NULL;
+
+    struct hatch_seeds seeds;
+    make(&args, &seeds);
+    char comment[160];
+    struct hatch_buffer file = {.arena = &args.keep};
+    struct hatch_err err;
+    snprintf(comment, sizeof comment,
+             "seedgen --count %lld --layers %lld --candidates %lld --method %s --seed %llu",
+             (long long)count, (long long)layers, (long long)candidates, methods[method],
+             (unsigned long long)args.seed);
+    cmd_check(hatch_seeds_write(&seeds, comment, &file, &err), NULL, &err);
+    struct cmd_file files[2] = {{output, file.data, file.size}};
+    if (plot) {
+        struct hatch_bytes drawing = plot_seeds(&args, &seeds);
+        files[1] = (struct cmd_file){plot, drawing.data, drawing.size};
+    }
+    cmd_write_all(files, plot ? 2 : 1);
+    return cmd_end(&args, HATCH_OK);
+}
