@@ -47,7 +47,8 @@ struct hatch_lapped {
     uint32_t vertex_count, face_count; /* over all patches */
     struct hatch_lapped_vertex *vertices;
     uint32_t *faces;                 /* the surface's face of each patch's face */
-    uint32_t *corners;               /* 3 a face: vertices, counted from the patch's first; in the order of the surface's */
+    uint32_t *corners;               /* 3 a face: vertices, counted from the patch's first; in the
+                                        order of the surface's corners */
     uint32_t hidden, hidden_faces;   /* patches, and faces of others, left out because later cores hide them */
     uint32_t cut;                    /* patches whose faces end inside their outline */
     uint32_t enlarged;               /* patches made larger than asked, to hold a large face */

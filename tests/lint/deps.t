@@ -50,11 +50,11 @@ bad=$(includes $(ours) | grep -E 'tiny_gltf|OpenMesh|OpenImageIO' | cut -d' ' -f
 done)
 is "C++ packages stand only in the adapters' .cc files and their own headers" "$bad" ""
 
-# What libhatch takes from the system; cglm is the vectors of math.
-system='assert|ctype|dlfcn|errno|fenv|float|inttypes|limits|math|pthread|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
+# What libhatch takes from the system.
+system='assert|complex|ctype|dlfcn|errno|fenv|float|inttypes|limits|math|pthread|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
 bad=$(includes $(find libhatch -name '*.[ch]') | grep '<' |
-    grep -vE " <($system)\.h>|^libhatch/math/.* <cglm/|^libhatch/io/")
-is "packages stand only in io" "$bad" ""
+    grep -vE " <($system)\.h>|^libhatch/io/|^libhatch/sparse/cholmod.* <suitesparse/")
+is "packages stand only in io, CHOLMOD in sparse" "$bad" ""
 bad=$(includes $(find cmd -name '*.[ch]') | grep -E '<(openexr|OpenEXR|png|zstd|zlib|ktx|jansson|libdeflate)')
 is "commands see no package but OpenGL's" "$bad" ""
 finish
