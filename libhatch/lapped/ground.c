@@ -19,6 +19,9 @@
 #define CURVED_GAIN 1.0
 #define CURVED_MIN 0.25
 
+/* Of an equilateral triangle: the square of its side over its area. */
+#define EDGE_SQUARED 2.3094010767585034
+
 struct measure {
     struct hatch_ground *ground;
     const struct hatch_frames *frames;
@@ -144,7 +147,8 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
     made.flat = HATCH_NEW(arena, double, (size_t)count * 4, err);
     made.rough = made.flat ? HATCH_NEW(arena, double, count, err) : NULL;
     made.wish = made.rough ? HATCH_NEW(arena, double, count, err) : NULL;
-    made.singular = made.wish ? HATCH_NEW(arena, uint8_t, count, err) : NULL;
+    made.grain = made.wish ? HATCH_NEW(arena, double, count, err) : NULL;
+    made.singular = made.grain ? HATCH_NEW(arena, uint8_t, count, err) : NULL;
     if (!made.singular)
         return HATCH_LIMIT;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -159,9 +163,11 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
             blur(surface, area, made.rough, sum);
             blur(surface, area, wide, sum);
         }
-        for (uint32_t f = 0; f < count; f++)
-            made.rough[f] = sqrt(made.rough[f]);
         memcpy(area, wide, count * sizeof *area);
+        for (uint32_t f = 0; f < count; f++) {
+            made.rough[f] = sqrt(made.rough[f]);
+            made.grain[f] = sqrt(area[f] * EDGE_SQUARED);
+        }
         choose_radii(&made, options, area);
         *ground = made;
     }

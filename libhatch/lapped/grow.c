@@ -6,15 +6,18 @@
 
 /* Cosine of the angle by which the field may turn across an edge inside a patch. */
 #define COHERENT 0.5
+/* How many faces deep a patch grows into covered ground. */
+#define STEPS_MAX 1
 /* Faces of one patch: bounds the memory of its matrices. */
 #define FACES_MAX 65536u
 
 enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
-                                    struct hatch_arena *arena, struct hatch_growth *growth,
-                                    struct hatch_err *err)
+                                    const uint8_t *covered, struct hatch_arena *arena,
+                                    struct hatch_growth *growth, struct hatch_err *err)
 {
     const struct hatch_surface *surface = ground->surface;
-    struct hatch_growth made = {.ground = ground, .outline = outline, .arena = arena, .heap = {.arena = arena}};
+    struct hatch_growth made = {.covered = covered, .ground = ground, .outline = outline, .arena = arena, .heap = {.arena = arena},
+                                .obstacles = {.arena = arena}};
     made.face_round = HATCH_NEW(arena, uint32_t, surface->face_count, err);
     made.face_local = made.face_round ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
     made.point_round = made.face_local ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
@@ -202,13 +205,13 @@ static enum hatch_status push_sides(struct hatch_growth *growth, uint32_t face, 
 }
 
 /* Takes a face whose vertices but `fresh` (3: none) the patch has. */
-static enum hatch_status add_face(struct hatch_growth *growth, uint32_t face, int8_t sign, uint32_t fresh,
-                                  struct hatch_err *err)
+static enum hatch_status add_face(struct hatch_growth *growth, uint32_t face, int8_t sign, uint8_t steps,
+                                  uint32_t fresh, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *corner = &growth->ground->surface->corners[(size_t)face * 3];
     uint32_t local = patch->face_count;
-    void *faces = patch->faces, *signs = patch->sign, *corners = patch->corners;
+    void *array, *faces = patch->faces, *signs = patch->sign, *corners = patch->corners;
     HATCH_TRY(hatch_heap_reserve(growth->arena, &faces, &patch->face_room, local + 1, sizeof *patch->faces, err));
     patch->faces = faces;
     HATCH_TRY(hatch_heap_reserve(growth->arena, &signs, &patch->sign_room, local + 1, sizeof *patch->sign, err));
@@ -216,6 +219,10 @@ static enum hatch_status add_face(struct hatch_growth *growth, uint32_t face, in
     HATCH_TRY(hatch_heap_reserve(growth->arena, &corners, &patch->corner_room, 3 * local + 3,
                                  sizeof *patch->corners, err));
     patch->corners = corners;
+    array = patch->steps;
+    HATCH_TRY(hatch_heap_reserve(growth->arena, &array, &patch->steps_room, local + 1, sizeof *patch->steps, err));
+    patch->steps = array;
+    patch->steps[local] = steps;
     if (fresh < 3) {
         double place[2] = {0, 0};
         for (uint32_t c = 1; c < 3; c++) {
@@ -259,6 +266,7 @@ void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed)
     growth->number++;
     patch->seed = seed;
     patch->face_count = 0;
+    patch->offset[0] = patch->offset[1] = 0;
     patch->faces_max = FACES_MAX;
 }
 
@@ -273,7 +281,7 @@ static enum hatch_status plant(struct hatch_growth *growth, struct hatch_err *er
         hatch_ground_corner(growth->ground, patch->seed, c, place);
         HATCH_TRY(add_vertex(growth, corner[c], place, err));
     }
-    return add_face(growth, patch->seed, 1, 3, err);
+    return add_face(growth, patch->seed, 1, 0, 3, err);
 }
 
 enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err)
@@ -284,7 +292,9 @@ enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_er
     struct hatch_heap_item item;
     while (patch->face_count < patch->faces_max && hatch_heap_pop(&growth->heap, &item)) {
         uint32_t side = surface->opposite[item.id], face = side / 3;
-        if (holds_face(growth, face) || !stays_disk(growth, face))
+        uint8_t steps = growth->covered[face]
+                            ? (uint8_t)(patch->steps[growth->face_local[item.id / 3]] + 1) : 0;
+        if (holds_face(growth, face) || steps > STEPS_MAX || !stays_disk(growth, face))
             continue;
         int8_t sign = agree(growth, face);
         if (!sign)
@@ -293,7 +303,7 @@ enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_er
         for (uint32_t c = 0; c < 3; c++)
             if (!holds_point(growth, surface->corners[side_of(face, c)]))
                 fresh = c;
-        HATCH_TRY(add_face(growth, face, sign, fresh, err));
+        HATCH_TRY(add_face(growth, face, sign, steps, fresh, err));
     }
     return HATCH_OK;
 }

@@ -7,6 +7,9 @@
 #include "base/random.h"
 #include "lapped/work.h"
 
+/* The share of the radius wanted below which a patch is put off. */
+#define KEPT_SHARE 0.7
+
 /* A patch as it is kept until all are there. */
 struct kept {
     struct hatch_lapped_patch patch;
@@ -118,10 +121,28 @@ static enum hatch_status keep(struct making *of, double scale, struct hatch_err 
     return HATCH_OK;
 }
 
+/* A patch that had to shrink much is better made when its neighbours are there: then it lies under
+ * them, and what hindered it may be covered. The same is to be expected of the faces around. */
+static void put_off(struct making *of, uint32_t seed)
+{
+    const struct hatch_patch *patch = &of->growth.patch;
+    of->order.late[seed] = 1;
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        double mask[2];
+        hatch_patch_mask(patch, &patch->place[2 * patch->corners[3 * f]], mask);
+        if (hatch_outline_depth(of->growth.outline, mask) > 0)
+            of->order.late[patch->faces[f]] = 1;
+    }
+}
+
 static enum hatch_status make_patch(struct making *of, uint32_t seed, double scale, struct hatch_err *err)
 {
     struct hatch_patch_notes notes;
-    HATCH_TRY(hatch_patch_make(&of->growth, &of->solver, of->options, of->cover.covered, seed, &notes, err));
+    HATCH_TRY(hatch_patch_make(&of->growth, &of->solver, of->options, seed, &notes, err));
+    if (!of->order.filling && of->growth.patch.radius < KEPT_SHARE * of->ground.wish[seed]) {
+        put_off(of, seed);
+        return HATCH_OK;
+    }
     of->totals.cut += notes.cut;
     of->totals.enlarged += notes.enlarged;
     HATCH_TRY(make_room(of, err));
@@ -182,9 +203,9 @@ static enum hatch_status prepare(struct making *of, const struct hatch_surface *
 {
     struct hatch_arena *arena = of->arena;
     HATCH_TRY(hatch_ground_make(surface, frames, direction, of->options, pool, arena, arena, &of->ground, err));
-    HATCH_TRY(hatch_growth_make(&of->ground, outline, arena, &of->growth, err));
-    of->solver.arena = arena;
     HATCH_TRY(hatch_cover_make(outline, surface->face_count, arena, &of->cover, err));
+    HATCH_TRY(hatch_growth_make(&of->ground, outline, of->cover.covered, arena, &of->growth, err));
+    of->solver.arena = arena;
     return hatch_order_make(&of->ground, outline, of->cover.covered, arena, &of->order, err);
 }
 

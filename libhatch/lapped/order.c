@@ -22,11 +22,13 @@ enum hatch_status hatch_order_make(const struct hatch_ground *ground, const stru
     made.wave.arena = made.front.arena = made.gaps.arena = arena;
     made.distance = HATCH_NEW(arena, double, surface->face_count, err);
     made.middle = made.distance ? HATCH_NEW(arena, double, (size_t)surface->face_count * 3, err) : NULL;
-    made.smooth = made.middle ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    made.late = made.middle ? HATCH_NEW(arena, uint8_t, surface->face_count, err) : NULL;
+    made.smooth = made.late ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
     if (!made.smooth)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++) {
         made.distance[f] = HUGE_VAL;
+        made.late[f] = ground->singular[f];
         for (uint32_t c = 0; c < 3; c++) {
             const double *at = &surface->points[3 * (size_t)surface->corners[3 * (size_t)f + c]];
             hatch_vec_add_scaled(&made.middle[3 * (size_t)f], 1.0 / 3, at, &made.middle[3 * (size_t)f]);
@@ -49,7 +51,7 @@ enum hatch_status hatch_order_component(struct hatch_order *order, uint32_t numb
                                   component->first_face + i, err));
     struct hatch_heap_item item;
     while (hatch_heap_pop(&order->gaps, &item))
-        if (!order->ground->singular[item.id])
+        if (!order->late[item.id])
             order->smooth[order->smooth_count++] = item.id;
     return HATCH_OK;
 }
@@ -74,14 +76,14 @@ enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, st
     struct hatch_heap_item item;
     while (!order->filling && hatch_heap_pop(&order->front, &item)) {
         double now = ratio(order, item.id);
-        if (!order->covered[item.id] && now >= WAVE_MIN) {
+        if (!order->covered[item.id] && !order->late[item.id] && now >= WAVE_MIN) {
             *face = item.id;
             return HATCH_OK;
         }
     }
     for (; order->smooth_next < order->smooth_count; order->smooth_next++) {
         uint32_t f = order->smooth[order->smooth_next];
-        if (!order->covered[f] && ratio(order, f) > WAVE_MIN) {
+        if (!order->covered[f] && !order->late[f] && ratio(order, f) > WAVE_MIN) {
             *face = f;
             return HATCH_OK;
         }
@@ -110,7 +112,7 @@ static enum hatch_status approach(struct hatch_order *order, uint32_t face, doub
     if (order->filling)
         return HATCH_OK;
     double now = ratio(order, face);
-    if (now >= WAVE_MIN && now <= WAVE_MAX && !order->ground->singular[face])
+    if (now >= WAVE_MIN && now <= WAVE_MAX && !order->late[face])
         HATCH_TRY(hatch_heap_push(&order->front, fabs(now - WAVE_BEST), face, err));
     return HATCH_OK;
 }

@@ -121,12 +121,6 @@ double hatch_outline_distance(const struct hatch_outline *outline, const double 
     return past <= 0 ? past : fmax(outside, past / outline->steep);
 }
 
-double hatch_outline_share(const struct hatch_outline *outline, const double place[2])
-{
-    double radius, distance = polar(outline, place, &radius);
-    return distance / (radius + outline->feather);
-}
-
 /* How far, in texels of the finest level, a bilinear read two levels down sees: its four texels are
  * 4 wide. */
 #define SEEN_PX 6.5

@@ -27,10 +27,6 @@ double hatch_outline_depth(const struct hatch_outline *outline, const double pla
 /* A lower bound of the distance to where opacity is over 0, in mask coordinates; 0 or less there. */
 double hatch_outline_distance(const struct hatch_outline *outline, const double place[2]);
 
-/* The share of itself to which the outline must shrink around its middle to leave a place outside:
- * over 1 where it is outside already. */
-double hatch_outline_share(const struct hatch_outline *outline, const double place[2]);
-
 /* The mask as an image of one channel "Y", side_px square, rows from the top (v = 0): what is
  * drawn with. A texel is 1 where its bilinear footprint, here and on the next two mip levels,
  * touches the core; border texels are 0. */

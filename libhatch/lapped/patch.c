@@ -10,8 +10,10 @@
 #define DETERMINANT_MIN 0.05
 /* How deep a way is halved before it counts as touched. */
 #define HALVINGS 4
-/* Places of a way that are asked for their share. */
-#define SHARE_STEPS 4
+/* What the outline shrinks by each time that something was wrong. */
+#define SHRINK 0.97
+/* An outline does not shrink below this many edges: what it then cannot leave outside is cut. */
+#define FLOOR_GRAINS 4.0
 /* The core is so much larger than the circle around the first face, so that a few cuts show that it holds it. */
 #define SEED_ROOM 1.05
 
@@ -43,20 +45,6 @@ bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_out
     return way_touches(outline, ends[0], ends[1], HALVINGS);
 }
 
-double hatch_patch_share(const struct hatch_patch *patch, const struct hatch_outline *outline,
-                         const double a[2], const double b[2])
-{
-    double ends[2][2], least = HUGE_VAL;
-    hatch_patch_mask(patch, a, ends[0]);
-    hatch_patch_mask(patch, b, ends[1]);
-    for (int i = 0; i <= SHARE_STEPS; i++) {
-        double t = (double)i / SHARE_STEPS;
-        double at[2] = {ends[0][0] + t * (ends[1][0] - ends[0][0]), ends[0][1] + t * (ends[1][1] - ends[0][1])};
-        least = fmin(least, hatch_outline_share(outline, at));
-    }
-    return least;
-}
-
 /* The smallest circle around a triangle. */
 static double circle_around(const double at[3][2], double center[2])
 {
@@ -78,83 +66,88 @@ static double circle_around(const double at[3][2], double center[2])
     return sqrt(x * x + y * y);
 }
 
-/* Puts the outline around the first face; returns the smallest radius with which its core holds it. */
-static double center_on_seed(struct hatch_growth *growth)
+/* Keeps the outline where it was, seen from the first face. */
+static void center_on_seed(struct hatch_growth *growth)
 {
-    double at[3][2];
+    struct hatch_patch *patch = &growth->patch;
+    double at[3][2], middle[2];
     for (uint32_t c = 0; c < 3; c++) {
-        if (growth->patch.face_count == 0) {
-            hatch_ground_corner(growth->ground, growth->patch.seed, c, at[c]);
+        if (patch->face_count == 0) {
+            hatch_ground_corner(growth->ground, patch->seed, c, at[c]);
             continue;
         }
         for (uint32_t i = 0; i < 2; i++)
-            at[c][i] = growth->patch.place[2 * c + i];
+            at[c][i] = patch->place[2 * c + i];
     }
-    double radius = circle_around((const double(*)[2])at, growth->patch.center);
-    return SEED_ROOM * radius / (2 * growth->outline->core_min);
+    patch->seed_radius = SEED_ROOM * circle_around((const double(*)[2])at, middle);
+    for (int i = 0; i < 2; i++)
+        patch->center[i] = middle[i] + patch->offset[i];
+    patch->radius = fmax(patch->radius, hatch_patch_least(patch, growth->outline));
 }
 
 struct verdict {
-    double share;       /* to which the outline must shrink to leave out what is wrong; 1: nothing is */
     uint32_t bad;       /* the first face that is past a limit, or UINT32_MAX */
     bool more;          /* faces are left that the outline touches and growth may take */
     bool open;          /* the outline touches a side behind which there is nothing */
 };
 
-static void judge_sides(const struct hatch_growth *growth, const uint8_t *covered, uint32_t local,
-                        struct verdict *verdict)
+static enum hatch_status judge_sides(const struct hatch_growth *growth, uint32_t local,
+                                     struct hatch_obstacles *obstacles, struct verdict *verdict,
+                                     struct hatch_err *err)
 {
     const struct hatch_patch *patch = &growth->patch;
     for (uint32_t c = 0; c < 3; c++) {
         uint32_t side = patch->faces[local] * 3 + c;
-        if (hatch_growth_side(growth, side) != HATCH_SIDE_OPEN)
-            continue;
-        if (covered[growth->ground->surface->opposite[side] / 3])
+        if (hatch_growth_side(growth, side) != HATCH_SIDE_OPEN ||
+            growth->covered[growth->ground->surface->opposite[side] / 3])
             continue;
         const double *a = &patch->place[2 * patch->corners[3 * local + c]];
         const double *b = &patch->place[2 * patch->corners[3 * local + (c + 1) % 3]];
-        if (!hatch_patch_touches(patch, growth->outline, a, b))
-            continue;
+        bool touched = hatch_patch_touches(patch, growth->outline, a, b);
         if (hatch_growth_may(growth, side)) {
-            verdict->more = true;
-        } else {
-            verdict->open = true;
-            verdict->share = fmin(verdict->share, hatch_patch_share(patch, growth->outline, a, b));
+            verdict->more = verdict->more || touched;
+            continue;
         }
+        verdict->open = verdict->open || touched;
+        HATCH_TRY(hatch_obstacles_add(obstacles, a, b, err));
     }
+    return HATCH_OK;
 }
 
 static bool past_limits(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
-                        const uint8_t *covered, uint32_t local)
+                        uint32_t local)
 {
     struct hatch_fit fit;
     uint32_t face = growth->patch.faces[local];
     hatch_patch_fit(growth->ground, &growth->patch, local, &fit);
     if (!(fit.determinant >= DETERMINANT_MIN))
         return true;
-    if (covered[face])
+    if (growth->covered[face])
         return false;
     return !(fit.stretch <= options->stretch_max) ||
            (!growth->ground->singular[face] && !(fit.turn <= tan(options->turn_max_rad)));
 }
 
-static void judge(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
-                  const uint8_t *covered, struct verdict *verdict)
+static enum hatch_status judge(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
+                               struct hatch_obstacles *obstacles,
+                               struct verdict *verdict, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &growth->patch;
-    *verdict = (struct verdict){.share = 1, .bad = UINT32_MAX};
+    *verdict = (struct verdict){.bad = UINT32_MAX};
+    obstacles->count = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {
-        judge_sides(growth, covered, f, verdict);
-        if (!past_limits(growth, options, covered, f))
+        HATCH_TRY(judge_sides(growth, f, obstacles, verdict, err));
+        if (!past_limits(growth, options, f))
             continue;
         if (verdict->bad == UINT32_MAX)
             verdict->bad = f;
         for (uint32_t c = 0; c < 3; c++) {
             const double *a = &patch->place[2 * patch->corners[3 * f + c]];
             const double *b = &patch->place[2 * patch->corners[3 * f + (c + 1) % 3]];
-            verdict->share = fmin(verdict->share, hatch_patch_share(patch, growth->outline, a, b));
+            HATCH_TRY(hatch_obstacles_add(obstacles, a, b, err));
         }
     }
+    return HATCH_OK;
 }
 
 static void turn_at_random(struct hatch_patch *patch, uint64_t seed)
@@ -171,13 +164,21 @@ static void turn_at_random(struct hatch_patch *patch, uint64_t seed)
     patch->turn[1] = y / length;
 }
 
-/* Shrinks outline or patch so that it leaves out what was wrong; false when there is nothing more to
- * be done. */
-static bool retreat(struct hatch_patch *patch, const struct verdict *verdict, double least)
+/* Slides and shrinks the outline, or, where it is as small as may be, the patch, so that it leaves out
+ * what was wrong; false when there is nothing more to be done. */
+static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *obstacles,
+                    const struct verdict *verdict)
 {
-    if (patch->radius > least) {
-        double share = fmin(0.95, fmax(0.6, 0.98 * verdict->share));
-        patch->radius = fmax(least, patch->radius * share);
+    struct hatch_patch *patch = &growth->patch;
+    double middle[2] = {patch->center[0] - patch->offset[0], patch->center[1] - patch->offset[1]};
+    double floor = fmin(FLOOR_GRAINS * growth->ground->grain[patch->seed], growth->ground->wish[patch->seed]);
+    bool small = patch->offset[0] == 0 && patch->offset[1] == 0 &&
+                 patch->radius <= fmax(floor, hatch_patch_least(patch, growth->outline));
+    if (!small) {
+        patch->radius *= SHRINK;
+        hatch_patch_slide(patch, growth->outline, obstacles, floor);
+        for (int i = 0; i < 2; i++)
+            patch->center[i] = middle[i] + patch->offset[i];
         return true;
     }
     if (verdict->bad == UINT32_MAX)
@@ -187,31 +188,32 @@ static bool retreat(struct hatch_patch *patch, const struct verdict *verdict, do
 }
 
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
-                                   const struct hatch_lapped_options *options, const uint8_t *covered,
-                                   uint32_t seed, struct hatch_patch_notes *notes, struct hatch_err *err)
+                                   const struct hatch_lapped_options *options, uint32_t seed,
+                                   struct hatch_patch_notes *notes, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
     hatch_growth_begin(growth, seed);
     turn_at_random(patch, options->seed);
-    double wish = growth->ground->wish[seed], least = center_on_seed(growth);
-    patch->radius = fmax(wish, least);
-    notes->enlarged = least > wish;
+    double wish = growth->ground->wish[seed];
+    patch->radius = wish;
+    center_on_seed(growth);
+    notes->enlarged = patch->radius > wish;
     struct verdict verdict = {0};
     for (int round = 0; round <= ROUNDS_MAX; round++) {
         if (round == ROUNDS_MAX) {
             patch->faces_max = 1;
-            patch->radius = least;
+            patch->offset[0] = patch->offset[1] = patch->radius = 0;
+            center_on_seed(growth);
         }
         HATCH_TRY(hatch_growth_grow(growth, err));
         HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
         hatch_growth_keep(growth);
-        least = center_on_seed(growth);
-        patch->radius = fmax(patch->radius, least);
-        judge(growth, options, covered, &verdict);
+        center_on_seed(growth);
+        HATCH_TRY(judge(growth, options, &growth->obstacles, &verdict, err));
         bool right = verdict.bad == UINT32_MAX && !verdict.open;
         if ((right && !verdict.more) || patch->faces_max == 1)
             break;
-        if (!right && !retreat(patch, &verdict, least))
+        if (!right && !retreat(growth, &growth->obstacles, &verdict))
             break;
     }
     notes->cut = verdict.open;

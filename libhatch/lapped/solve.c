@@ -5,7 +5,14 @@
 #include "lapped/work.h"
 
 /* How much more a turning of the strokes costs than a stretch along or between them. */
-#define TURN_WEIGHT 1.0
+#define TURN_WEIGHT 2.0
+/* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
+ * that cannot be flattened, then cost neither angle nor shape. How much of that a face's scale takes
+ * on, within which bounds, and in how many rounds. */
+#define SCALE_FREE 0.8
+#define SCALE_MIN 0.6
+#define SCALE_MAX 1.6
+#define SCALE_ROUNDS 4
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
 
@@ -80,7 +87,6 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
         HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->matrix_room[i], size, sizeof *of->matrix[i], err));
         of->matrix[i] = array;
         memset(of->matrix[i], 0, size * sizeof *of->matrix[i]);
-        memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
     }
     return HATCH_OK;
 }
@@ -99,23 +105,26 @@ static double hat_gradients(const struct hatch_ground *ground, uint32_t face, in
     return doubled / 2;
 }
 
-/* Adds a face's part of the normal equations. The first vertex stays where it is, at the origin: its
- * row and column are left out. */
-static void add_face(struct hatch_solver *of, const struct hatch_ground *ground,
-                     const struct hatch_patch *patch, uint32_t local)
+static double weighed_gradients(const struct hatch_ground *ground, const struct hatch_patch *patch,
+                                uint32_t local, double gradient[3][2])
 {
     uint32_t face = patch->faces[local];
+    double area = hat_gradients(ground, face, patch->sign[local], gradient);
+    return ground->singular[face] ? FREE_WEIGHT * area : area;
+}
+
+/* Adds a face's part of the normal equations. The first vertex stays where it is, at the origin: its
+ * row and column are left out. */
+static void add_matrix(struct hatch_solver *of, const struct hatch_ground *ground,
+                       const struct hatch_patch *patch, uint32_t local)
+{
     const uint32_t *corner = &patch->corners[3 * local];
     double gradient[3][2];
-    double weight = hat_gradients(ground, face, patch->sign[local], gradient);
-    if (ground->singular[face])
-        weight *= FREE_WEIGHT;
+    double weight = weighed_gradients(ground, patch, local, gradient);
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
         uint32_t row = of->rank[corner[a]];
-        of->right[0][row] += weight * gradient[a][0];
-        of->right[1][row] += weight * gradient[a][1];
         for (uint32_t b = 0; b < 3; b++) {
             uint32_t column = of->rank[corner[b]];
             if (corner[b] == 0 || column > row)
@@ -125,6 +134,20 @@ static void add_face(struct hatch_solver *of, const struct hatch_ground *ground,
             of->matrix[0][of->start[row] + column] += along + TURN_WEIGHT * over;
             of->matrix[1][of->start[row] + column] += TURN_WEIGHT * along + over;
         }
+    }
+}
+
+static void add_right(struct hatch_solver *of, const struct hatch_ground *ground,
+                      const struct hatch_patch *patch, uint32_t local, double scale)
+{
+    const uint32_t *corner = &patch->corners[3 * local];
+    double gradient[3][2];
+    double weight = scale * weighed_gradients(ground, patch, local, gradient);
+    for (uint32_t a = 0; a < 3; a++) {
+        if (corner[a] == 0)
+            continue;
+        of->right[0][of->rank[corner[a]]] += weight * gradient[a][0];
+        of->right[1][of->rank[corner[a]]] += weight * gradient[a][1];
     }
 }
 
@@ -141,27 +164,59 @@ static double dot(const double *a, const double *b, uint32_t count)
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/* Cholesky's factor in place of the matrix, solution in place of the right side. */
-static void factor_and_solve(const struct hatch_solver *of, uint32_t count, double *matrix, double *right)
+static double *row_of(const struct hatch_solver *of, double *matrix, uint32_t row)
+{
+    return &matrix[(uint32_t)(of->start[row] + of->first[row])];
+}
+
+/* Cholesky's factor in place of the matrix. */
+static void factor(const struct hatch_solver *of, uint32_t count, double *matrix)
 {
     for (uint32_t i = 0; i < count; i++) {
-        double *row = &matrix[(uint32_t)(of->start[i] + of->first[i])];
+        double *row = row_of(of, matrix, i);
         uint32_t low = of->first[i];
         for (uint32_t j = low; j < i; j++) {
             uint32_t from = of->first[j] > low ? of->first[j] : low;
-            const double *other = &matrix[(uint32_t)(of->start[j] + from)];
+            const double *other = &row_of(of, matrix, j)[from - of->first[j]];
             double value = row[j - low] - dot(&row[from - low], other, j - from);
             row[j - low] = value / other[j - from];
         }
         row[i - low] = sqrt(row[i - low] - dot(row, row, i - low));
+    }
+}
+
+/* Solution in place of the right side. */
+static void substitute(const struct hatch_solver *of, uint32_t count, double *matrix, double *right)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const double *row = row_of(of, matrix, i);
+        uint32_t low = of->first[i];
         right[i] = (right[i] - dot(row, &right[low], i - low)) / row[i - low];
     }
     for (uint32_t i = count; i-- > 0;) {
-        const double *row = &matrix[(uint32_t)(of->start[i] + of->first[i])];
+        const double *row = row_of(of, matrix, i);
         uint32_t low = of->first[i];
         right[i] /= row[i - low];
         for (uint32_t j = low; j < i; j++)
             right[j] -= row[j - low] * right[i];
+    }
+}
+
+/* Places the vertices for the scales that the faces have now; the first time for 1. */
+static void place(struct hatch_solver *of, const struct hatch_ground *ground, struct hatch_patch *patch, bool first)
+{
+    for (int i = 0; i < 2; i++)
+        memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        struct hatch_fit fit = {.scale = 1};
+        if (!first)
+            hatch_patch_fit(ground, patch, f, &fit);
+        add_right(of, ground, patch, f, fmin(SCALE_MAX, fmax(SCALE_MIN, 1 + SCALE_FREE * (fit.scale - 1))));
+    }
+    for (uint32_t i = 0; i < 2; i++) {
+        substitute(of, patch->vertex_count, of->matrix[i], of->right[i]);
+        for (uint32_t v = 0; v < patch->vertex_count; v++)
+            patch->place[2 * v + i] = of->right[i][of->rank[v]];
     }
 }
 
@@ -172,14 +227,14 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch
     sweep(of, patch);
     HATCH_TRY(shape_envelope(of, patch, err));
     for (uint32_t f = 0; f < patch->face_count; f++)
-        add_face(of, ground, patch, f);
+        add_matrix(of, ground, patch, f);
     uint32_t fixed = of->rank[0];
     for (uint32_t i = 0; i < 2; i++) {
         of->matrix[i][of->start[fixed] + fixed] = 1;
-        factor_and_solve(of, patch->vertex_count, of->matrix[i], of->right[i]);
-        for (uint32_t v = 0; v < patch->vertex_count; v++)
-            patch->place[2 * v + i] = of->right[i][of->rank[v]];
+        factor(of, patch->vertex_count, of->matrix[i]);
     }
+    for (int round = 0; round < SCALE_ROUNDS; round++)
+        place(of, ground, patch, round == 0);
     return HATCH_OK;
 }
 
@@ -196,6 +251,7 @@ void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch
     }
     double half = (jacobian[0][0] * jacobian[0][0] + jacobian[0][1] * jacobian[0][1] +
                    jacobian[1][0] * jacobian[1][0] + jacobian[1][1] * jacobian[1][1]) / 2;
+    fit->scale = (jacobian[0][0] + jacobian[1][1]) / 2;
     fit->determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
     double squared = half * half - fit->determinant * fit->determinant;
     fit->stretch = fit->determinant > 0 ? (half + sqrt(fmax(0, squared))) / fit->determinant : HUGE_VAL;

@@ -14,6 +14,7 @@ struct hatch_ground {
     double *flat;       /* 4 a face: corners 1 and 2 seen from corner 0, in the frame of the face's line */
     double *rough;      /* per face: turning of normals and of the field, smoothed, per length */
     double *wish;       /* per face: radius wanted of a patch that begins there */
+    double *grain;      /* per face: the length of an edge around it */
     uint8_t *singular;  /* per face: the field has an index */
 };
 
@@ -37,23 +38,35 @@ static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32
 struct hatch_patch {
     uint32_t seed;
     double center[2], radius, turn[2]; /* turn: cosine and sine from the plane to the mask */
+    double offset[2];  /* of the center, from that of the smallest circle around the first face */
+    double seed_radius; /* of that circle */
     uint32_t face_count, vertex_count;
     uint32_t *faces;   /* surface's faces */
     uint32_t *corners; /* 3 a face: local vertices */
     int8_t *sign;      /* per face: 1 or -1: which way its line counts */
     uint32_t *points;  /* surface's points of local vertices */
     double *place;     /* 2 a vertex: in the plane */
-    uint32_t face_room, sign_room, corner_room, point_room, place_room;
+    uint8_t *steps;    /* per face: how far it lies inside covered ground, in faces from one that is bare */
+    uint32_t face_room, steps_room, sign_room, corner_room, point_room, place_room;
     uint32_t faces_max;  /* growth ends at so many */
+};
+
+/* Places of the plane that the outline must leave outside. */
+struct hatch_obstacles {
+    struct hatch_arena *arena;
+    double *at;         /* 2 each */
+    uint32_t count, room;
 };
 
 /* A growth's view of the whole surface: which faces and points are in the patch, by stamps. */
 struct hatch_growth {
     const struct hatch_ground *ground;
     const struct hatch_outline *outline;
+    const uint8_t *covered;               /* per face */
     struct hatch_patch patch;
     struct hatch_arena *arena;
     struct hatch_heap heap;
+    struct hatch_obstacles obstacles;
     uint32_t round, number;               /* of this growth, of this patch */
     uint32_t *face_round, *face_local;    /* per face */
     uint32_t *point_round, *point_local;  /* per point */
@@ -62,7 +75,7 @@ struct hatch_growth {
 };
 
 enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
-                                    struct hatch_arena *arena, struct hatch_growth *growth,
+                                    const uint8_t *covered, struct hatch_arena *arena, struct hatch_growth *growth,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Begins a new patch at a face. */
@@ -100,16 +113,13 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct h
                                      struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
 
 /* How one face lies in the plane: its determinant, its larger singular value over the smaller, and
- * the tangent of the angle between line and strokes; infinite where it is turned over. */
+ * the tangent of the angle between line and strokes; infinite where it is turned over; and how
+ * much larger it is than the face, measured along the line and at a right angle. */
 struct hatch_fit {
-    double determinant, stretch, turn;
+    double determinant, stretch, turn, scale;
 };
 void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
                      struct hatch_fit *fit);
-
-/* The local side's smallest hatch_outline_share. */
-double hatch_patch_share(const struct hatch_patch *patch, const struct hatch_outline *outline,
-                         const double a[2], const double b[2]);
 
 /* Whether growth may take the face behind a side of the patch. */
 bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side);
@@ -117,14 +127,25 @@ bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side);
 /* Remembers the places that the vertices have now. */
 void hatch_growth_keep(struct hatch_growth *growth);
 
+enum hatch_status hatch_obstacles_add(struct hatch_obstacles *obstacles, const double a[2], const double b[2],
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
+/* Slides the outline so that it stays large and clear of the obstacles and its core still holds the
+ * first face; false, and no larger than floor or that needs, where it cannot. */
+bool hatch_patch_slide(struct hatch_patch *patch, const struct hatch_outline *outline,
+                       const struct hatch_obstacles *obstacles, double floor);
+
+/* The smallest radius with which the core holds the first face. */
+double hatch_patch_least(const struct hatch_patch *patch, const struct hatch_outline *outline);
+
 /* Grows and places a patch that begins at a face, within the limits; cut: its faces end inside its
  * outline. */
 struct hatch_patch_notes {
     bool cut, enlarged;
 };
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
-                                   const struct hatch_lapped_options *options, const uint8_t *covered,
-                                   uint32_t seed, struct hatch_patch_notes *notes,
+                                   const struct hatch_lapped_options *options, uint32_t seed,
+                                   struct hatch_patch_notes *notes,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Who covers what. Patches are laid under those that were there: a face is left out of a patch once
@@ -161,6 +182,7 @@ struct hatch_order {
     const uint8_t *covered;
     double *distance;      /* per face: to covered ground, or infinite */
     double *middle;        /* 3 a face */
+    uint8_t *late;         /* per face: no patch begins here before gaps are filled */
     uint32_t *smooth;      /* faces of the component, smoothest first */
     uint32_t smooth_count, smooth_next;
     struct hatch_heap wave, front, gaps;
