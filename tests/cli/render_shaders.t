@@ -42,6 +42,9 @@ for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-thresh
     done
 done
 
+ok "a probe of the driver's anisotropic reads" render-gl MASK.gltf --tam map.exr --size 32x24 \
+    --anisotropy 4 --probe -o probe.tsv
+
 render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 -o plain.png
 render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 --texture-tone -o toned.png
 try hatchstat diff plain.png toned.png --max-difference 0.01

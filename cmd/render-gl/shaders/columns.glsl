@@ -26,12 +26,15 @@ vec4 read_columns(float layer)
     return textureGrad(columns, vec3(column_place, layer), column_x, column_y);
 }
 #else
+float column_level;
+
 // Strokes keep their width in pixels whatever the number of samples a pixel: the level goes by the
 // pixel's footprint, not by the sample's. But where a pixel has several samples they see apart what lies
 // along the footprint's longer axis, so that half of it counts there: anisotropic filtering by the ratio
 // of two that costs nothing, and that is the same for every number of samples.
-float column_level;
-
+// Two levels mix over the middle half of the way between them: strokes of a level nest in the next, so
+// that nothing pops, more of the picture shows strokes at their full strength, and software renderers
+// read one level where one is enough.
 void aim(vec2 texcoord)
 {
     vec2 size = vec2(textureSize(columns, 0).xy);
@@ -39,7 +42,9 @@ void aim(vec2 texcoord)
     float area = x.x * y.y - x.y * y.x;
     float longer = max(max(dot(x, x), dot(y, y)), 1e-20), shorter = area * area / longer;
     column_place = texcoord;
-    column_level = 0.5 * log2(max(longer / min(curve.w, 4.0), shorter) * curve.w);
+    float level = 0.5 * log2(max(longer / min(curve.w, 4.0), shorter) * curve.w);
+    float part = fract(level);
+    column_level = level - part + clamp(2.0 * part - 0.5, 0.0, 1.0);
 }
 
 vec4 read_columns(float layer)

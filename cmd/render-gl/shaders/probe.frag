@@ -13,7 +13,7 @@ void main()
     if (opacity < 0.5)
         discard;
 #ifdef ANISOTROPIC
-    column_level = textureQueryLod(columns, v_texcoord).y;
+    float column_level = textureQueryLod(columns, v_texcoord).y;
 #endif
     o_probe = vec4(v_amounts, column_level, 1.0);
 }
