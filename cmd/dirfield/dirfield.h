@@ -11,10 +11,19 @@
 
 struct dirfield_options {
     double turn_deg;      /* from the first principal direction, counter-clockwise seen from outside */
-    double coarse;        /* share of the faces to which meshes are simplified; 0: not at all */
+    const char *constraints; /* a table of them, or NULL */
+    double coarse_faces;  /* fit to meshes of so many faces together; 0: to the meshes as they are */
     struct hatch_curvature_options curvature;
     struct hatch_field_options field;
+    char comment[160];    /* for the file */
 };
+
+/* The outputs; those without one are not asked for. */
+enum dirfield_file { DIRFIELD_MESH, DIRFIELD_REPORT, DIRFIELD_ARROWS, DIRFIELD_FILES };
+
+/* Reads the input and fills the files. Dies on failure. */
+void dirfield_run(struct cmd_args *args, const struct dirfield_options *options, const char *input,
+                  struct cmd_file files[DIRFIELD_FILES]);
 
 enum dirfield_phase { PHASE_SURFACES, PHASE_FRAMES, PHASE_CURVATURE, PHASE_FIELD, PHASE_COUNT };
 
@@ -32,6 +41,7 @@ struct dirfield_part {
     uint32_t number;
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
+    double share; /* of the faces of all meshes */
     uint32_t constraint_count;
     struct dirfield_constraint *constraints;
     struct hatch_arena work;
@@ -45,10 +55,9 @@ struct dirfield_part {
 void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts,
                                uint32_t count);
 
-/* Computes the field of a part, and the singularities. constraints: their file's name for messages.
- * Dies on failure. */
+/* Computes the field of a part, and the singularities. Dies on failure. */
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
-                    const char *constraints, struct dirfield_part *part);
+                    struct dirfield_part *part);
 
 #define DIRFIELD_REPORT_COLUMNS 24
 

@@ -50,11 +50,11 @@ static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_o
                                   struct dirfield_part *part, struct hatch_curvature *curvature,
                                   struct hatch_err *err)
 {
-    if (!(options->coarse > 0))
+    if (!(options->coarse_faces > 0))
         return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature,
                                         cmd_pool(args), &part->work, &args->scratch, curvature, err);
     struct hatch_mesh coarse;
-    uint32_t faces = (uint32_t)fmax(1, round(options->coarse * part->surface->face_count));
+    uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * part->share));
     HATCH_TRY(hatch_mesh_decimate(&part->mesh->mesh, faces, &part->work, &args->scratch, &coarse, NULL, err));
     return hatch_curvature_coarse(part->surface, &part->frames, &coarse, &part->work, &args->scratch,
                                   curvature, err);
@@ -86,7 +86,7 @@ static void constrain(const char *file, struct dirfield_part *part, double *dire
 }
 
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
-                    const char *constraints, struct dirfield_part *part)
+                    struct dirfield_part *part)
 {
     struct hatch_err err;
     struct hatch_curvature curvature;
@@ -98,7 +98,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     begun_ms = cmd_elapsed_ms();
     check(part, estimate(args, options, part, &curvature, &err), &err);
     turn(&part->frames, part->surface, options->turn_deg, curvature.direction);
-    constrain(constraints, part, curvature.direction, &hard);
+    constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
     end_phase(part, PHASE_CURVATURE, begun_ms);
 
     begun_ms = cmd_elapsed_ms();

@@ -1,0 +1,118 @@
+/* All meshes of a scene, one after another. */
+#include "cmd_surface.h"
+#include "dirfield.h"
+#include "io/gltf.h"
+
+struct run {
+    struct cmd_args *args;
+    const struct dirfield_options *options;
+    const char *input;
+    struct cmd_file *files;
+    struct hatch_scene scene;
+    struct dirfield_part *parts;
+    struct dirfield_report report;
+    struct dirfield_arrows arrows;
+    double faces, undirected; /* faces of parts without a direction of their own */
+    uint64_t singularities;
+};
+
+static void make_parts(struct run *run)
+{
+    struct hatch_err err;
+    const struct hatch_surface *surfaces = cmd_make_surfaces(run->args, run->input, &run->scene);
+    uint32_t count = run->scene.mesh_count;
+    run->parts = HATCH_NEW(&run->args->keep, struct dirfield_part, count, &err);
+    cmd_check(run->parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++) {
+        run->parts[i] = (struct dirfield_part){cmd_input_name(run->input), i, &run->scene.meshes[i],
+                                               &surfaces[i], .share = 0};
+        run->faces += surfaces[i].face_count;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        run->parts[i].share = surfaces[i].face_count / run->faces;
+}
+
+static void begin_extras(struct run *run)
+{
+    uint32_t points = 0;
+    for (uint32_t i = 0; i < run->scene.mesh_count; i++)
+        points += run->parts[i].surface->point_count;
+    dirfield_report_begin(&run->report, run->args, points);
+    if (run->files[DIRFIELD_ARROWS].output)
+        dirfield_arrows_begin(&run->arrows, run->args, &run->scene);
+}
+
+/* Faces of components whose field follows from no data: its confidence is 0 everywhere. */
+static double undirected_faces(const struct dirfield_part *part)
+{
+    double faces = 0;
+    for (uint32_t c = 0; c < part->surface->component_count; c++) {
+        const struct hatch_component *component = &part->surface->components[c];
+        uint32_t p = component->first_point, end = p + component->point_count;
+        while (p < end && !(part->field.confidence[p] > 0))
+            p++;
+        faces += p == end ? component->face_count : 0;
+    }
+    return faces;
+}
+
+static void work(struct run *run, struct dirfield_part *part)
+{
+    hatch_arena_init(&part->work, run->args->max_memory);
+    dirfield_solve(run->args, run->options, part);
+    cmd_attach_field(run->args, part->name, part->surface, part->field.direction, part->field.confidence,
+                     part->mesh);
+    if (run->files[DIRFIELD_REPORT].output)
+        dirfield_report_add(&run->report, part);
+    if (run->files[DIRFIELD_ARROWS].output)
+        dirfield_arrows_add(&run->arrows, &run->scene, part);
+    run->undirected += undirected_faces(part);
+    run->singularities += part->singular.count;
+    hatch_arena_free(&part->work);
+}
+
+static void say(const struct run *run)
+{
+    if (run->undirected > 0)
+        cmd_warn(cmd_input_name(run->input),
+                 "%.3g %% of the faces lie on parts that have no direction of their own, as planes and spheres: "
+                 "their lines are smooth, but follow from nothing",
+                 100 * run->undirected / run->faces);
+    cmd_note("%llu singularities", (unsigned long long)run->singularities);
+}
+
+static void set_content(struct cmd_file *file, struct hatch_bytes bytes)
+{
+    file->data = bytes.data;
+    file->size = bytes.size;
+}
+
+static void encode(struct run *run, double surfaces_ms)
+{
+    struct hatch_err err;
+    struct hatch_buffer glb = {.arena = &run->args->keep};
+    cmd_check(hatch_glb_write_scene(&run->scene, run->options->comment, &run->args->scratch, &glb, &err),
+              cmd_input_name(run->input), &err);
+    set_content(&run->files[DIRFIELD_MESH], (struct hatch_bytes){glb.data, glb.size});
+    if (run->files[DIRFIELD_REPORT].output)
+        set_content(&run->files[DIRFIELD_REPORT], dirfield_report_end(&run->report, surfaces_ms));
+    if (run->files[DIRFIELD_ARROWS].output)
+        set_content(&run->files[DIRFIELD_ARROWS], dirfield_arrows_end(&run->arrows));
+}
+
+void dirfield_run(struct cmd_args *args, const struct dirfield_options *options, const char *input,
+                  struct cmd_file files[DIRFIELD_FILES])
+{
+    struct run run = {.args = args, .options = options, .input = input, .files = files};
+    cmd_read_scene(args, input, CMD_SCENE_AS_IS, &run.scene);
+    double begun_ms = cmd_elapsed_ms();
+    make_parts(&run);
+    double surfaces_ms = cmd_elapsed_ms() - begun_ms;
+    if (options->constraints)
+        dirfield_read_constraints(args, options->constraints, run.parts, run.scene.mesh_count);
+    begin_extras(&run);
+    for (uint32_t i = 0; i < run.scene.mesh_count; i++)
+        work(&run, &run.parts[i]);
+    encode(&run, surfaces_ms);
+    say(&run);
+}
