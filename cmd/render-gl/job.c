@@ -7,7 +7,7 @@
 #include "render-gl/repeat.h"
 
 #define TWO_PI 6.28318530717958648
-#define FIELD_SHADE 0.25 /* of the tone, so that marks stand out */
+#define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
 #define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
 
 void job_read(struct job *job)

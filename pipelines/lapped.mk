@@ -1,0 +1,69 @@
+# Draws any surface with strokes that follow its form: a scan, a model without texture coordinates.
+#
+#     make -f lapped.mk MESH=bunny.ply                        bunny.png
+#     make -f lapped.mk MESH=bunny.ply STYLE=pencil TURN=90   and once around it: bunny-000.png ... bunny-089.png
+#     make -f lapped.mk MESH=walk.glb FRAMES=48               the scene's animation: walk-000.png ...
+#     make -f lapped.mk MESHES='bunny.ply horse.ply'          both in one picture: row.png
+#     make -f lapped.mk MESH=bunny.ply FIELD='--direction min' LAPPED='--size .2' OPTIONS='--hatch-turn 30'
+#
+# dirfield finds the directions, lapped-param covers the surface with patches along them, render-gl draws.
+# With SHOW=1 pictures of the directions and of the patches stand beside. The commands are looked for on
+# PATH. Copy this file and change it.
+MESH      ?= $(error MESH=FILE names the mesh to draw)
+MESHES    ?=
+STYLE     ?= ink
+TECHNIQUE ?= tam
+SIZE      ?= 1280x720
+TURN      ?= 0
+FRAMES    ?= 0
+SHOW      ?=
+SEED      ?= 1
+OUT       ?= .
+FIELD     ?=
+LAPPED    ?=
+OPTIONS   ?=
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eo pipefail -c
+.DELETE_ON_ERROR:
+
+map := $(OUT)/$(STYLE).tam.exr
+draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
+cover = dirfield $(FIELD) "$(1)" | lapped-param --seed $(SEED) $(LAPPED)
+# A file's name may hold spaces, which make would take for two files: the shell takes it apart.
+name = name=$$(basename -- "$(1)") && name="$(OUT)/$${name%.*}"
+
+.PHONY: all picture row
+all: $(if $(MESHES),row,picture)
+
+picture: $(map)
+ifeq ($(TURN)$(FRAMES)$(SHOW),00)
+	$(call name,$(MESH)) && $(call cover,$(MESH)) | $(draw) -o "$$name.png"
+else
+	$(call name,$(MESH)) && $(call cover,$(MESH)) -o "$$name.lapped.glb" && $(draw) -o "$$name.png" "$$name.lapped.glb"
+ifneq ($(TURN),0)
+	$(call name,$(MESH)) && $(draw) --frames $(TURN) --turntable -o "$$name-%03d.png" "$$name.lapped.glb"
+endif
+ifneq ($(FRAMES),0)
+	$(call name,$(MESH)) && $(draw) --frames $(FRAMES) -o "$$name-%03d.png" "$$name.lapped.glb"
+endif
+ifneq ($(SHOW),)
+	$(call name,$(MESH)) && for what in field patches; do \
+	    render-gl --show $$what --size $(SIZE) $(OPTIONS) -o "$$name-$$what.png" "$$name.lapped.glb" || exit 1; done
+endif
+endif
+
+# Several files are put side by side, all as large as the first.
+lapped := $(foreach m,$(MESHES),$(OUT)/$(basename $(notdir $(m))).lapped.glb)
+row: $(map) $(lapped)
+	$(draw) -o "$(OUT)/row.png" $(lapped)
+define lapped_rule
+$(OUT)/$(basename $(notdir $(1))).lapped.glb: $(1)
+	mkdir -p $(OUT)
+	$$(call cover,$(1)) -o $$@
+endef
+$(foreach m,$(MESHES),$(eval $(call lapped_rule,$(m))))
+
+$(map):
+	mkdir -p $(OUT)
+	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@
