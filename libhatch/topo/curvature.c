@@ -46,7 +46,7 @@ static void fit(struct hatch_support *support, uint32_t point, const double norm
     uint32_t before = 0;
     system->degree = 0;
     for (int tries = 0; tries < GROWTHS_MAX; tries++, radius *= GROWTH) {
-        hatch_support_gather(support, point, normal, radius);
+        bool full = hatch_support_gather(support, point, normal, radius);
         if (support->count < wanted && support->count > before) {
             before = support->count;
             continue;
@@ -54,7 +54,7 @@ static void fit(struct hatch_support *support, uint32_t point, const double norm
         struct hatch_jet_sums sums;
         hatch_support_sums(support, normal, radius, frame, &sums);
         hatch_jet_factorise(&sums, degree, system);
-        if (system->degree == degree || support->count == before)
+        if (system->degree == degree || full || support->count == before)
             return;
         before = support->count;
     }

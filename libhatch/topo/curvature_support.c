@@ -4,6 +4,12 @@
 
 #define LEAN_COSINE_MIN 0.2
 
+/* A disk of radius r holds about 3.6 r² points when edges are alike. Where a mesh has far more, the nearest
+ * rings say enough, and of a ring of thousands a few hundred do: else time is the square of the points. */
+#define POINTS_LEAST 200
+#define POINTS_PER_SQUARE 16
+#define RING_MAX 256u
+
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
                                      struct hatch_arena *arena, struct hatch_support *support,
                                      struct hatch_err *err)
@@ -28,19 +34,21 @@ static void push(struct hatch_support *support, uint32_t point, int side, const 
     support->count++;
 }
 
-void hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
+bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
                           double radius)
 {
     const struct hatch_surface *surface = support->surface;
     const double *origin = &surface->points[(size_t)middle * 3];
     double square = radius * radius;
+    double most = POINTS_LEAST + POINTS_PER_SQUARE * square;
     uint32_t walk = ++support->walk;
     support->count = 0;
     support->seen[middle] = walk;
     push(support, middle, 1, (const double[3]){0, 0, 0});
-    for (uint32_t next = 0; next < support->count; next++) {
-        uint32_t p = support->points[next];
-        for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
+    for (uint32_t next = 0; next < support->count && support->count < most; next++) {
+        uint32_t p = support->points[next], end = surface->ring_first[p + 1];
+        uint32_t stride = 1 + (end - surface->ring_first[p]) / RING_MAX;
+        for (uint32_t i = surface->ring_first[p]; i < end; i += stride) {
             uint32_t q = surface->ring_point[i];
             if (support->seen[q] == walk)
                 continue;
@@ -55,6 +63,7 @@ void hatch_support_gather(struct hatch_support *support, uint32_t middle, const 
             push(support, q, side, offset);
         }
     }
+    return support->count >= most;
 }
 
 #define BLOCK 32u

@@ -24,8 +24,9 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals lean
- * away from the given one by less than 78°: not through the air to the other side of a thin part. */
-void hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
+ * away from the given one by less than 78°: not through the air to the other side of a thin part. True when
+ * there are far more of them than even edges would give: then only the nearest rings are taken. */
+bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
                           double radius);
 
 /* The frame at the middle of the points gathered, and the sums of all of them in it. normal: unit. */

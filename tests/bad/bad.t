@@ -16,10 +16,15 @@ tail -n +2 "$bad/MANIFEST.tsv" | cut -f1,3 | while read -r file expect; do
         echo "ERR $bad $file tampack IN -o OUT.ktx2"
         echo "ERR $bad $file hatchstat tam IN -o OUT.tsv"
         echo "ERR $bad $file render-gl plane.glb --tam IN --size 64x64 -o OUT.png"
+        # nor a mesh
+        echo "ERR $bad $file dirfield IN -o OUT.glb"
+        echo "ERR $bad $file lapped-param IN -o OUT.glb"
         ;;
     *)
         echo "$expect $bad $file hatchstat mesh IN -o OUT.tsv"
         echo "$expect $bad $file render-gl IN --technique gouraud --size 64x64 -o OUT.png"
+        echo "$expect $bad $file dirfield IN -o OUT.glb"
+        echo "$expect $bad $file lapped-param IN -o OUT.glb"
         ;;
     esac
 done >all.list

@@ -47,6 +47,10 @@ accepted() {
     if cat "$work"/out.tsv "$work/said" 2>/dev/null | LC_ALL=C grep -aqiw nan; then
         complaint "the output is NaN"
     fi
+    # which refuses numbers that are none
+    if [ -e "$work/out.glb" ] && ! "$BIN/hatchstat" mesh "$work/out.glb" >"$work/read" 2>&1; then
+        complaint "the output cannot be read again: $(head -n 1 "$work/read")"
+    fi
 }
 case $expect.$status in
 ERR.3 | ERR.5 | EITHER.3 | EITHER.5) refused ;;

@@ -91,13 +91,17 @@ static void add_face(struct hatch_mesh *mesh, uint32_t a, uint32_t b, uint32_t c
 
 START_TEST(faces_without_area_leave_no_trace)
 {
-    struct hatch_mesh mesh = sphere(300), dirty = sphere(300);
-    uint32_t *f = dirty.indices;
+    struct hatch_mesh mesh = sphere(300), spare = sphere(4), dirty = both(&keep, &mesh, &spare);
+    uint32_t *f = dirty.indices, last = dirty.vertex_count - 1;
+    dirty.face_count = mesh.face_count;
     add_face(&dirty, f[0], f[0], f[1]);
     add_face(&dirty, f[1], f[1], f[1]);
+    add_face(&dirty, f[1], last, f[1]);
     ck_assert_uint_gt(read_plainly(&dirty).crowded, 0);
     struct hatch_surface want = make(&mesh), s = make(&dirty);
-    ck_assert_uint_eq(notes.degenerate, 2);
+    ck_assert_uint_eq(notes.degenerate, 3);
+    ck_assert_uint_eq(notes.unreferenced, spare.vertex_count);
+    ck_assert_uint_eq(notes.welded, 0);
     expect(&s, 1, 2, 0);
     ck_assert_mem_eq(s.points, want.points, want.point_count * 24);
     ck_assert_mem_eq(s.corners, want.corners, want.face_count * 12);
