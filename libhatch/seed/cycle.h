@@ -14,7 +14,8 @@
 enum hatch_cycle_method {
     HATCH_CYCLE_ANY,      /* any N, in linear time; euler where that can be */
     HATCH_CYCLE_EULER,    /* N = 4^K: an Eulerian circuit of the de Bruijn graph, each as likely */
-    HATCH_CYCLE_BACKTRACK /* N = 4^K: the paper's Algorithm 1; does not end in useful time from 256 on */
+    HATCH_CYCLE_BACKTRACK /* N = 4^K: the paper's Algorithm 1: ends at once or never, the latter the
+                             oftener the more seeds */
 };
 
 struct hatch_cycle_options {
