@@ -21,20 +21,20 @@ dirfield torus.glb -o max.glb
 dirfield torus.glb --direction min -o min.glb
 dirfield torus.glb --direction 30 -o turned.glb
 dirfield torus.glb --direction -60 -o other.glb
-is "the field is the torus's own" "$(angle max.glb true.glb | awk '{print $1 < 3}')" 1
+is "the field is the torus's own" "$(angle max.glb true.glb | awk '{print ($1 < 3)}')" 1
 is "min is across" "$(angle min.glb max.glb)" 90
 is "30 degrees are" "$(angle turned.glb max.glb)" 30
 is "30 and -60 degrees are counted the same way" "$(angle turned.glb other.glb)" 90
 for how in '--method hz' '--solver cholesky' '--radius 2 --degree 2' '--coarse 500' '--smooth 0'; do
     try dirfield torus.glb $how -o how.glb
     is "$how: the same but for a few degrees" \
-        "$status $(hatchstat field how.glb --reference max.glb | column deg_p50 | awk '{print $1 < 8}')" "0 1"
+        "$status $(hatchstat field how.glb --reference max.glb | column deg_p50 | awk '{print ($1 < 8)}')" "0 1"
 done
 
 try dirfield plane.glb -o flat.glb
 is "a plane's lines follow from nothing, and that is said" "$status $(grep -c '100 % of the faces.*no direction of their own' .err)" "0 1"
 is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
-is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print $1 < 1e-6}')" 1
+is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print ($1 < 1e-6)}')" 1
 
 # given HEADER ROW ...: dirfield of the plane with these constraints
 given() {
