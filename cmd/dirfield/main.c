@@ -98,6 +98,8 @@ int main(int argc, char **argv)
     cmd_begin(&program, argc, argv, &args);
     read_options(&how);
     const char *input = args.operand_count ? args.operands[0] : NULL;
+    if (constraints && strcmp(constraints, "-") == 0 && (!input || strcmp(input, "-") == 0))
+        cmd_usage("the mesh and the constraints cannot both come from standard input");
     cmd_check_ending(args.output, "glb");
     cmd_check_ending(arrows_path, "ply");
     files[DIRFIELD_MESH].output = cmd_open_output(args.output, true);

@@ -39,7 +39,7 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
     struct hatch_field_figures figures;
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     if (reference && reference->mesh_count != scene.mesh_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%u meshes, the reference has %u", scene.mesh_count,
+        hatch_fail(&err, HATCH_BAD_INPUT, "meshes: %u, and %u in the reference", scene.mesh_count,
                    reference->mesh_count);
         cmd_die(name, &err);
     }

@@ -107,6 +107,8 @@ is "leaves no mesh" "$(ls full.glb .full* 2>/dev/null)" ""
 try dirfield torus.glb --report report.tsv --arrows report.tsv -o out.glb
 refused "two outputs in one place" "2 4" 2
 
+try dirfield --constraints - <torus.glb
+refused "two inputs from one pipe" 2 2
 try dirfield torus.glb --direction up
 refused "an unknown direction" 2 2
 try dirfield torus.glb --direction 400
