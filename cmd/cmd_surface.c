@@ -103,6 +103,6 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
         add(&sum, &notes);
     }
     warn(name, &sum, empty);
-    cmd_note("%u surfaces", sum.components);
+    cmd_note("%u surface%s", sum.components, sum.components == 1 ? "" : "s");
     return surfaces;
 }

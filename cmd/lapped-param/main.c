@@ -7,7 +7,7 @@
 #include "io/gltf.h"
 #include "lapped_param.h"
 
-#define TILES_ON_DIAGONAL 8 /* a tile is so much smaller than the scene unless --tile says otherwise */
+#define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */
 
 static double size, curved = 0.5, stretch = 1.3, turn_deg = 10, tile, roughness = 0.5, feather = 0.1;
 static int64_t mask_size = 256;
@@ -22,7 +22,7 @@ static const struct cmd_option options[] = {
     {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 10)", &turn_deg,
      NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
-     "side of a tile of hatching, in the scene's units (default: 1/8 of the diagonal)", &tile, NULL, NULL},
+     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, NULL},
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.5)",
      &roughness, NULL, NULL},
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.1)",
