@@ -14,4 +14,11 @@ for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave; do
             "$(node "$TOP/tests/interop/gltf_validator.mjs" shape.glb 2>&1)" "0 errors, 0 warnings"
     done
 done
+if command -v dirfield >/dev/null; then
+    for shape in plane ellipsoid; do
+        meshgen $shape | dirfield -q -o field.glb
+        is "the glTF validator on dirfield's $shape" \
+            "$(node "$TOP/tests/interop/gltf_validator.mjs" field.glb 2>&1)" "0 errors, 0 warnings"
+    done
+fi
 finish
