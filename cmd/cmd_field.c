@@ -1,4 +1,5 @@
 #include "cmd_field.h"
+#include "cmd_scene.h"
 
 #include <math.h>
 
@@ -34,7 +35,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
         size_t p = vertex_point[v];
         round_direction(&direction[3 * p], confidence[p], &directions[4 * v]);
     }
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CMD_FIELD_CREASE_RAD, &err), name, &err);
+    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CMD_CREASE_RAD, &err), name, &err);
     mesh->mesh = made;
     mesh->file_vertices = made.vertex_count;
     mesh->had_normals = true;

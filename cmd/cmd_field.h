@@ -11,7 +11,6 @@
 #define CMD_FIELD_SMOOTH 0.5
 #define CMD_FIELD_TOLERANCE 1e-6
 #define CMD_FIELD_ITERATIONS 10000
-#define CMD_FIELD_CREASE_RAD 1.0471975511965976f /* 60 degrees: sharper edges of files without normals stay sharp */
 
 /* Makes a mesh what its surface is, with _HATCH_DIR, and NORMAL where the file had none. Directions and confidences are rounded, so that no byte depends on a
  * processor's libm; each line's first number that is not 0 is positive. name: of the input, for messages.

@@ -47,28 +47,34 @@ static bool is_file(const char *path)
     return path && strcmp(path, "-") != 0;
 }
 
-void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
-                    struct hatch_scene *scene)
+void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                          struct hatch_scene *scene, struct hatch_mesh_notes *notes)
 {
     const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
-    struct hatch_mesh_notes notes = {0};
     struct hatch_mesh mesh;
     struct hatch_err err;
     enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
     if (format == HATCH_MESH_GLTF) {
         cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path,
-                                  &args->keep, &args->scratch, scene, &notes, &err),
+                                  &args->keep, &args->scratch, scene, notes, &err),
                   name, &err);
     } else {
-        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, &notes, &err),
+        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, notes, &err),
                   name, &err);
         if (care == CMD_SCENE_CLEANED)
-            cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
+            cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
         scene->meshes[0].loose = format == HATCH_MESH_STL;
         if (scene->meshes[0].loose)
-            notes.vertices_apart = 0;
+            notes->vertices_apart = 0;
     }
-    cmd_warn_mesh(name, &notes);
+}
+
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                    struct hatch_scene *scene)
+{
+    struct hatch_mesh_notes notes = {0};
+    cmd_read_scene_noted(args, path, care, scene, &notes);
+    cmd_warn_mesh(cmd_input_name(path), &notes);
 }

@@ -16,6 +16,14 @@ enum cmd_scene_care {
 void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
                     struct hatch_scene *scene);
 
+/* The same without a word: what there is to warn of is added to notes, for commands that may have to end
+ * with an error after all. */
+void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                          struct hatch_scene *scene, struct hatch_mesh_notes *notes);
+
+/* Where a file has no normals, edges that turn by more than 60 degrees stay sharp. */
+#define CMD_CREASE_RAD 1.0471975511965976f
+
 /* A warning for each thing that a mesh's user should know, repaired or not. */
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes);
 

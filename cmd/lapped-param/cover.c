@@ -1,4 +1,5 @@
 #include "cmd_field.h"
+#include "cmd_scene.h"
 #include "lapped_param.h"
 
 /* What covering a mesh needs and nothing later does. */
@@ -25,7 +26,7 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
     cmd_check(hatch_surface_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh,
                                  &vertex_point, &err),
               part->name, &err);
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_FIELD_CREASE_RAD, &err),
+    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_CREASE_RAD, &err),
               part->name, &err);
     part->mesh->mesh = mesh;
 }

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#define SIX 6u
-
 /* Darkness of one texel as a byte. A coloured map seen in grey gives its luminance. */
 static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t channel, bool color)
 {
@@ -105,8 +103,8 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
                                .count = map->tones,
                                .map_count = map->tones,
                                .color = map->color && form == COLUMNS_ARRAY};
-    if (form == COLUMNS_SIX && made.count > SIX)
-        made.count = SIX;
+    if (form == COLUMNS_SIX && made.count > COLUMNS_SIX_MOST)
+        made.count = COLUMNS_SIX_MOST;
     for (uint32_t i = 0; i < made.count; i++)
         made.targets[i] = map->target[chosen_column(&made, i)];
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

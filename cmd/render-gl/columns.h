@@ -7,6 +7,8 @@
 
 #include "tam/tam.h"
 
+#define COLUMNS_SIX_MOST 6u
+
 enum columns_form {
     COLUMNS_NONE,  /* the technique draws tone alone */
     COLUMNS_SIX,   /* six grey columns: the first four in a layer, the last four in another */

@@ -1,6 +1,7 @@
 #include "render-gl/job.h"
 
 #include "cmd_map.h"
+#include "cmd_scene.h"
 #include "render-gl/material.h"
 #include "render-gl/meter.h"
 #include "render-gl/picture.h"
@@ -10,23 +11,36 @@
 #define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
 #define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
 
+/* Dies where the options ask for what the scene does not have. */
+static void check_scene(const struct job *job)
+{
+    const struct options *options = &job->options;
+    const char *name = cmd_input_name(options->scene_path);
+    struct hatch_err err;
+    if (options->technique == TECHNIQUE_PATCHES)
+        cmd_check(load_check_patches(&job->scene, job->patches, &err), name, &err);
+    if (techniques[options->technique]->columns != COLUMNS_NONE)
+        cmd_check(load_check_texcoords(&job->scene, &err), name, &err);
+    if (options->animation_given && options->animation >= job->scene.animation_count) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
+                   job->scene.animation_count);
+        cmd_die(name, &err);
+    }
+}
+
 void job_read(struct job *job)
 {
     const struct options *options = &job->options;
-    struct hatch_err err;
-    load_scene(&job->args, options->scene_path, &job->scene, &job->patches);
+    struct hatch_mesh_notes notes = {0};
+    load_scene(&job->args, options->scene_path, &job->scene, &job->patches, &notes);
     if (options->map_path)
         cmd_read_map(&job->args, options->map_path, &job->map);
-    if (options->technique == TECHNIQUE_PATCHES)
-        cmd_check(load_check_patches(&job->scene, job->patches, &err),
-                  cmd_input_name(options->scene_path), &err);
-    if (techniques[options->technique]->columns != COLUMNS_NONE)
-        cmd_check(load_check_texcoords(&job->scene, &err), cmd_input_name(options->scene_path), &err);
-    if (options->animation > 0 && options->animation >= job->scene.animation_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
-                   job->scene.animation_count);
-        cmd_die(cmd_input_name(options->scene_path), &err);
-    }
+    check_scene(job);
+    cmd_warn_mesh(cmd_input_name(options->scene_path), &notes);
+    if (techniques[options->technique]->columns == COLUMNS_SIX && job->map.tones > COLUMNS_SIX_MOST)
+        cmd_warn(cmd_input_name(options->map_path),
+                 "%u of the map's %u columns are drawn, spread over it; tam-triple draws all",
+                 COLUMNS_SIX_MOST, job->map.tones);
 }
 
 static double time_of(const struct job *job, uint32_t frame)

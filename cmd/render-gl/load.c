@@ -3,13 +3,13 @@
 #include "cmd_scene.h"
 
 void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene,
-                struct patch_mesh **patches)
+                struct patch_mesh **patches, struct hatch_mesh_notes *notes)
 {
     struct hatch_err err;
-    cmd_read_scene(args, path, CMD_SCENE_CLEANED, scene);
+    cmd_read_scene_noted(args, path, CMD_SCENE_CLEANED, scene, notes);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, 0.0f,
-                                         &err),
+        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh,
+                                         CMD_CREASE_RAD, &err),
                   cmd_input_name(path), &err);
     cmd_check(patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path),
               &err);

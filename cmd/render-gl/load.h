@@ -7,9 +7,9 @@
 #include "render-gl/patches.h"
 
 /* A glTF with its companions, or one mesh; path NULL is standard input. Patches of lapped meshes are
- * joined: *patches, of each of the scene's meshes. */
+ * joined: *patches, of each of the scene's meshes. notes: what to warn of is added. */
 void load_scene(struct cmd_args *args, const char *path, struct hatch_scene *scene,
-                struct patch_mesh **patches);
+                struct patch_mesh **patches, struct hatch_mesh_notes *notes);
 
 /* HATCH_BAD_INPUT when there are none. */
 enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct patch_mesh *patches,

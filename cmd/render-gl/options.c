@@ -324,6 +324,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .animated = animation_given || time_given ||
                                             (frames_given && !turntable) || window,
                                 .animation = (uint32_t)animation,
+                                .animation_given = animation_given,
                                 .timed_frames = (uint32_t)timed_frames,
                                 .probe = probe,
                                 .window = window};

@@ -22,6 +22,7 @@ struct options {
     double time_s, rate;     /* of the first frame, frames a second */
     bool animated;           /* false: the rest pose */
     uint32_t animation;
+    bool animation_given;
     uint32_t timed_frames;   /* 0: draw a picture */
     bool probe, window;
 };

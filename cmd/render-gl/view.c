@@ -137,8 +137,8 @@ static enum hatch_status look_through(uint32_t index, const struct pose *pose,
     return HATCH_OK;
 }
 
-static void look_from(const struct view_choice *choice, const struct bounds *bounds,
-                      struct view *view)
+static enum hatch_status look_from(const struct view_choice *choice, const struct bounds *bounds,
+                                   struct view *view, struct hatch_err *err)
 {
     double back[3];
     for (int k = 0; k < 3; k++) {
@@ -147,10 +147,15 @@ static void look_from(const struct view_choice *choice, const struct bounds *bou
         view->eye[k] = (choice->eye[k] - bounds->center[k]) / bounds->radius;
         back[k] = view->eye[k] - target;
     }
+    if (!(dot(back, back) > 0))
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "the camera stands on what it looks at: "
+                          "--camera X,Y,Z:X,Y,Z names the place and something else to look at");
     view->half_height = tan(0.5 * choice->fov_rad);
     view->near = 1e-4;
     view->pivot = fmax(sqrt(dot(back, back)), 1e-3);
     view_set_back(view, back);
+    return HATCH_OK;
 }
 
 /* The first camera that a node shows, or HATCH_NONE. */
@@ -180,7 +185,7 @@ enum hatch_status view_make(const struct view_choice *choice, struct pose *pose,
     if (!view_is_fixed(choice, pose->scene))
         HATCH_TRY(look_through(camera, pose, bounds, aspect, &made, err));
     else if (choice->kind == VIEW_EYE)
-        look_from(choice, bounds, &made);
+        HATCH_TRY(look_from(choice, bounds, &made, err));
     else
         HATCH_TRY(frame_scene(choice, pose, span, bounds, scratch, &made, err));
     *view = made;

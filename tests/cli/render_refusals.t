@@ -23,6 +23,14 @@ refuses "directions where there are none" 3 1 dirfield $draw torus.glb --show fi
 refuses "two things to show" 2 2 "--show" $draw torus.glb --show field --technique tam --tam map.exr
 refuses "a camera that is not there" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
 refuses "an animation that is not there" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
+refuses "an animation where there is none" 3 1 "animation 0" $draw torus.glb --tam map.exr --animation 0
+refuses "a camera on what it looks at" 3 1 "X,Y,Z:X,Y,Z" \
+    $draw torus.glb --tam map.exr --camera 0,1,2:0,1,2
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n' >dirty.obj
+refuses "one cause, one line" 3 1 lapped-param $draw dirty.obj --tam map.exr
+try $draw dirty.obj -t gouraud
+is "a picture all the same, with a warning" "$status $(grep -c warning .err)" "0 1"
+rm -f picture.png
 refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
 refuses "samples that are no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
 refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
@@ -47,6 +55,12 @@ sed -i 's/void main()/void main(/' shaders/tam.frag
 refuses "a shader with an error, and its file" 3 1 tam.frag \
     $draw torus.glb --tam map.exr --shader-dir shaders
 refuses "no shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
+
+tamgen --size 64 --levels 1 --tones 8 -o eight.exr
+try $draw torus.glb --tam eight.exr
+is "six of eight columns, in one warning" "$status $(wc -l <.err) $(grep -c "8 columns" .err)" "0 1 1"
+try $draw torus.glb --tam eight.exr --technique tam-triple
+is "all eight, in three passes" "$status $(cat .err)" "0 "
 
 render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable -o 'turn%02d.png'
 is "frames have numbers" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
