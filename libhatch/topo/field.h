@@ -3,7 +3,11 @@
  * Both methods weigh smoothness over edges against agreement with data at points (curvature
  * directions and constraints), by one energy of z = r e^(2iθ), a complex number a point:
  *     E(z) = Σ_edges w |z_p − turn(z_q)|²  +  Σ_points m |z_p − d_p|²
- * with w of the frames, d the data and m its weight, which `smooth`, confidence and area make.
+ * with w of the frames, d the data and m its weight,
+ *     m = area c / (1 − c) / length²,  length = 0.005 √(area of the component) (smooth / (1 − smooth))²
+ * so that confidence c counts as odds, like the inverse of a variance (c = 1/2: a smoothing length of `length`;
+ * the more certain the shorter: clean data is not smoothed away), and so that a number for `smooth` means the
+ * same at any scale and any resolution.
  * linear lets the lengths |z| go free: E has one minimum, found by a sparse solve (Knöppel et al.
  * 2013 §4, aligned). hz keeps |z| = 1: then E is, but for a constant, the paper's sum of −cos
  * 2(θ_p − turned θ_q) and −cos 2(θ_p − data), non-linear, started from the data (Hertzmann &
@@ -21,7 +25,7 @@ enum hatch_field_solver { HATCH_FIELD_MULTIGRID, HATCH_FIELD_CHOLESKY }; /* of l
 /* What the field should agree with, per point. */
 struct hatch_field_data {
     const double *direction;  /* 3: any length, its part in the tangent plane counts */
-    const double *confidence; /* 0 .. 1: weight of the term; 0 leaves the point to its neighbours */
+    const double *confidence; /* 0 .. 1: its odds weigh the term; 0 leaves the point to its neighbours, 1 holds it */
     const double *hard;       /* NULL, or per point the weight of a direction given by hand: 0 none; over 0: direction
                                  is that one, and m is this times the sum of the point's edge weights, whatever
                                  `smooth` and the confidence say */
@@ -31,8 +35,7 @@ struct hatch_field_options {
     enum hatch_field_method method;
     enum hatch_field_solver solver;
     double smooth;       /* 0 .. 1, no dimension: 0 keeps the data as it is, 1 keeps no more of it than the smoothest
-                            field needs to be turned one way; the same number means the same at any scale,
-                            resolution and position */
+                            field needs to be turned one way */
     double tolerance;    /* multigrid, hz: relative residual at which to stop, 1e-12 .. 1e-1 */
     uint32_t iterations_max;
 };
@@ -45,7 +48,8 @@ struct hatch_field {
     double residual;     /* relative, at the end */
     double energy[2];    /* E of the unit field, its two sums: smoothness, data */
     double solved;       /* E of z as solved (linear; hz: of the unit field) */
-    uint32_t undirected; /* components that have no data at all: their field is smooth and arbitrary */
+    uint32_t undirected; /* components without data (a mean confidence under 0.001 and nothing given by hand): their
+                            field is the smoothest there is, otherwise arbitrary */
 };
 
 enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const struct hatch_frames *frames,
@@ -65,8 +69,8 @@ int hatch_field_face_index(const struct hatch_surface *surface, const struct hat
                            const double *direction, uint32_t face);
 
 /* The field of a mesh that carries `_HATCH_DIR` (three floats of direction, one of confidence):
- * per point the mean line of its vertices, weighed by confidence, in the tangent plane. What is
- * not finite or has no tangent part counts as confidence 0; false when the mesh has none.
+ * per point the mean line of its faces' vertices there, weighed by confidence, in the tangent plane.
+ * What is not finite or has no tangent part counts as confidence 0; false when the mesh has none.
  * direction: 3 a point; confidence: one. */
 bool hatch_field_of_mesh(const struct hatch_surface *surface, const struct hatch_frames *frames,
                          const struct hatch_mesh *mesh, double *direction, double *confidence);

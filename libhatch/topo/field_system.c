@@ -13,8 +13,9 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
     hatch_vec_cross(&frames->normal[(size_t)point * 3], axis, side);
     double x = hatch_vec_dot(direction, axis), y = hatch_vec_dot(direction, side);
     double most = fmax(fabs(x), fabs(y));
+    double along = fabs(hatch_vec_dot(direction, &frames->normal[(size_t)point * 3]));
     z[0] = z[1] = 0;
-    if (!(most > 0) || !isfinite(x) || !isfinite(y))
+    if (!(most > HATCH_FRAMES_ROUNDING * along) || !isfinite(x) || !isfinite(y))
         return;
     x /= most;
     y /= most;
@@ -27,6 +28,7 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
  * has none. */
 #define MASS_MAX 1e6
 #define CONFIDENCE_MIN 1e-3
+#define LENGTH_SHARE 0.005 /* of the root of the component's area, at smooth 0.5 */
 
 static double edge_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
 {
@@ -49,8 +51,9 @@ struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surfac
         known += frames->area[p] * data->confidence[p];
         hard = hard || (data->hard && data->hard[p] > 0);
     }
+    double knob = smooth / fmax(1 - smooth, 1e-3);
     return (struct hatch_field_scale){.directed = hard || known >= CONFIDENCE_MIN * area,
-                                      .length = sqrt(area) * smooth / fmax(1 - smooth, 1e-3)};
+                                      .length = LENGTH_SHARE * sqrt(area) * knob * knob};
 }
 
 double hatch_field_mass(const struct hatch_surface *surface, const struct hatch_frames *frames,
@@ -67,8 +70,8 @@ double hatch_field_mass(const struct hatch_surface *surface, const struct hatch_
         return data->hard[point] * edges;
     if (!(confidence > 0))
         return 0;
-    return fmin(frames->area[point] * confidence / (scale->length * scale->length),
-                MASS_MAX * confidence * edges);
+    double most = MASS_MAX * confidence * edges, odds = confidence / (1 - confidence);
+    return fmin(frames->area[point] * odds / (scale->length * scale->length), most);
 }
 
 void hatch_field_system_energy(const struct hatch_surface *surface, const struct hatch_field_system *system,

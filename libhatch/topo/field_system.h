@@ -28,7 +28,7 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
 /* What a component's data weighs. */
 struct hatch_field_scale {
     bool directed;  /* false: no data to speak of; all masses are 0 */
-    double length;  /* over which the field is smoothed where confidence is 1, in mean edges */
+    double length;  /* over which the field is smoothed where confidence is 1/2, in mean edges */
 };
 
 struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surface,

@@ -209,7 +209,9 @@ double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, con
     const double *axis = &frames->axis[(size_t)point * 3];
     double side[3];
     hatch_vec_cross(&frames->normal[(size_t)point * 3], axis, side);
-    return atan2(hatch_vec_dot(direction, side), hatch_vec_dot(direction, axis));
+    double x = hatch_vec_dot(direction, axis), y = hatch_vec_dot(direction, side);
+    double along = fabs(hatch_vec_dot(direction, &frames->normal[(size_t)point * 3]));
+    return fmax(fabs(x), fabs(y)) > HATCH_FRAMES_ROUNDING * along ? atan2(y, x) : 0;
 }
 
 void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,

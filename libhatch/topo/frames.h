@@ -24,6 +24,9 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
+/* What rounding leaves in the plane of a vector along the normal, as a share of it: counts as nothing. */
+#define HATCH_FRAMES_ROUNDING 1e-14
+
 /* The angle of a direction (any vector; its part in the plane counts) at a point, and back. A
  * vector along the normal has angle 0. */
 double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3]);

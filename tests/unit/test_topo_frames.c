@@ -1,0 +1,184 @@
+#include "fail_alloc.h"
+#include "field_make.h"
+
+/* The ring entries of a point. */
+#define FOR_RING(of, p, i)                                                                         \
+    for (uint32_t i = (of)->surface.ring_first[p]; i < (of)->surface.ring_first[(p) + 1]; i++)
+
+/* A direction carried along an entry and back is itself; both ends agree on the weight. */
+static void check_entries(const struct field_case *of)
+{
+    for (uint32_t p = 0; p < of->surface.point_count; p++)
+        FOR_RING(of, p, i)
+        {
+            uint32_t mate = of->frames.mate[i];
+            bool turned = of->surface.ring_turned[i];
+            double there = of->frames.turn_rad[mate] + (turned ? -0.7 : 0.7);
+            double back = of->frames.turn_rad[i] + (turned ? -there : there);
+            ck_assert_uint_eq(of->frames.mate[mate], i);
+            ck_assert_uint_eq(of->surface.ring_point[mate], p);
+            ck_assert_double_eq_tol(remainder(back - 0.7, 2 * PI), 0, 1e-12);
+            ck_assert_double_gt(of->frames.weight[i], 0);
+            ck_assert_double_eq(of->frames.weight[i], of->frames.weight[mate]);
+        }
+    for (uint32_t i = 0; i < 3 * of->surface.face_count; i++)
+        ck_assert_uint_eq(of->surface.ring_face[of->frames.entry[i]], i / 3);
+}
+
+static void check_planes(const struct field_case *of)
+{
+    for (uint32_t p = 0; p < of->surface.point_count; p++) {
+        const double *normal = &of->frames.normal[3 * (size_t)p], *axis = &of->frames.axis[3 * (size_t)p];
+        ck_assert_double_eq_tol(hatch_vec_length(normal), 1, 1e-12);
+        ck_assert_double_eq_tol(hatch_vec_length(axis), 1, 1e-12);
+        ck_assert_double_eq_tol(hatch_vec_dot(normal, axis), 0, 1e-12);
+        for (int k = -3; k <= 3; k++) {
+            double line[3];
+            hatch_frames_direction(&of->frames, p, k, line);
+            ck_assert_double_eq_tol(hatch_frames_angle(&of->frames, p, line), k, 1e-12);
+        }
+        ck_assert_double_eq(hatch_frames_angle(&of->frames, p, normal), 0);
+    }
+}
+
+START_TEST(frames_of_every_shape_are_sound)
+{
+    for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
+        struct field_case of = case_of_shape((enum hatch_shape)shape, 500, 1);
+        check_entries(&of);
+        check_planes(&of);
+    }
+    struct field_case mobius = case_of_band(20, 4, false), klein = case_of_band(24, 12, true);
+    ck_assert(!mobius.surface.components[0].orientable && !klein.surface.components[0].orientable);
+    check_entries(&mobius);
+    check_planes(&mobius);
+    check_entries(&klein);
+    check_planes(&klein);
+}
+END_TEST
+
+/* The angles of all rings, scaled, exceed half a turn a face by 2π times the Euler characteristic. */
+START_TEST(scaled_angles_sum_to_gauss_and_bonnet)
+{
+    const struct field_case cases[] = {case_of_shape(HATCH_SHAPE_SPHERE, 400, 1),
+                                       case_of_shape(HATCH_SHAPE_TORUS, 400, 1), case_of_band(24, 12, true)};
+    for (size_t k = 0; k < 3; k++) {
+        const struct field_case *of = &cases[k];
+        double sum = 0;
+        for (uint32_t i = 0; i < 3 * of->surface.face_count; i++)
+            sum += hatch_frames_corner(&of->surface, &of->frames, of->surface.corners[i], of->frames.entry[i]);
+        ck_assert_double_eq_tol(sum - PI * of->surface.face_count, 2 * PI * of->surface.components[0].euler, 1e-8);
+    }
+}
+END_TEST
+
+START_TEST(a_plane_carries_directions_as_they_are)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 300, 1);
+    const double line[3] = {0.6, 0.8, 0};
+    double area = 0;
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        ck_assert_double_eq_tol(of.frames.normal[3 * (size_t)p + 2], 1, 1e-9);
+        area += of.frames.area[p];
+        FOR_RING(&of, p, i)
+        {
+            double there = hatch_frames_angle(&of.frames, of.surface.ring_point[i], line);
+            double turn = there + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, line);
+            ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-6);
+        }
+    }
+    double scale = of.surface.components[0].scale;
+    ck_assert_double_eq_tol(area * scale * scale, 4, 1e-5);
+}
+END_TEST
+
+/* Along a meridian's edge a sphere's direction to the pole stays one. */
+START_TEST(a_sphere_carries_the_meridian_along_itself)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_SPHERE, 4000, 0);
+    for (uint32_t p = 0; p < of.surface.point_count; p++)
+        FOR_RING(&of, p, i)
+        {
+            uint32_t q = of.surface.ring_point[i];
+            const double *a = &of.surface.points[3 * (size_t)p], *b = &of.surface.points[3 * (size_t)q];
+            double at[3], cross = a[0] * b[2] - a[2] * b[0];
+            hatch_vec_copy(a, at);
+            hatch_vec_normalize(at);
+            if (fabs(at[1]) > 0.9 || fabs(cross) > 1e-3)
+                continue;
+            const double up[3] = {0, 1, 0};
+            double turn = hatch_frames_angle(&of.frames, q, up) + of.frames.turn_rad[i] -
+                          hatch_frames_angle(&of.frames, p, up);
+            ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-3);
+        }
+}
+END_TEST
+
+/* A needle's cotangents are 500 and -250: its weights are bounded and positive. */
+START_TEST(slivers_have_sober_weights)
+{
+    struct hatch_mesh mesh;
+    const float places[4][3] = {{0, 0, 0}, {1, 0, 0}, {0.5f, 0.001f, 0}, {0.5f, -0.001f, 0}};
+    const uint32_t faces[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, 2, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, places, sizeof places);
+    memcpy(mesh.indices, faces, sizeof faces);
+    struct field_case of = case_of(mesh);
+    check_entries(&of);
+    check_planes(&of);
+    for (uint32_t i = 0; i < of.surface.ring_first[4]; i++) {
+        ck_assert_double_ge(of.frames.weight[i], 0.025);
+        ck_assert_double_le(of.frames.weight[i], 20);
+    }
+}
+END_TEST
+
+/* A vertex that everything meets: time must not grow with the square of its valence. */
+START_TEST(a_fan_of_many_faces_takes_no_longer_than_its_faces)
+{
+    struct hatch_mesh mesh;
+    const uint32_t count = 50000;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, count + 1, count, &mesh, &err), &err);
+    for (uint32_t i = 0; i < count; i++) {
+        mesh.attributes[0].data[3 * i] = (float)cos(2 * PI * i / count);
+        mesh.attributes[0].data[3 * i + 1] = (float)sin(2 * PI * i / count);
+        const uint32_t face[3] = {i, (i + 1) % count, count};
+        memcpy(&mesh.indices[3 * (size_t)i], face, sizeof face);
+    }
+    struct field_case of = case_of(mesh);
+    ck_assert_uint_eq(of.surface.component_count, 1);
+    check_entries(&of);
+}
+END_TEST
+
+static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                              struct hatch_err *why)
+{
+    struct field_case *of = context;
+    return hatch_frames_make(&of->surface, to, temporary, &of->frames, why);
+}
+
+START_TEST(frames_survive_every_failed_allocation)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, 100, 0);
+    hatch_test_fail_alloc(make, &of, &of.frames, sizeof of.frames);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("topo frames");
+    TCase *tests = tcase_create("frames");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, frames_of_every_shape_are_sound);
+    tcase_add_test(tests, scaled_angles_sum_to_gauss_and_bonnet);
+    tcase_add_test(tests, a_plane_carries_directions_as_they_are);
+    tcase_add_test(tests, a_sphere_carries_the_meridian_along_itself);
+    tcase_add_test(tests, slivers_have_sober_weights);
+    tcase_add_test(tests, a_fan_of_many_faces_takes_no_longer_than_its_faces);
+    tcase_add_test(tests, frames_survive_every_failed_allocation);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
