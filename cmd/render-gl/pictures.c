@@ -12,29 +12,21 @@ static bool wants_exr(const char *path)
     return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
 }
 
-static enum hatch_status encode_exr(const struct hatch_image *image, struct hatch_arena *arena,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+static enum hatch_status encode(const char *path, const struct hatch_image *image,
+                                struct hatch_arena *scratch, struct hatch_buffer *file,
+                                struct hatch_err *err)
 {
     struct hatch_image level = *image;
-    struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
-    struct hatch_exr_writer *writer;
-    HATCH_TRY(hatch_exr_begin(&part, 1, arena, &writer, err));
-    enum hatch_status status = hatch_exr_add_part(writer, 0, &part, err);
-    if (status != HATCH_OK) {
-        hatch_exr_abandon(writer);
-        return status;
-    }
-    return hatch_exr_end(writer, file, err);
+    const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
+    return wants_exr(path) ? hatch_exr_write(&part, scratch, file, err)
+                           : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, err);
 }
 
 void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
                      struct hatch_buffer *file)
 {
     struct hatch_err err;
-    cmd_check(wants_exr(path)
-                  ? encode_exr(image, file->arena, file, &err)
-                  : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, &err),
-              path, &err);
+    cmd_check(encode(path, image, scratch, file, &err), path, &err);
 }
 
 void pictures_write(struct job *job)

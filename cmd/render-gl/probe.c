@@ -1,6 +1,7 @@
 /* What the picture uses of scene and map, as TSV or JSON. */
 #include <math.h>
 
+#include "cmd_report.h"
 #include "render-gl/job.h"
 #include "render-gl/picture.h"
 
@@ -70,72 +71,66 @@ static void measure(struct job *job, struct probe *probe)
     target_free(&target);
 }
 
-static enum hatch_status print_row(const struct job *job, const char *thing, uint32_t index,
-                                   double value, const char *unit, struct hatch_buffer *text,
-                                   struct hatch_err *err)
+static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value,
+                       const char *unit)
 {
-    if (!job->args.json)
-        return hatch_buffer_print(text, err, "%s\t%u\t%.10g\t%s\n", thing, index, value, unit);
-    return hatch_buffer_print(
-        text, err, "%s\n  {\"thing\": \"%s\", \"index\": %u, \"value\": %.10g, \"unit\": \"%s\"}",
-        text->size > 1 ? "," : "", thing, index, value, unit);
+    cmd_report_text(report, thing);
+    cmd_report_whole(report, index);
+    if (value == floor(value))
+        cmd_report_whole(report, (uint64_t)value); /* all digits of a number of texels */
+    else
+        cmd_report_number(report, value);
+    cmd_report_text(report, unit);
 }
 
-static enum hatch_status print_map(const struct job *job, const struct probe *probe,
-                                   struct hatch_buffer *text, struct hatch_err *err)
+static void report_map(struct cmd_report *report, const struct hatch_tam *map,
+                       const struct probe *probe)
 {
-    const struct hatch_tam *map = &job->map;
     double drawn = probe->drawn ? (double)probe->drawn : 1.0, used = 0, whole = 0;
     uint32_t tones = 0;
     for (uint32_t i = 0; i < map->tones; i++) {
         tones += probe->tones[i] > 0;
-        HATCH_TRY(print_row(job, "tone", i, (double)probe->tones[i] / drawn, "of the scene's pixels",
-                            text, err));
+        report_row(report, "tone", i, (double)probe->tones[i] / drawn, "of the scene's pixels");
     }
     for (uint32_t i = 0; i < map->columns[0].level_count; i++) {
         double size = hatch_mip_size(map->size_px, i);
         whole += size * size * map->tones;
         used += probe->levels[i] ? size * size * tones : 0;
-        HATCH_TRY(print_row(job, "level", i, (double)probe->levels[i] / drawn,
-                            "of the scene's pixels", text, err));
+        report_row(report, "level", i, (double)probe->levels[i] / drawn, "of the scene's pixels");
     }
-    HATCH_TRY(print_row(job, "bare", 0, (double)probe->bare / drawn, "of the scene's pixels", text,
-                        err));
-    HATCH_TRY(print_row(job, "magnified", 0, (double)probe->magnified / drawn,
-                        "of the scene's pixels", text, err));
-    HATCH_TRY(print_row(job, "used", 0, used, "texels", text, err));
-    return print_row(job, "map", 0, whole, "texels", text, err);
+    report_row(report, "bare", 0, (double)probe->bare / drawn, "of the scene's pixels");
+    report_row(report, "magnified", 0, (double)probe->magnified / drawn, "of the scene's pixels");
+    report_row(report, "used", 0, used, "texels");
+    report_row(report, "map", 0, whole, "texels");
 }
 
-static enum hatch_status print(const struct job *job, const struct probe *probe,
-                               struct hatch_buffer *text, struct hatch_err *err)
+static void report_all(struct cmd_report *report, const struct job *job, const struct probe *probe)
 {
     const struct gpu_scene *gpu = &job->gpu;
     double faces = 0;
     for (uint32_t i = 0; i < gpu->item_count; i++)
         faces += gpu->meshes[gpu->items[i].mesh].index_count / 3;
-    HATCH_TRY(hatch_buffer_print(text, err, job->args.json ? "[" : "thing\tindex\tvalue\tunit\n"));
-    HATCH_TRY(print_row(job, "items", 0, gpu->item_count, "", text, err));
-    HATCH_TRY(print_row(job, "faces", 0, faces, "", text, err));
-    HATCH_TRY(print_row(job, "lights", 0, job->renderer.block.counts[0], "", text, err));
-    HATCH_TRY(print_row(job, "drawn", 0, (double)probe->drawn / (double)probe->pixels,
-                        "of the picture's pixels", text, err));
-    HATCH_TRY(print_map(job, probe, text, err));
+    report_row(report, "items", 0, gpu->item_count, "");
+    report_row(report, "faces", 0, faces, "");
+    report_row(report, "lights", 0, job->renderer.block.counts[0], "");
+    report_row(report, "drawn", 0, (double)probe->drawn / (double)probe->pixels, "of the picture's pixels");
+    report_map(report, &job->map, probe);
     for (uint32_t i = 0; i < gpu->item_count; i++) {
-        HATCH_TRY(print_row(job, "charts", i, gpu->items[i].chart_count, "", text, err));
-        HATCH_TRY(print_row(job, "repeat-u", i, (double)gpu->items[i].repeat[0], "tiles", text, err));
-        HATCH_TRY(print_row(job, "repeat-v", i, (double)gpu->items[i].repeat[1], "tiles", text, err));
+        report_row(report, "charts", i, gpu->items[i].chart_count, "");
+        report_row(report, "repeat-u", i, (double)gpu->items[i].repeat[0], "tiles");
+        report_row(report, "repeat-v", i, (double)gpu->items[i].repeat[1], "tiles");
     }
-    return job->args.json ? hatch_buffer_print(text, err, "\n]\n") : HATCH_OK;
 }
 
 void probe_report(struct job *job)
 {
+    static const char *const columns[] = {"thing", "index", "value", "unit", NULL};
+    struct cmd_report report;
     struct hatch_err err;
     struct probe *probe = HATCH_NEW(&job->args.keep, struct probe, 1, &err);
     cmd_check(probe ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     measure(job, probe);
-    struct hatch_buffer text = {.arena = &job->args.keep};
-    cmd_check(print(job, probe, &text, &err), NULL, &err);
-    cmd_write(job->outputs[0], text.data, text.size);
+    cmd_report_begin(&report, &job->args, columns);
+    report_all(&report, job, probe);
+    cmd_report_write(&report, job->outputs[0]);
 }

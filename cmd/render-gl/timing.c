@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd_report.h"
 #include "render-gl/job.h"
 
 #define WARM_UP 3u
@@ -70,60 +71,32 @@ static uint32_t measure(struct job *job, const struct target *target, struct ser
     return last + 1;
 }
 
-/* Median and quartiles of one clock's times. */
-static enum hatch_status print_times(struct hatch_buffer *text, bool json, const char *clock,
-                                     double *ms, uint32_t frames, struct hatch_err *err)
+static void report_times(struct cmd_report *report, double *ms, uint32_t frames)
 {
     qsort(ms, frames, sizeof *ms, compare);
-    double median = quantile(ms, frames, 0.5);
-    double low = quantile(ms, frames, 0.25), high = quantile(ms, frames, 0.75);
-    if (json)
-        return hatch_buffer_print(text, err,
-                                  ", \"%s_ms\": %.4f, \"%s_low_ms\": %.4f, \"%s_high_ms\": %.4f",
-                                  clock, median, clock, low, clock, high);
-    return hatch_buffer_print(text, err, "\t%.4f\t%.4f\t%.4f", median, low, high);
+    cmd_report_number(report, quantile(ms, frames, 0.5));
+    cmd_report_number(report, quantile(ms, frames, 0.25));
+    cmd_report_number(report, quantile(ms, frames, 0.75));
 }
 
-static enum hatch_status print_span(const struct job *job, const struct series *span,
-                                    struct hatch_buffer *text, struct hatch_err *err)
+static void report_span(struct cmd_report *report, const struct job *job, const struct series *span)
 {
-    const char *technique = techniques[span->technique]->name;
     uint32_t frames = job->options.timed_frames;
-    bool json = job->args.json;
-    if (json)
-        HATCH_TRY(hatch_buffer_print(text, err, "    {\"technique\": \"%s\", \"span\": \"%s\"",
-                                     technique, span->name));
-    else
-        HATCH_TRY(hatch_buffer_print(text, err, "%s\t%s\t%u", technique, span->name, frames));
-    HATCH_TRY(print_times(text, json, "gpu", span->gpu_ms, frames, err));
-    HATCH_TRY(print_times(text, json, "wall", span->wall_ms, frames, err));
-    return hatch_buffer_print(text, err, json ? "}" : "\n");
-}
-
-static enum hatch_status print(const struct job *job, const struct series *series, uint32_t count,
-                               struct hatch_buffer *text, struct hatch_err *err)
-{
-    bool json = job->args.json;
-    if (json)
-        HATCH_TRY(hatch_buffer_print(text, err,
-                                     "{\n  \"device\": \"%s\",\n  \"frames\": %u,\n"
-                                     "  \"spans\": [\n",
-                                     job->context.device, job->options.timed_frames));
-    else
-        HATCH_TRY(hatch_buffer_print(text, err,
-                                     "technique\tspan\tframes\tgpu_ms\tgpu_low_ms\tgpu_high_ms\t"
-                                     "wall_ms\twall_low_ms\twall_high_ms\n"));
-    for (uint32_t i = 0; i < count; i++) {
-        HATCH_TRY(print_span(job, &series[i], text, err));
-        if (json)
-            HATCH_TRY(hatch_buffer_print(text, err, i + 1 < count ? ",\n" : "\n  ]\n}\n"));
-    }
-    return HATCH_OK;
+    cmd_report_text(report, techniques[span->technique]->name);
+    cmd_report_text(report, span->name);
+    cmd_report_whole(report, frames);
+    report_times(report, span->gpu_ms, frames);
+    report_times(report, span->wall_ms, frames);
+    cmd_report_text(report, job->context.device);
 }
 
 void timing_report(struct job *job)
 {
+    static const char *const columns[] = {
+        "technique", "span",        "frames",       "gpu_ms", "gpu_low_ms", "gpu_high_ms",
+        "wall_ms",   "wall_low_ms", "wall_high_ms", "device", NULL};
     struct hatch_arena *keep = &job->args.keep;
+    struct cmd_report report;
     struct hatch_err err;
     struct series series[SERIES_MAX];
     struct clock clock;
@@ -145,9 +118,10 @@ void timing_report(struct job *job)
     clock_make(&clock);
     job->renderer.clock = &clock;
     uint32_t count = measure(job, &target, series);
-    struct hatch_buffer text = {.arena = keep};
-    cmd_check(print(job, series, count, &text, &err), NULL, &err);
+    cmd_report_begin(&report, &job->args, columns);
+    for (uint32_t i = 0; i < count; i++)
+        report_span(&report, job, &series[i]);
     clock_free(&clock);
     target_free(&target);
-    cmd_write(job->outputs[0], text.data, text.size);
+    cmd_report_write(&report, job->outputs[0]);
 }

@@ -122,14 +122,7 @@ static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index,
                                     struct hatch_arena *scratch, struct hatch_buffer *file,
                                     struct hatch_err *err)
 {
-    struct hatch_exr_writer *writer = NULL;
-    const struct hatch_mipmap *column = &job->tam.columns[index];
-    HATCH_TRY(hatch_exr_begin(column, 1, scratch, &writer, err));
-    enum hatch_status status = hatch_exr_add_part(writer, 0, column, err);
-    if (status == HATCH_OK)
-        return hatch_exr_end(writer, file, err);
-    hatch_exr_abandon(writer);
-    return status;
+    return hatch_exr_write(&job->tam.columns[index], scratch, file, err);
 }
 
 const struct pack_layout pack_layouts[] = {

@@ -42,4 +42,8 @@ enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_bu
  */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
+/* A whole file of one part. */
+enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,
+                                  struct hatch_buffer *file, struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

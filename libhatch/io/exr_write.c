@@ -358,3 +358,15 @@ void hatch_exr_abandon(struct hatch_exr_writer *writer)
     for (uint32_t i = 0; writer && i < writer->part_count; i++)
         hatch_arena_free(&writer->parts[i].arena);
 }
+
+enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,
+                                  struct hatch_buffer *file, struct hatch_err *err)
+{
+    struct hatch_exr_writer *writer;
+    HATCH_TRY(hatch_exr_begin(part, 1, scratch, &writer, err));
+    enum hatch_status status = hatch_exr_add_part(writer, 0, part, err);
+    if (status == HATCH_OK)
+        return hatch_exr_end(writer, file, err);
+    hatch_exr_abandon(writer);
+    return status;
+}

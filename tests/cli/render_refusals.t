@@ -70,7 +70,7 @@ json() {
     perl -MJSON::PP -e 'local $/; print ref decode_json(<STDIN>)'
 }
 render-gl torus.glb --tam map.exr --size 64x48 --time 2 --json >times.json
-is "--time --json is JSON" "$(json <times.json)" HASH
+is "--time --json is JSON" "$(json <times.json)" ARRAY
 render-gl torus.glb --tam map.exr --size 64x48 --time 2 >times.tsv
 is "--time tells the frame and the reference" \
     "$(awk -F'\t' '$2 == "frame" {print $1}' times.tsv | tr '\n' ' ')" "tam gouraud "
