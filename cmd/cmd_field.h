@@ -12,9 +12,10 @@
 #define CMD_FIELD_TOLERANCE 1e-6
 #define CMD_FIELD_ITERATIONS 10000
 
-/* Makes a mesh what its surface is, with _HATCH_DIR, and NORMAL where the file had none. Directions and confidences are rounded, so that no byte depends on a
- * processor's libm; each line's first number that is not 0 is positive. name: of the input, for messages.
- * direction, confidence: per point. Memory: args->keep. Dies on failure. */
+/* Makes a mesh what its surface is, with _HATCH_DIR, and NORMAL where the file had none. Directions and
+ * confidences are rounded, so that no byte depends on a processor's libm; each line's first number that is
+ * not 0 is positive. name: of the input, for messages. direction, confidence: per point. Memory:
+ * args->keep. Dies on failure. */
 void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                       const double *direction, const double *confidence, struct hatch_scene_mesh *mesh);
 

@@ -55,6 +55,7 @@ static enum hatch_status write_scene(const struct hatch_scene *scene, const char
                                      const char *comment, struct hatch_arena *scratch,
                                      struct hatch_buffer *file, struct hatch_err *err)
 {
+    assert(file->arena != scratch);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_glb glb = {
         .scene = scene, .name = name, .scratch = scratch, .err = err, .json = {.arena = scratch}};

@@ -14,11 +14,30 @@ for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave; do
             "$(node "$TOP/tests/interop/gltf_validator.mjs" shape.glb 2>&1)" "0 errors, 0 warnings"
     done
 done
-if command -v dirfield >/dev/null; then
-    for shape in plane ellipsoid; do
-        meshgen $shape | dirfield -q -o field.glb
-        is "the glTF validator on dirfield's $shape" \
-            "$(node "$TOP/tests/interop/gltf_validator.mjs" field.glb 2>&1)" "0 errors, 0 warnings"
-    done
+validated() {
+    is "the glTF validator on $1" "$(node "$TOP/tests/interop/gltf_validator.mjs" "$1" 2>&1)" "0 errors, 0 warnings"
+}
+# kept WHAT FROM TO
+kept() {
+    is "$1 keeps nodes, cameras, lights, skins, animations and attributes" \
+        "$(node "$TOP/tests/interop/gltf_kept.mjs" "$2" "$3" 2>&1)" kept
+}
+if [ -x "$BUILD/tests/interop/samples" ]; then
+    "$BUILD/tests/interop/samples" .
+    validated scene.glb
+    dirfield -q scene.glb -o field.glb
+    validated field.glb
+    kept dirfield scene.glb field.glb
+    lapped-param -q field.glb -o lapped.glb
+    validated lapped.glb
+    kept lapped-param scene.glb lapped.glb
+else
+    skip "a scene of everything" "make check builds it"
 fi
+for shape in teapot plane ellipsoid; do
+    meshgen $shape --faces 1500 | dirfield -q -o $shape.field.glb
+    validated $shape.field.glb
+    lapped-param -q $shape.field.glb -o $shape.lapped.glb
+    validated $shape.lapped.glb
+done
 finish

@@ -8,8 +8,11 @@
 #include "base/random.h"
 #include "io/container.h"
 #include "io/exr.h"
+#include "io/gltf.h"
+#include "io/png.h"
+#include "mesh/shapes.h"
 
-static struct hatch_arena arena;
+static struct hatch_arena arena, scratch;
 static struct hatch_err err;
 
 static void check(enum hatch_status status)
@@ -133,6 +136,87 @@ static void save_pictures(const char *folder)
     }
 }
 
+/* A torus that a skin bends, with an attribute of its own and a texture; a plane under a matrix, drawn
+ * twice; cameras, lights, an animation of every interpolation. */
+static void make_meshes(struct hatch_scene_mesh meshes[2])
+{
+    const struct hatch_shape_options how = {.faces = 300};
+    const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_PLANE};
+    for (uint32_t i = 0; i < 2; i++) {
+        check(hatch_shape_make(shapes[i], &how, &arena, &scratch, &meshes[i].mesh, &err));
+        meshes[i].material = i;
+    }
+    static const char *const names[] = {"JOINTS_0", "WEIGHTS_0", "COLOR_0", "_TEMPERATURE"};
+    struct hatch_mesh *torus = &meshes[0].mesh;
+    float *data[4];
+    for (uint32_t i = 0; i < 4; i++)
+        check(hatch_mesh_add(&arena, torus, names[i], i < 3 ? 4 : 1, &data[i], &err));
+    for (size_t v = 0; v < torus->vertex_count; v++) {
+        float share = (float)(v % 17) / 16;
+        data[0][4 * v + 1] = share < 1 ? 1 : 0; /* no joint where no weight is */
+        data[1][4 * v] = share;
+        data[1][4 * v + 1] = 1 - share;
+        data[2][4 * v] = data[2][4 * v + 3] = 1;
+        data[3][v] = torus->attributes[0].data[3 * v]; /* a function of the place */
+    }
+}
+
+static void make_texture(struct hatch_texture *texture)
+{
+    struct hatch_image image;
+    struct hatch_buffer file = {.arena = &arena};
+    check(hatch_image_make(&arena, 4, 4, "RGB", &image, &err));
+    check(hatch_png_write(&image, HATCH_PNG_SRGB, 8, NULL, &scratch, &file, &err));
+    *texture = (struct hatch_texture){file.data, file.size};
+}
+
+static void save_scene(const char *folder)
+{
+    static float times[] = {0, 0.5f, 2}, values[27], turns[12], bind[32];
+    static uint32_t joints[] = {2, 5};
+    struct hatch_scene_mesh meshes[2] = {{.material = 0}};
+    struct hatch_node nodes[6];
+    const uint32_t parents[] = {HATCH_NONE, HATCH_NONE, HATCH_NONE, 1, 1, 2};
+    for (uint32_t i = 0; i < 6; i++)
+        nodes[i] = (struct hatch_node){.parent = parents[i], .translation = {0.5f * (float)i}, .scale = {1, 1, 1},
+                                       .rotation = {0, 0.6f, 0, 0.8f}, .skin = i ? HATCH_NONE : 0,
+                                       .camera = i == 5 ? 0 : i == 3 ? 1 : HATCH_NONE,
+                                       .light = i == 2 ? 2 : i == 4 ? 0 : HATCH_NONE};
+    nodes[0] = (struct hatch_node){.parent = HATCH_NONE, .scale = {1, 1, 1}, .rotation = {0, 0, 0, 1},
+                                   .mesh_count = 1, .camera = HATCH_NONE, .light = 1};
+    nodes[1].mesh_count = nodes[3].mesh_count = nodes[1].first_mesh = nodes[3].first_mesh = 1;
+    nodes[1].has_matrix = true;
+    nodes[1].matrix[0] = nodes[1].matrix[10] = nodes[1].matrix[15] = 1;
+    nodes[1].matrix[5] = -2; /* mirrors */
+    for (uint32_t i = 0; i < 27; i++)
+        values[i] = 1 + 0.1f * (float)i;
+    for (uint32_t i = 0; i < 3; i++)
+        turns[4 * i + i] = 1;
+    for (uint32_t i = 0; i < 8; i++)
+        bind[i / 4 * 16 + i % 4 * 5] = 1;
+    struct hatch_animation_channel channels[] = {
+        {2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values},
+        {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns},
+        {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values}};
+    struct hatch_texture texture;
+    struct hatch_material materials[] = {
+        {{1, 0.5f, 0.25f, 1}, 0, 0, true, false, 0, false},
+        {{1, 1, 1, 1}, HATCH_NONE, 0, true, true, 0.5f, false}};
+    struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
+    struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
+                                   {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
+                                   {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
+    struct hatch_skin skin = {2, joints, bind};
+    struct hatch_animation animation = {3, channels, 2};
+    const struct hatch_scene scene = {2, 6, 2, 1, 2, 3, 1, 1, meshes, nodes, materials, &texture, cameras, lights,
+                                      &skin, &animation};
+    struct hatch_buffer file = {.arena = &arena};
+    make_meshes(meshes);
+    make_texture(&texture);
+    check(hatch_glb_write_scene(&scene, "a sample", &scratch, &file, &err));
+    save(folder, "scene", ".glb", file.data, file.size);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -140,8 +224,11 @@ int main(int argc, char **argv)
         return HATCH_USAGE;
     }
     hatch_arena_init(&arena, (size_t)1 << 30);
+    hatch_arena_init(&scratch, (size_t)1 << 30);
     save_textures(argv[1]);
     save_pictures(argv[1]);
+    save_scene(argv[1]);
+    hatch_arena_free(&scratch);
     hatch_arena_free(&arena);
     return 0;
 }

@@ -1,0 +1,83 @@
+# lapped-param and hatchstat lapped: what they keep, refuse and say.
+. "${TOP:-.}/tests/tap.sh"
+
+# unpack FILE.glb NAME: as NAME.gltf, which sed can change, and NAME.bin
+unpack() {
+    length=$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')
+    tail -c +21 "$1" | head -c "$length" |
+        sed "s/\"buffers\":\\[{/&\"uri\":\"$2.bin\",/" >"$2.gltf"
+    tail -c +$((29 + length)) "$1" >"$2.bin"
+}
+# The bytes that follow a GLB's JSON: all numbers of all meshes.
+numbers() {
+    tail -c +$((29 + $(od -An -tu4 -j12 -N4 "$1" | tr -d ' '))) "$1"
+}
+
+meshgen torus --faces 800 -o torus.glb
+dirfield torus.glb | lapped-param -o piped.glb
+ok "a mesh without a field" lapped-param torus.glb -o alone.glb
+ok "it gets the field that dirfield gives it" cmp piped.glb alone.glb
+lapped-param <torus.glb >filter.glb
+ok "as a filter" cmp filter.glb alone.glb
+lapped-param --seed 2 torus.glb -o other.glb
+ok "another seed, another cover" test "$(cksum <other.glb)" != "$(cksum <alone.glb)"
+cp torus.glb "two words.glb"
+lapped-param "two words.glb" -o "the result.glb"
+ok "names with spaces" cmp "the result.glb" alone.glb
+
+try lapped-param alone.glb
+refused "a file that is lapped" 3 1
+ok "is said to be" grep -q 'alone.glb: is lapped already' .err
+try lapped-param -v torus.glb -o /dev/null
+is "-v counts patches" "$(grep -cE '^lapped-param: [0-9]+ patches, overlap [0-9.]+' .err)" 1
+
+# A texture, in this file its own buffer's beginning: what is not drawn need not be an image.
+unpack torus.glb textured
+sed 's/"primitives":\[{/&"material":0,/
+    s/,"accessors"/,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}}],"textures":[{"source":0}],"images":[{"bufferView":0,"mimeType":"image\/png"}]&/' \
+    textured.gltf >t.gltf && mv t.gltf textured.gltf
+try lapped-param textured.gltf -o textured.glb
+is "textures go with a warning" "$(cat .err)" \
+    "lapped-param: textured.gltf: warning: 1 texture left out: the texture coordinates are the hatching's now"
+is "and colours stay" "$(grep -ac '"baseColorFactor":\[0.5,0.25,1,1\]' textured.glb)" 1
+numbers alone.glb >a
+numbers textured.glb >b
+ok "and patches are the same" cmp a b
+
+# Sizes are those of the scene: a node that shows the mesh twice as large asks for half of its own.
+unpack torus.glb large
+sed 's/"nodes":\[{/&"scale":[2,2,2],/' large.gltf >t.gltf && mv t.gltf large.gltf
+is "a scaled node" "$(grep -c '"nodes":\[{"scale":\[2,2,2\],"name"' large.gltf)" 1
+lapped-param large.gltf -o large.glb
+numbers large.glb >b
+ok "by default a model's size does not matter" cmp a b
+lapped-param --tile 1 --size 0.3 large.gltf -o large.glb
+lapped-param --tile 0.5 --size 0.3 torus.glb -o half.glb
+numbers large.glb >a
+numbers half.glb >b
+ok "a tile's length is in the scene's units, a patch's a share of the scene" cmp a b
+lapped-param --tile 1 --size 0.3 torus.glb -o whole.glb
+numbers whole.glb >b
+ok "another tile is another" test "$(cksum <a)" != "$(cksum <b)"
+
+ok "hatchstat lapped reads standard input" sh -c 'hatchstat lapped <alone.glb >figures.tsv'
+column() {
+    hatchstat lapped "$2" | awk -F'\t' -v name="$1" \
+        'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i} NR == 2 {print $at}'
+}
+is "the torus is covered" "$(column covered alone.glb)" 1
+is "and no face is turned over" "$(column flipped alone.glb)" 0
+is "the surface's faces are the mesh's" "$(column faces alone.glb)" "$(hatchstat mesh torus.glb | tail -n 1 | cut -f2)"
+try hatchstat lapped torus.glb
+refused "what is not lapped" 3 1
+try hatchstat lapped alone.glb --samples 0
+refused "no samples" 2 2
+
+# One patch holds a plane of two faces and meets all bars; a coarse torus without limits misses some.
+meshgen plane --faces 2 | lapped-param -o plane.glb
+ok "--check of a good cover" hatchstat lapped plane.glb --check -o /dev/null
+meshgen torus --faces 60 | lapped-param --turn 90 --stretch 10 -o rough.glb
+try hatchstat lapped rough.glb --check -o /dev/null
+is "--check of a bad one" "$status" 1
+ok "names the bar" grep -qE 'rough.glb: warning: (angle|stretch|overlap).* want .* at most' .err
+finish
