@@ -1,6 +1,8 @@
 #include "base/text.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,18 +63,85 @@ bool hatch_text_is(struct hatch_text text, const char *word)
     return strlen(word) == text.length && memcmp(text.at, word, text.length) == 0;
 }
 
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+struct digits {
+    uint64_t mantissa; /* the first nineteen significant digits */
+    int exponent;      /* of ten */
+    bool any;
+};
+
+#define MANTISSA_FULL 1000000000000000000u /* one digit more still fits 64 bits */
+#define EXPONENT_MOST 10000
+
+static const char *read_digits(const char *at, const char *end, bool fraction, struct digits *d)
+{
+    for (; at < end && is_digit(*at); at++) {
+        d->any = true;
+        bool room = d->mantissa < MANTISSA_FULL;
+        if (room)
+            d->mantissa = d->mantissa * 10 + (uint64_t)(*at - '0');
+        if (fraction && room && d->exponent > -EXPONENT_MOST)
+            d->exponent--;
+        if (!fraction && !room && d->exponent < EXPONENT_MOST)
+            d->exponent++;
+    }
+    return at;
+}
+
+static const char *read_exponent(const char *at, const char *end, int *exponent)
+{
+    if (at >= end || (*at != 'e' && *at != 'E'))
+        return at;
+    const char *p = at + 1;
+    bool negative = p < end && *p == '-';
+    p += p < end && (*p == '-' || *p == '+');
+    if (p >= end || !is_digit(*p))
+        return at;
+    int value = 0;
+    for (; p < end && is_digit(*p); p++)
+        value = value < EXPONENT_MOST ? value * 10 + (*p - '0') : value;
+    *exponent += negative ? -value : value;
+    return p;
+}
+
+/* One rounding of two exact doubles is right; all else is left to the C library. */
+static double value_of(const struct digits *d)
+{
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    if (d->mantissa >> 53 == 0 && abs(d->exponent) <= 22)
+        return d->exponent < 0 ? (double)d->mantissa / powers[-d->exponent]
+                               : (double)d->mantissa * powers[d->exponent];
+    char plain[48];
+    snprintf(plain, sizeof plain, "%" PRIu64 "e%d", d->mantissa, d->exponent);
+    return strtod(plain, NULL);
+}
+
+bool hatch_text_decimal(struct hatch_text text, double *number)
+{
+    const char *at = text.at, *end = text.at + text.length;
+    struct digits d = {0, 0, false};
+    bool negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
+    at = read_digits(at, end, false, &d);
+    if (at < end && *at == '.')
+        at = read_digits(at + 1, end, true, &d);
+    if (!d.any || read_exponent(at, end, &d.exponent) != end)
+        return false;
+    double value = value_of(&d);
+    *number = negative ? -value : value;
+    return true;
+}
+
 bool hatch_text_number(struct hatch_text text, double *number)
 {
-    char copy[64], *end;
-    if (text.length == 0 || text.length >= sizeof copy)
-        return false;
-    for (size_t i = 0; i < text.length; i++)
-        if (!strchr("0123456789+-.eE", text.at[i]) || text.at[i] == '\0')
-            return false;
-    memcpy(copy, text.at, text.length);
-    copy[text.length] = '\0';
-    double value = strtod(copy, &end);
-    if (end != copy + text.length || !isfinite(value))
+    double value;
+    if (!hatch_text_decimal(text, &value) || !isfinite(value))
         return false;
     *number = value;
     return true;

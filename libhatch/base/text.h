@@ -24,7 +24,11 @@ bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field);
 
 bool hatch_text_is(struct hatch_text text, const char *word);
 
-/* The whole text as one finite decimal number ("1", "-0.5", "1e-3"; no hex, no "inf", no spaces). */
+/* The whole text as one decimal number ("1", "-0.5", "1e-3"; no hex, no "inf", no spaces), infinite where
+ * it is too large. Rounded as strtod does; digits after the nineteenth may be lost. */
+bool hatch_text_decimal(struct hatch_text text, double *number);
+
+/* The same, and finite. */
 bool hatch_text_number(struct hatch_text text, double *number);
 
 #endif

@@ -1,6 +1,6 @@
 /* Wavefront OBJ: vertices, texture coordinates, normals and polygons. A vertex of the mesh is one
- * combination of the three indices, in order of first use; where faces name positions alone, vertices
- * are those of the file. */
+ * combination of the three indices, in order of first use; where faces name positions alone,
+ * vertices are those of the file. */
 #include <string.h>
 
 #include "base/random.h"
@@ -22,8 +22,8 @@ struct obj {
     bool plain;                        /* faces name positions alone */
     struct hatch_buffer vertices;      /* of struct corner, where not plain */
     uint32_t vertex_count, slot_count;
-    uint32_t *slots;                   /* vertex + 1, by the corner's hash */
-    struct hatch_buffer points, used;  /* of the face being read: v, and vertices */
+    uint32_t *slots;                  /* vertex + 1, by the corner's hash */
+    struct hatch_buffer points, used; /* of the face being read: v, and vertices */
     struct hatch_faces faces;
 };
 
@@ -58,33 +58,33 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
 }
 
 /* "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the last value read. */
-static enum hatch_status read_corner(const struct obj *o, struct hatch_word word,
+static enum hatch_status read_corner(const struct obj *o, struct hatch_text word,
                                      struct corner *corner, struct hatch_err *err)
 {
-    const char *at = word.start, *end = word.start + word.length;
+    const char *at = word.at, *end = word.at + word.length;
     for (int kind = 0; kind < KINDS; kind++) {
         corner->index[kind] = ABSENT;
         const char *stop = at;
         while (stop < end && *stop != '/')
             stop++;
-        struct hatch_word part = {at, (size_t)(stop - at)};
+        struct hatch_text part = {at, (size_t)(stop - at)};
         int64_t number, count = value_count(o, kind);
         if (part.length || kind == V) {
-            if (!hatch_word_integer(part, &number) || number == 0 || number > count ||
+            if (!hatch_mesh_text_integer(part, &number) || number == 0 || number > count ||
                 number < -count)
                 return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s of %lld",
-                                  o->text.line, hatch_word_shown(word), word.start,
+                                  o->text.line, hatch_mesh_text_shown(word), word.at,
                                   kind == V    ? "vertex"
                                   : kind == VT ? "texture coordinate"
                                                : "normal",
-                                  hatch_word_shown(part), part.start, (long long)count);
+                                  hatch_mesh_text_shown(part), part.at, (long long)count);
             corner->index[kind] = (uint32_t)(number > 0 ? number - 1 : count + number);
         }
         at = stop < end ? stop + 1 : end;
     }
     if (at != end)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s has more than three parts",
-                          o->text.line, hatch_word_shown(word), word.start);
+                          o->text.line, hatch_mesh_text_shown(word), word.at);
     return HATCH_OK;
 }
 
@@ -143,11 +143,11 @@ static bool names_more(struct hatch_bytes file)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
     do {
-        struct hatch_word word = hatch_mesh_text_word(&text);
-        if (word.length == 0 || !strchr("f-0123456789", *word.start))
+        struct hatch_text word = hatch_mesh_text_word(&text);
+        if (word.length == 0 || !strchr("f-0123456789", *word.at))
             continue;
-        const char *newline = memchr(word.start, '\n', (size_t)(text.end - word.start));
-        if (memchr(word.start, '/', (size_t)((newline ? newline : text.end) - word.start)))
+        const char *newline = memchr(word.at, '\n', (size_t)(text.end - word.at));
+        if (memchr(word.at, '/', (size_t)((newline ? newline : text.end) - word.at)))
             return true;
     } while (hatch_mesh_text_next_line(&text));
     return false;
@@ -158,7 +158,7 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
     o->points.size = o->used.size = 0;
     uint32_t count = 0;
     for (;;) {
-        struct hatch_word word = hatch_mesh_text_word(&o->text);
+        struct hatch_text word = hatch_mesh_text_word(&o->text);
         struct corner corner;
         if (word.length == 0)
             break;
@@ -171,41 +171,42 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
         count++;
     }
     if (count < 3)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %u corners", o->text.line, count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %u corners", o->text.line,
+                          count);
     return hatch_faces_add(&o->faces, values(o, V), (const uint32_t *)(const void *)o->points.data,
                            (const uint32_t *)(const void *)o->used.data, count, err);
 }
 
 /* Grouping, materials, lines and display hints: what does not change the surface. */
-static bool is_ignored(struct hatch_word word)
+static bool is_ignored(struct hatch_text word)
 {
-    static const char *const words[] = {
-        "o",     "g",       "s",        "mg",        "usemtl",   "mtllib", "usemap", "maplib", "l",
-        "p",     "vp",      "lod",      "bevel",     "c_interp", "d_interp", "ctech", "stech",
-        "shadow_obj", "trace_obj", NULL};
+    static const char *const words[] = {"o",      "g",      "s",          "mg",        "usemtl",
+                                        "mtllib", "usemap", "maplib",     "l",         "p",
+                                        "vp",     "lod",    "bevel",      "c_interp",  "d_interp",
+                                        "ctech",  "stech",  "shadow_obj", "trace_obj", NULL};
     for (const char *const *w = words; *w; w++)
-        if (hatch_word_is(word, *w))
+        if (hatch_text_is(word, *w))
             return true;
     return false;
 }
 
 static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_mesh_text_word(&o->text);
+    struct hatch_text word = hatch_mesh_text_word(&o->text);
     if (word.length == 0)
         return HATCH_OK;
-    if (hatch_word_is(word, "v"))
+    if (hatch_text_is(word, "v"))
         return read_value(o, V, err);
-    if (hatch_word_is(word, "vt"))
+    if (hatch_text_is(word, "vt"))
         return read_value(o, VT, err);
-    if (hatch_word_is(word, "vn"))
+    if (hatch_text_is(word, "vn"))
         return read_value(o, VN, err);
-    if (hatch_word_is(word, "f"))
+    if (hatch_text_is(word, "f"))
         return read_face(o, err);
     if (is_ignored(word))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", o->text.line,
-                      hatch_word_shown(word), word.start);
+                      hatch_mesh_text_shown(word), word.at);
 }
 
 /* The values that the vertices' corners name; an attribute that some corner lacks is left out. */
@@ -217,7 +218,7 @@ static enum hatch_status gather(struct obj *o, int kind, float **out, struct hat
     for (uint32_t v = 0; v < o->vertex_count; v++)
         if (corners[v].index[kind] == ABSENT)
             return HATCH_OK;
-    float *data = HATCH_NEW(o->scratch, float, (size_t)o->vertex_count * width, err);
+    float *data = HATCH_NEW(o->scratch, float, (size_t)o->vertex_count *width, err);
     if (!data)
         return HATCH_LIMIT;
     for (uint32_t v = 0; v < o->vertex_count; v++)
@@ -268,7 +269,8 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, struct hatch_arena *ar
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    struct obj o = {.text = hatch_mesh_text_of(file), .scratch = scratch, .plain = !names_more(file)};
+    struct obj o = {
+        .text = hatch_mesh_text_of(file), .scratch = scratch, .plain = !names_more(file)};
     o.text.comment = '#';
     o.text.continues = true;
     for (int kind = 0; kind < KINDS; kind++)

@@ -5,11 +5,11 @@
 
 static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_mesh_text_any_word(text);
-    if (!hatch_word_is(word, "OFF") && !hatch_word_is(word, "COFF") &&
-        !hatch_word_is(word, "NOFF") && !hatch_word_is(word, "CNOFF"))
+    struct hatch_text word = hatch_mesh_text_any_word(text);
+    if (!hatch_text_is(word, "OFF") && !hatch_text_is(word, "COFF") &&
+        !hatch_text_is(word, "NOFF") && !hatch_text_is(word, "CNOFF"))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line,
-                          hatch_word_shown(word), word.start);
+                          hatch_mesh_text_shown(word), word.at);
     return HATCH_OK;
 }
 
@@ -20,13 +20,13 @@ static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t count
     static const char *const names[] = {"vertices", "faces"};
     static const int64_t bytes[] = {6, 8};
     for (int i = 0; i < 2; i++) {
-        struct hatch_word word = hatch_mesh_text_any_word(text);
-        if (!hatch_word_integer(word, &counts[i]) || counts[i] < 0)
+        struct hatch_text word = hatch_mesh_text_any_word(text);
+        if (!hatch_mesh_text_integer(word, &counts[i]) || counts[i] < 0)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s is no number of %s", text->line,
-                              hatch_word_shown(word), word.start, names[i]);
+                              hatch_mesh_text_shown(word), word.at, names[i]);
         if (counts[i] > (int64_t)hatch_mesh_text_left(text) / bytes[i] + 1)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s %s do not fit into %zu bytes",
-                              text->line, hatch_word_shown(word), word.start, names[i],
+                              text->line, hatch_mesh_text_shown(word), word.at, names[i],
                               hatch_mesh_text_left(text));
     }
     hatch_mesh_text_next_line(text);
@@ -37,10 +37,10 @@ static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t count
 static bool find_line(struct hatch_mesh_text *text)
 {
     struct hatch_mesh_text ahead = *text;
-    struct hatch_word word = hatch_mesh_text_any_word(&ahead);
+    struct hatch_text word = hatch_mesh_text_any_word(&ahead);
     if (word.length == 0)
         return false;
-    text->at = word.start;
+    text->at = word.at;
     text->line = ahead.line;
     return true;
 }
@@ -49,16 +49,16 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
                                    struct hatch_buffer *corners, struct hatch_err *err)
 {
     int64_t count, index;
-    struct hatch_word word = hatch_mesh_text_word(text);
-    if (!hatch_word_integer(word, &count) || count < 3)
+    struct hatch_text word = hatch_mesh_text_word(text);
+    if (!hatch_mesh_text_integer(word, &count) || count < 3)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %.*s corners", text->line,
-                          hatch_word_shown(word), word.start);
+                          hatch_mesh_text_shown(word), word.at);
     corners->size = 0;
     for (int64_t i = 0; i < count; i++) {
         word = hatch_mesh_text_word(text);
-        if (!hatch_word_integer(word, &index) || index < 0 || index >= vertex_count)
+        if (!hatch_mesh_text_integer(word, &index) || index < 0 || index >= vertex_count)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s, there are %lld vertices",
-                              text->line, hatch_word_shown(word), word.start,
+                              text->line, hatch_mesh_text_shown(word), word.at,
                               (long long)vertex_count);
         uint32_t corner = (uint32_t)index;
         HATCH_TRY(hatch_buffer_add(corners, &corner, sizeof corner, err));

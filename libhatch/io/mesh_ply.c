@@ -1,6 +1,6 @@
 /* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and
- * triangle strips. Binary numbers and words of text come through one function, so that the two forms
- * differ in nothing else. */
+ * triangle strips. Binary numbers and words of text come through one function, so that the two
+ * forms differ in nothing else. */
 #include "io/mesh_ply.h"
 
 #include <math.h>
@@ -10,8 +10,8 @@
 
 struct ply {
     struct hatch_ply_header header;
-    struct hatch_mesh_text text;     /* ascii */
-    struct hatch_reader reader; /* binary */
+    struct hatch_mesh_text text;             /* ascii */
+    struct hatch_reader reader;              /* binary */
     const struct hatch_ply_element *element; /* being read, and which of it: for messages */
     uint64_t item;
     struct hatch_arena *scratch;
@@ -57,10 +57,10 @@ static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, do
                                      struct hatch_err *err)
 {
     if (p->header.ascii) {
-        struct hatch_word word = hatch_mesh_text_any_word(&p->text);
+        struct hatch_text word = hatch_mesh_text_any_word(&p->text);
         if (word.length == 0)
             return fail(p, err, "the file is cut");
-        return hatch_word_number(word, number) ? HATCH_OK : fail(p, err, "not a number");
+        return hatch_text_decimal(word, number) ? HATCH_OK : fail(p, err, "not a number");
     }
     *number = read_binary(&p->reader, type);
     return p->reader.cut ? fail(p, err, "the file is cut") : HATCH_OK;
@@ -280,7 +280,8 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, struct hatch_arena *ar
     HATCH_TRY(read_body(p, err));
     struct hatch_mesh made;
     float *data;
-    HATCH_TRY(hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
+    HATCH_TRY(
+        hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
     if (p->normals)
         HATCH_TRY(hatch_faces_add_normals(p->normals, arena, &made, err));
     if (p->texcoords) {

@@ -68,8 +68,8 @@ static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vert
                                  uint32_t start, struct hatch_err *err)
 {
     for (uint32_t i = 1; i + 1 < count; i++)
-        HATCH_TRY(add_triangle(faces, vertex, start, (start + i) % count, (start + i + 1) % count,
-                               err));
+        HATCH_TRY(
+            add_triangle(faces, vertex, start, (start + i) % count, (start + i + 1) % count, err));
     return HATCH_OK;
 }
 
@@ -106,7 +106,8 @@ static bool is_ear(const struct outline *o, uint32_t corner)
     return true;
 }
 
-/* Clipping changes its two neighbours' turns; a reflex corner may become none, never the reverse. */
+/* Clipping changes its two neighbours' turns; a reflex corner may become none, never the reverse.
+ */
 static void drop_unreflex(struct outline *o)
 {
     uint32_t kept = 0;
@@ -171,7 +172,8 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
                                      const uint32_t *point, const uint32_t *vertex, uint32_t count,
                                      const double normal[3], struct hatch_err *err)
 {
-    /* Room for the triangles is made first, so that the outline on top of them can be given back. */
+    /* Room for the triangles is made first, so that the outline on top of them can be given back.
+     */
     HATCH_TRY(hatch_buffer_reserve(&faces->indices, (size_t)count * 3 * sizeof(uint32_t), err));
     struct hatch_arena_mark mark = hatch_arena_mark(faces->scratch);
     struct outline o = {.count = count};

@@ -69,25 +69,25 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
     uint32_t corners = 0; /* of the facet being read */
     bool ended = false;
     do {
-        struct hatch_word word = hatch_mesh_text_word(&text);
-        if (hatch_word_is(word, "vertex")) {
+        struct hatch_text word = hatch_mesh_text_word(&text);
+        if (hatch_text_is(word, "vertex")) {
             float p[3];
             for (int k = 0; k < 3; k++)
                 HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &p[k], err));
             HATCH_TRY(hatch_buffer_add(&positions, p, sizeof p, err));
             corners++;
-        } else if (hatch_word_is(word, "endfacet")) {
+        } else if (hatch_text_is(word, "endfacet")) {
             if (corners != 3)
                 return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corners, want 3",
                                   text.line, corners);
             corners = 0;
-        } else if (word.length && !hatch_word_is(word, "solid") && !hatch_word_is(word, "facet") &&
-                   !hatch_word_is(word, "outer") && !hatch_word_is(word, "endloop") &&
-                   !hatch_word_is(word, "endsolid")) {
+        } else if (word.length && !hatch_text_is(word, "solid") && !hatch_text_is(word, "facet") &&
+                   !hatch_text_is(word, "outer") && !hatch_text_is(word, "endloop") &&
+                   !hatch_text_is(word, "endsolid")) {
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text.line,
-                              hatch_word_shown(word), word.start);
+                              hatch_mesh_text_shown(word), word.at);
         }
-        ended = word.length ? hatch_word_is(word, "endsolid") : ended;
+        ended = word.length ? hatch_text_is(word, "endsolid") : ended;
     } while (hatch_mesh_text_next_line(&text));
     if (!ended || corners)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", text.line);

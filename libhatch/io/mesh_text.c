@@ -48,14 +48,14 @@ static void skip_blanks(struct hatch_mesh_text *text)
             text->at++;
 }
 
-struct hatch_word hatch_mesh_text_word(struct hatch_mesh_text *text)
+struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text)
 {
     skip_blanks(text);
     const char *start = text->at;
     while (text->at < text->end && !is_blank(*text->at) && *text->at != '\n' &&
            !(*text->at == '\\' && continuation(text)))
         text->at++;
-    return (struct hatch_word){start, (size_t)(text->at - start)};
+    return (struct hatch_text){start, (size_t)(text->at - start)};
 }
 
 bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
@@ -70,21 +70,16 @@ bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
     return text->at < text->end;
 }
 
-struct hatch_word hatch_mesh_text_any_word(struct hatch_mesh_text *text)
+struct hatch_text hatch_mesh_text_any_word(struct hatch_mesh_text *text)
 {
     for (;;) {
-        struct hatch_word word = hatch_mesh_text_word(text);
+        struct hatch_text word = hatch_mesh_text_word(text);
         if (word.length || !hatch_mesh_text_next_line(text))
             return word;
     }
 }
 
-bool hatch_word_is(struct hatch_word word, const char *name)
-{
-    return word.length == strlen(name) && memcmp(word.start, name, word.length) == 0;
-}
-
-int hatch_word_shown(struct hatch_word word)
+int hatch_mesh_text_shown(struct hatch_text word)
 {
     return word.length < 40 ? (int)word.length : 40;
 }
@@ -94,81 +89,9 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* A power of ten times value; the powers up to 10^22 are exact in double. */
-static double scale(double value, int exponent)
+bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number)
 {
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    for (; exponent > 22; exponent -= 22)
-        value *= powers[22];
-    for (; exponent < -22; exponent += 22)
-        value /= powers[22];
-    return exponent < 0 ? value / powers[-exponent] : value * powers[exponent];
-}
-
-struct digits {
-    uint64_t mantissa; /* the first nineteen significant digits */
-    int exponent;      /* of ten */
-    bool any;
-};
-
-#define MANTISSA_FULL 1000000000000000000u /* one digit more still fits 64 bits */
-#define EXPONENT_MOST 10000
-
-static const char *read_digits(const char *at, const char *end, bool fraction, struct digits *d)
-{
-    for (; at < end && is_digit(*at); at++) {
-        d->any = true;
-        bool room = d->mantissa < MANTISSA_FULL;
-        if (room)
-            d->mantissa = d->mantissa * 10 + (uint64_t)(*at - '0');
-        if (fraction && room && d->exponent > -EXPONENT_MOST)
-            d->exponent--;
-        if (!fraction && !room && d->exponent < EXPONENT_MOST)
-            d->exponent++;
-    }
-    return at;
-}
-
-static const char *read_exponent(const char *at, const char *end, int *exponent)
-{
-    if (at >= end || (*at != 'e' && *at != 'E'))
-        return at;
-    const char *p = at + 1;
-    bool negative = p < end && *p == '-';
-    p += p < end && (*p == '-' || *p == '+');
-    if (p >= end || !is_digit(*p))
-        return at;
-    int value = 0;
-    for (; p < end && is_digit(*p); p++)
-        value = value < EXPONENT_MOST ? value * 10 + (*p - '0') : value;
-    *exponent += negative ? -value : value;
-    return p;
-}
-
-bool hatch_word_number(struct hatch_word word, double *number)
-{
-    const char *at = word.start, *end = word.start + word.length;
-    struct digits d = {0, 0, false};
-    bool negative = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
-    at = read_digits(at, end, false, &d);
-    if (at < end && *at == '.')
-        at = read_digits(at + 1, end, true, &d);
-    if (!d.any)
-        return false;
-    at = read_exponent(at, end, &d.exponent);
-    if (at != end)
-        return false;
-    double value = d.mantissa == 0 ? 0 : scale((double)d.mantissa, d.exponent);
-    *number = negative ? -value : value;
-    return true;
-}
-
-bool hatch_word_integer(struct hatch_word word, int64_t *number)
-{
-    const char *at = word.start, *end = word.start + word.length;
+    const char *at = word.at, *end = word.at + word.length;
     bool negative = at < end && *at == '-';
     at += at < end && (*at == '-' || *at == '+');
     if (at == end)
@@ -183,19 +106,20 @@ bool hatch_word_integer(struct hatch_word word, int64_t *number)
     return true;
 }
 
-enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
-                                   struct hatch_err *err)
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what,
+                                        float *number, struct hatch_err *err)
 {
-    struct hatch_word word = hatch_mesh_text_word(text);
+    struct hatch_text word = hatch_mesh_text_word(text);
     double value;
     if (word.length == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line, what);
-    if (!hatch_word_number(word, &value))
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line,
+                          what);
+    if (!hatch_text_decimal(word, &value))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is no number", text->line, what,
-                          hatch_word_shown(word), word.start);
+                          hatch_mesh_text_shown(word), word.at);
     if (!isfinite((float)value))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is too large", text->line, what,
-                          hatch_word_shown(word), word.start);
+                          hatch_mesh_text_shown(word), word.at);
     *number = (float)value;
     return HATCH_OK;
 }

@@ -2,9 +2,7 @@
 #ifndef HATCH_IO_MESH_TEXT_H
 #define HATCH_IO_MESH_TEXT_H
 
-#include <stdbool.h>
-
-#include "base/bytes.h"
+#include "base/text.h"
 
 struct hatch_mesh_text {
     const char *at, *end;
@@ -13,35 +11,24 @@ struct hatch_mesh_text {
     char comment;   /* starts a comment that runs to the line's end; 0: none does */
 };
 
-struct hatch_word {
-    const char *start;
-    size_t length; /* 0: the line has no further word */
-};
-
 struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes);
 
-/* The next word of this line: what stands between blanks. */
-struct hatch_word hatch_mesh_text_word(struct hatch_mesh_text *text);
+/* The next word of this line: what stands between blanks. Length 0: the line has no further word. */
+struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text);
 
 /* Goes to the start of the next line; false at the end of the text. */
 bool hatch_mesh_text_next_line(struct hatch_mesh_text *text);
 
 /* The next word, on this or a later line; length 0 at the end of the text. */
-struct hatch_word hatch_mesh_text_any_word(struct hatch_mesh_text *text);
+struct hatch_text hatch_mesh_text_any_word(struct hatch_mesh_text *text);
 
 size_t hatch_mesh_text_left(const struct hatch_mesh_text *text);
 
-bool hatch_word_is(struct hatch_word word, const char *name);
-
 /* How much of a word a message shows: for "%.*s". */
-int hatch_word_shown(struct hatch_word word);
-
-/* Decimal numbers as C writes them, in any locale; no nan, no inf, nothing after the number. Right to
- * the last bits of a double (all of a float's), the same on every machine. */
-bool hatch_word_number(struct hatch_word word, double *number);
+int hatch_mesh_text_shown(struct hatch_text word);
 
 /* Digits with an optional sign, below 2^62 in size. */
-bool hatch_word_integer(struct hatch_word word, int64_t *number);
+bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 
 /* The next word of the line as a float, finite. what: "vertex"; HATCH_BAD_INPUT with the line. */
 enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,

@@ -1,7 +1,11 @@
 #include "run.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/random.h"
 #include "base/text.h"
 
 static struct hatch_text text_of(const char *from)
@@ -76,24 +80,50 @@ START_TEST(decimal_numbers_are_numbers)
         ck_assert_msg(hatch_text_number(text_of(good[i].text), &value), "%s", good[i].text);
         ck_assert_double_eq(value, good[i].value);
     }
+    char longest[300];
+    double value;
+    memset(longest, '1', sizeof longest);
+    ck_assert(hatch_text_number((struct hatch_text){longest, sizeof longest}, &value));
+    ck_assert_double_eq(value, 1e300 / 9);
 }
 END_TEST
 
 START_TEST(everything_else_is_none)
 {
-    static const char *const bad[] = {"",     " 1",  "1 ",    "12x",   "1,5", "0x10", "inf",
-                                      "-inf", "nan", "NaN",   "1e400", "--1", "1e",   "e5",
-                                      ".",    "-",   "1.2.3", "1_0",   "½"};
+    static const char *const bad[] = {
+        "",   " 1", "1 ", "12x", "1,5",   "0x10", "inf", "-inf", "nan", "NaN",      "1e400", "--1",
+        "1e", "e5", ".",  "-",   "1.2.3", "1_0",  "½",   "1e+",  "1f",  "infinity", "+-1"};
     double value = -7;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(!hatch_text_number(text_of(bad[i]), &value), "'%s'", bad[i]);
     ck_assert(!hatch_text_number((struct hatch_text){"1\0", 2}, &value));
-    char longest[100];
-    memset(longest, '1', sizeof longest);
-    ck_assert(hatch_text_number((struct hatch_text){longest, 63}, &value));
-    value = -7;
-    ck_assert(!hatch_text_number((struct hatch_text){longest, 64}, &value));
     ck_assert_double_eq(value, -7);
+}
+END_TEST
+
+START_TEST(numbers_are_those_of_strtod)
+{
+    static const char *const formats[] = {"%.9g", "%.17g", "%.6f", "%e", "%.0f", "%+.3E"};
+    for (uint64_t i = 0; i < 60000; i++) {
+        char word[512];
+        double exponent = ((double)hatch_random_unit(1, 1, i) - 0.5) * 60;
+        double value = ((double)hatch_random_unit(1, 2, i) - 0.5) * pow(10, exponent), read;
+        snprintf(word, sizeof word, formats[i % 6], value);
+        ck_assert(hatch_text_decimal((struct hatch_text){word, strlen(word)}, &read));
+        double want = strtod(word, NULL);
+        double slack = i % 6 == 4 ? 1e-15 * fabs(want) : 0; /* more than nineteen digits */
+        ck_assert_msg(fabs(read - want) <= slack, "%s: %.17g", word, read);
+        ck_assert_float_eq((float)read, (float)want);
+    }
+    double number;
+    static const char *const huge[] = {"1e999999999999", "-1e400"}, *const tiny[] = {"1e-999999999",
+                                                                                     "0e999999999"};
+    for (int i = 0; i < 2; i++) {
+        ck_assert(hatch_text_decimal((struct hatch_text){huge[i], strlen(huge[i])}, &number));
+        ck_assert(isinf(number));
+        ck_assert(hatch_text_decimal((struct hatch_text){tiny[i], strlen(tiny[i])}, &number));
+        ck_assert_double_eq(number, 0);
+    }
 }
 END_TEST
 
@@ -106,6 +136,7 @@ static Suite *suite(void)
     tcase_add_test(tests, fields_may_be_empty);
     tcase_add_test(tests, a_text_is_a_word_only_whole);
     tcase_add_test(tests, decimal_numbers_are_numbers);
+    tcase_add_test(tests, numbers_are_those_of_strtod);
     tcase_add_test(tests, everything_else_is_none);
     suite_add_tcase(suite, tests);
     return suite;

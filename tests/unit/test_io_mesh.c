@@ -5,7 +5,6 @@
 #include "fail_alloc.h"
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
-#include "base/random.h"
 #include "measure/mesh_figures.h"
 #include "run.h"
 
@@ -328,36 +327,6 @@ START_TEST(a_large_polygon_takes_no_time)
 }
 END_TEST
 
-START_TEST(numbers_are_those_of_strtod)
-{
-    static const char *const formats[] = {"%.9g", "%.17g", "%.6f", "%e", "%.0f", "%+.3E"};
-    for (uint64_t i = 0; i < 60000; i++) {
-        char word[512];
-        double exponent = ((double)hatch_random_unit(1, 1, i) - 0.5) * 60;
-        double value = ((double)hatch_random_unit(1, 2, i) - 0.5) * pow(10, exponent), read;
-        snprintf(word, sizeof word, formats[i % 6], value);
-        ck_assert(hatch_word_number((struct hatch_word){word, strlen(word)}, &read));
-        double want = strtod(word, NULL);
-        ck_assert_msg(read == want || fabs(read - want) <= 1e-15 * fabs(want), "%s: %.17g", word, read);
-        ck_assert_float_eq((float)read, (float)want);
-    }
-    static const char *const wrong[] = {"",   "-",  ".",   "e5",  "1e",     "1e+",  "--1", "1.2.3",
-                                        "0x1", "inf", "nan", "1f", "1 ", "infinity", "+-1", "1_0"};
-    double number;
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        ck_assert_msg(!hatch_word_number((struct hatch_word){wrong[i], strlen(wrong[i])}, &number),
-                      "'%s' is taken for a number", wrong[i]);
-    static const char *const huge[] = {"1e999999999999", "-1e400"}, *const tiny[] = {"1e-999999999",
-                                                                                     "0e999999999"};
-    for (int i = 0; i < 2; i++) {
-        ck_assert(hatch_word_number((struct hatch_word){huge[i], strlen(huge[i])}, &number));
-        ck_assert(isinf(number));
-        ck_assert(hatch_word_number((struct hatch_word){tiny[i], strlen(tiny[i])}, &number));
-        ck_assert_double_eq(number, 0);
-    }
-}
-END_TEST
-
 static enum hatch_status read_one(void *context, struct hatch_arena *kept,
                                   struct hatch_arena *temporary, struct hatch_err *error)
 {
@@ -393,7 +362,6 @@ static Suite *suite(void)
     tcase_add_test(tests, obj_corners_become_vertices_once_each);
     tcase_add_test(tests, polygons_are_cut_without_loss);
     tcase_add_test(tests, a_large_polygon_takes_no_time);
-    tcase_add_test(tests, numbers_are_those_of_strtod);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
