@@ -110,5 +110,6 @@ double hatch_bend_confidence(const struct hatch_principal *principal, double dev
     double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
     double deviation = deviation_rad / DEVIATION_HALF, rest = deviation_rad / DEVIATION_NONE;
     anisotropy *= anisotropy;
-    return anisotropy / (1 + anisotropy) * (1 - rest * rest) / (1 + deviation * deviation);
+    double odds = anisotropy / (1 + anisotropy) * (1 - rest * rest);
+    return odds / (odds + deviation * deviation);
 }

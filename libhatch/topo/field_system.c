@@ -28,7 +28,7 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
  * has none. */
 #define MASS_MAX 1e6
 #define CONFIDENCE_MIN 1e-3
-#define LENGTH_SHARE 0.005 /* of the root of the component's area, at smooth 0.5 */
+#define LENGTH_SHARE 0.02 /* of the root of the component's area, at smooth 0.5 */
 
 static double edge_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
 {
