@@ -2,7 +2,7 @@
 #ifndef HATCH_CMD_FIELD_H
 #define HATCH_CMD_FIELD_H
 
-#include "cmd.h"
+#include "cmd_scene.h"
 #include "mesh/scene.h"
 #include "topo/curvature.h"
 #include "topo/field.h"
