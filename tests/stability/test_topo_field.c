@@ -1,0 +1,136 @@
+/* Data on which the plain ways of smoothing a direction field fail, and what is done here instead. */
+#include "field_make.h"
+
+#define DEG (PI / 180)
+
+static struct field_case noisy(enum hatch_shape shape, double noise_rad, double confidence, double **truth)
+{
+    struct field_case of = case_of_shape(shape, 6000, 1);
+    *truth = HATCH_NEW(&keep, double, (size_t)of.surface.point_count * 3, &err);
+    follow_truth(&of, shape, 0, confidence);
+    memcpy(*truth, of.direction, (size_t)of.surface.point_count * 3 * sizeof(double));
+    follow_truth(&of, shape, noise_rad, confidence);
+    return of;
+}
+
+/* The share of points whose line is within a limit of the truth. */
+static double share_within(const struct field_case *of, const double *direction, const double *truth,
+                           double limit_rad)
+{
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < of->surface.point_count; p++)
+        count += line_angle(of, p, &direction[3 * (size_t)p], &truth[3 * (size_t)p]) <= limit_rad;
+    return (double)count / of->surface.point_count;
+}
+
+static double smoothed_share(enum hatch_shape shape, double noise_rad, double confidence, double limit_rad)
+{
+    double *truth;
+    struct field_case of = noisy(shape, noise_rad, confidence, &truth);
+    struct hatch_field field = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5);
+    return share_within(&of, field.direction, truth, limit_rad);
+}
+
+/* One weight for all data suits one noise: what saves directions that are 10 degrees wrong costs those that are
+ * exact. The odds of a confidence, 1 / (1 + variance / .02²), do both. */
+START_TEST(a_weight_for_all_smooths_clean_data_away)
+{
+    const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOID};
+    const double noise[] = {10 * DEG, 0.01 * DEG}, limit[] = {3 * DEG, 0.1 * DEG};
+    for (size_t k = 0; k < 2; k++) {
+        double rough = 1 / (1 + noise[0] * noise[0] / 4e-4), clean = 1 / (1 + noise[1] * noise[1] / 4e-4);
+        ck_assert_double_gt(smoothed_share(shapes[k], noise[0], rough, limit[0]), 0.8);
+        ck_assert_double_lt(smoothed_share(shapes[k], noise[1], rough, limit[1]), 0.5);
+        ck_assert_double_gt(smoothed_share(shapes[k], noise[1], clean, limit[1]), 0.99);
+    }
+}
+END_TEST
+
+/* Downhill from the data the unit field (Hertzmann & Zorin) keeps pairs of singularities that noise has made: each
+ * is a least energy of its own. The linear system has but one. */
+START_TEST(descent_from_the_data_keeps_singularities_of_the_noise)
+{
+    double *truth;
+    struct field_case of = noisy(HATCH_SHAPE_ELLIPSOID, 40 * DEG, 0.02, &truth);
+    struct hatch_field hz = solve_case(&of, HATCH_FIELD_HZ, HATCH_FIELD_MULTIGRID, 0.5);
+    struct hatch_field linear = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5);
+    ck_assert_uint_gt(singularities_of(&of, hz.direction).count, 4);
+    ck_assert_uint_eq(singularities_of(&of, linear.direction).count, 4);
+}
+END_TEST
+
+/* A plane of needles: a square grid pressed to a hundredth, its diagonals turned at random. */
+static struct field_case needles(void)
+{
+    struct hatch_mesh mesh;
+    const uint32_t side = 24;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, (side + 1) * (side + 1), 2 * side * side, &mesh, &err), &err);
+    for (uint32_t i = 0; i <= side; i++)
+        for (uint32_t j = 0; j <= side; j++) {
+            float *at = &mesh.attributes[0].data[3 * (size_t)(i * (side + 1) + j)];
+            at[0] = (float)i + (float)hatch_random_unit(1, i, j) / 2;
+            at[1] = ((float)j + (float)hatch_random_unit(2, i, j) / 2) / 100;
+        }
+    for (uint32_t q = 0; q < side * side; q++) {
+        uint32_t a = q / side * (side + 1) + q % side, b = a + side + 1;
+        bool other = hatch_random_unit(3, 0, q) < 0.5f;
+        const uint32_t faces[2][6] = {{a, b, b + 1, a, b + 1, a + 1}, {a, b, a + 1, b, b + 1, a + 1}};
+        memcpy(&mesh.indices[6 * (size_t)q], faces[other], sizeof faces[0]);
+    }
+    return case_of(mesh);
+}
+
+static double plain_cotangent(const struct field_case *of, uint32_t face, uint32_t c)
+{
+    const uint32_t *corner = &of->surface.corners[3 * (size_t)face];
+    const double *at = &of->surface.points[3 * (size_t)corner[c]];
+    double a[3], b[3], cross[3];
+    hatch_vec_sub(&of->surface.points[3 * (size_t)corner[(c + 1) % 3]], at, a);
+    hatch_vec_sub(&of->surface.points[3 * (size_t)corner[(c + 2) % 3]], at, b);
+    hatch_vec_cross(a, b, cross);
+    return hatch_vec_dot(a, b) / hatch_vec_length(cross);
+}
+
+/* Plain cotangents push neighbours apart on needles; bounded ones do not, and one line given by hand still reaches
+ * everybody. */
+START_TEST(needles_do_not_push_neighbours_apart)
+{
+    struct field_case of = needles();
+    uint32_t negative = 0;
+    for (uint32_t side = 0; side < 3 * of.surface.face_count; side++) {
+        uint32_t other = of.surface.opposite[side];
+        if (other == HATCH_NO_SIDE)
+            continue;
+        negative += plain_cotangent(&of, side / 3, (side % 3 + 2) % 3) +
+                        plain_cotangent(&of, other / 3, (other % 3 + 2) % 3) < 0;
+    }
+    ck_assert_uint_gt(negative, of.surface.face_count / 10);
+    for (uint32_t i = 0; i < of.surface.ring_first[of.surface.point_count]; i++)
+        ck_assert_double_gt(of.frames.weight[i], 0);
+    const double line[3] = {1, 1, 0};
+    hatch_vec_copy(line, of.direction);
+    double *hard = HATCH_NEW(&keep, double, of.surface.point_count, &err);
+    hard[0] = 1;
+    const struct hatch_field_data data = {of.direction, of.confidence, hard};
+    const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-10, 2000};
+    struct hatch_field field;
+    HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
+                  &err);
+    for (uint32_t p = 0; p < of.surface.point_count; p++)
+        ck_assert_double_lt(line_angle(&of, p, &field.direction[3 * (size_t)p], line), 0.1 * DEG);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("topo field stability");
+    TCase *tests = tcase_create("field");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_weight_for_all_smooths_clean_data_away);
+    tcase_add_test(tests, descent_from_the_data_keeps_singularities_of_the_noise);
+    tcase_add_test(tests, needles_do_not_push_neighbours_apart);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
