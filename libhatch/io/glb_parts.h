@@ -38,6 +38,10 @@ struct hatch_glb {
     uint32_t *texture;      /* 2 per texture, clamped and repeated: the file's texture, or HATCH_NONE */
 };
 
+/* The order in which a mesh's attributes are written, and read: POSITION, the others by their names; so that
+ * a copy has the bytes of what it copies. order: attribute_count numbers. */
+void hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX]);
+
 /* JSON: a comma is written before all but the first of a list. */
 enum hatch_status hatch_glb_next(struct hatch_glb *glb);
 enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json); /* as it stands */

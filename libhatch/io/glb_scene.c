@@ -109,11 +109,13 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
     uint32_t first = glb->mesh_first[index], count = from->mesh.attribute_count;
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX];
+    hatch_glb_order(&from->mesh, order);
     HATCH_TRY(open_item(glb));
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(hatch_glb_index(glb, from->mesh.attributes[i].name, first + i));
+        HATCH_TRY(hatch_glb_index(glb, from->mesh.attributes[order[i]].name, first + i));
     HATCH_TRY(hatch_glb_put(glb, "}"));
     HATCH_TRY(hatch_glb_index(glb, "indices", first + count));
     if (from->material != HATCH_NONE)

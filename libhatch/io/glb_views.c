@@ -28,10 +28,22 @@ static void add_floats(struct hatch_glb *glb, const float *data, size_t count, u
                                           .bounds = bounds});
 }
 
-static void add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+void hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX])
 {
     for (uint32_t i = 0; i < mesh->attribute_count; i++) {
-        const struct hatch_mesh_attribute *a = &mesh->attributes[i];
+        uint32_t at = i;
+        for (; at > 1 && strcmp(mesh->attributes[order[at - 1]].name, mesh->attributes[i].name) > 0; at--)
+            order[at] = order[at - 1];
+        order[at] = i;
+    }
+}
+
+static void add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+{
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX];
+    hatch_glb_order(mesh, order);
+    for (uint32_t i = 0; i < mesh->attribute_count; i++) {
+        const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
         bool joints = strncmp(a->name, "JOINTS_", 7) == 0;
         add_view(glb, (struct hatch_glb_view){.component = joints ? HATCH_GLB_U16 : HATCH_GLB_F32,
                                               .target = HATCH_GLB_VERTICES,

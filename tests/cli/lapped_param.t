@@ -17,6 +17,15 @@ meshgen torus --faces 800 -o torus.glb
 dirfield torus.glb | lapped-param -o piped.glb
 ok "a mesh without a field" lapped-param torus.glb -o alone.glb
 ok "it gets the field that dirfield gives it" cmp piped.glb alone.glb
+printf 'OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 2 1 0\n4 4 5 6 7\n%s' \
+    '4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+' >cube.off
+dirfield -q cube.off | lapped-param -q -o piped.cube.glb
+lapped-param -q cube.off -o alone.cube.glb
+ok "and normals, where it has none" cmp piped.cube.glb alone.cube.glb
 lapped-param <torus.glb >filter.glb
 ok "as a filter" cmp filter.glb alone.glb
 lapped-param --seed 2 torus.glb -o other.glb
