@@ -56,6 +56,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
                                        &curvature, err));
     hatch_curvature_doubt_creases(surface, CMD_CREASE_RAD, &curvature);
+    hatch_frames_lean(surface, curvature.normal, &frames);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL};
     return hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,
                              err);

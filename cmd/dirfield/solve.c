@@ -98,6 +98,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     begun_ms = cmd_elapsed_ms();
     check(part, estimate(args, options, part, &curvature, &err), &err);
     hatch_curvature_doubt_creases(part->surface, CMD_CREASE_RAD, &curvature);
+    hatch_frames_lean(part->surface, curvature.normal, &part->frames);
     turn(&part->frames, part->surface, options->turn_deg, curvature.direction);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
     end_phase(part, PHASE_CURVATURE, begun_ms);

@@ -1,9 +1,6 @@
 #include <assert.h>
 
 #include "math/vector.h"
-#include "topo/curvature.h"
-#include "topo/curvature_bend.h"
-#include "topo/curvature_support.h"
 #include "topo/curvature_work.h"
 
 /* Points for each coefficient, at least: with fewer the residual says little. */
@@ -11,24 +8,9 @@
 #define GROWTH 1.25
 #define GROWTHS_MAX 12
 
-#define DEGREE_DEFAULT 4u
-#define RADIUS_DEFAULT 2.6
+#define BLOCK 64u
 
-#define BLOCK 256u
-
-struct run {
-    const struct hatch_surface *surface;
-    const struct hatch_frames *frames;
-    double radius;
-    uint32_t degree;
-    uint32_t workers;
-    struct hatch_support *supports; /* one a worker */
-    struct hatch_curvature *curvature;
-};
-
-/* Half the last place of a float at a point's largest coordinate, in units of the surface: files hold floats,
- * and no fit is better known than its points. */
-static double grain(const struct hatch_surface *surface, uint32_t point)
+double hatch_curvature_grain(const struct hatch_surface *surface, uint32_t point)
 {
     const struct hatch_component *component = &surface->components[surface->point_component[point]];
     double largest = 0;
@@ -38,9 +20,9 @@ static double grain(const struct hatch_surface *surface, uint32_t point)
     return largest * 0x1p-25;
 }
 
-/* Takes a support of the radius wanted, larger where it holds too few points. */
-static void fit(struct hatch_support *support, uint32_t point, const double normal[3], double radius,
-                uint32_t degree, struct hatch_jet_frame *frame, struct hatch_jet_system *system)
+void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3],
+                         double radius, uint32_t degree, struct hatch_jet_frame *frame,
+                         struct hatch_jet_system *system)
 {
     double wanted = POINTS_PER_TERM * hatch_jet_terms(degree);
     uint32_t before = 0;
@@ -60,45 +42,79 @@ static void fit(struct hatch_support *support, uint32_t point, const double norm
     }
 }
 
-static void estimate_point(const struct run *run, struct hatch_support *support, uint32_t p)
+void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point,
+                           const struct hatch_bend *bend, const struct hatch_bend_variance *variance,
+                           double radius)
 {
     struct hatch_curvature *out = run->curvature;
-    const double *normal = &run->frames->normal[(size_t)p * 3];
-    struct hatch_jet_frame frame;
+    double *direction = &out->direction[(size_t)point * 3];
+    double *normal = &out->normal[(size_t)point * 3];
+    struct hatch_principal principal;
+    out->radius[point] = radius;
+    if (!bend) {
+        hatch_vec_copy(&run->frames->axis[(size_t)point * 3], direction);
+        hatch_vec_copy(&run->frames->normal[(size_t)point * 3], normal);
+        out->deviation_rad[point] = atan(1);
+        return;
+    }
+    hatch_bend_principal(bend, &principal);
+    hatch_vec_copy(principal.direction, direction);
+    hatch_vec_copy(bend->normal, normal);
+    for (uint32_t k = 0; k < 2; k++)
+        out->value[(size_t)point * 2 + k] = principal.value[k];
+    out->deviation_rad[point] = hatch_bend_deviation(&principal, variance);
+    out->confidence[point] = hatch_bend_confidence(&principal, out->deviation_rad[point]);
+}
+
+struct share {
+    const struct hatch_curvature_run *run;
+    uint32_t count;
+    hatch_curvature_task task;
+    void *context;
+};
+
+static void run_share(void *context, uint32_t worker)
+{
+    const struct share *share = context;
+    uint32_t stride = share->run->workers * BLOCK;
+    for (uint32_t first = worker * BLOCK; first < share->count; first += stride)
+        for (uint32_t i = first; i < first + BLOCK && i < share->count; i++)
+            share->task(share->context, i, &share->run->supports[worker]);
+}
+
+void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count,
+                          hatch_curvature_task task, void *context)
+{
+    struct share share = {run, count, task, context};
+    hatch_parallel_for(run->pool, run->workers, run_share, &share);
+}
+
+/* One point over the support that the options name. */
+static void estimate_point(void *context, uint32_t p, struct hatch_support *support)
+{
+    const struct hatch_curvature_run *run = context;
+    uint32_t degree = run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
+    struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
-    fit(support, p, normal, run->radius, run->degree, &frame, &system);
+    hatch_curvature_fit(support, p, &run->frames->normal[(size_t)p * 3], run->options->radius, degree,
+                        &frame, &system);
     uint32_t terms = hatch_jet_terms(system.degree);
     if (system.degree == 0 || system.count <= terms) {
-        hatch_vec_copy(&run->frames->axis[(size_t)p * 3], &out->direction[(size_t)p * 3]);
-        out->deviation_rad[p] = atan(1);
-        out->radius[p] = run->radius;
+        hatch_curvature_store(run, p, NULL, NULL, frame.radius);
         return;
     }
     double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_principal principal;
     struct hatch_bend_variance variance;
     hatch_jet_solve(&system, system.degree, coefficients);
     hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
-    hatch_bend_principal(&bend, &principal);
-    hatch_bend_variance_of_jet(&frame, &system, system.degree, 0, 0, principal.direction, &variance);
-    double noise = sqrt(hatch_jet_residual(&system, system.degree) / (system.count - terms));
-    noise = fmax(noise * frame.radius, grain(run->surface, p));
-    hatch_vec_copy(principal.direction, &out->direction[(size_t)p * 3]);
-    for (uint32_t k = 0; k < 2; k++)
-        out->value[(size_t)p * 2 + k] = principal.value[k];
-    out->deviation_rad[p] = hatch_bend_deviation(&principal, &variance, noise);
-    out->confidence[p] = hatch_bend_confidence(&principal, out->deviation_rad[p]);
-    out->radius[p] = frame.radius;
-}
-
-static void estimate_some(void *context, uint32_t worker)
-{
-    const struct run *run = context;
-    for (uint32_t first = worker * BLOCK; first < run->surface->point_count;
-         first += run->workers * BLOCK)
-        for (uint32_t p = first; p < first + BLOCK && p < run->surface->point_count; p++)
-            estimate_point(run, &run->supports[worker], p);
+    hatch_bend_variance_of_jet(&frame, &system, system.degree, &variance);
+    double square = hatch_jet_residual(&system, system.degree) / (system.count - terms);
+    double grain = hatch_curvature_grain(run->surface, p);
+    square = fmax(square * frame.radius * frame.radius, grain * grain);
+    variance.across *= square;
+    variance.mean *= square;
+    hatch_curvature_store(run, p, &bend, &variance, frame.radius);
 }
 
 enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
@@ -109,9 +125,24 @@ enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *
     made.confidence = made.value ? HATCH_NEW(arena, double, points, err) : NULL;
     made.deviation_rad = made.confidence ? HATCH_NEW(arena, double, points, err) : NULL;
     made.radius = made.deviation_rad ? HATCH_NEW(arena, double, points, err) : NULL;
-    if (!made.radius)
+    made.normal = made.radius ? HATCH_NEW(arena, double, (size_t)points * 3, err) : NULL;
+    if (!made.normal)
         return HATCH_LIMIT;
     *curvature = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status estimate(struct hatch_curvature_run *run, struct hatch_arena *scratch,
+                                  struct hatch_err *err)
+{
+    run->supports = HATCH_NEW(scratch, struct hatch_support, run->workers, err);
+    if (!run->supports)
+        return HATCH_LIMIT;
+    for (uint32_t w = 0; w < run->workers; w++)
+        HATCH_TRY(hatch_support_make(run->surface, run->frames->normal, scratch, &run->supports[w], err));
+    if (!(run->options->radius > 0))
+        return hatch_curvature_adapt(run, scratch, err);
+    hatch_curvature_each(run, run->surface->point_count, estimate_point, run);
     return HATCH_OK;
 }
 
@@ -126,21 +157,16 @@ enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
     assert(options->degree == 0 || (options->degree >= 2 && options->degree <= HATCH_JET_DEGREE_MAX));
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
-    struct run run = {.surface = surface,
-                      .frames = frames,
-                      .radius = options->radius > 0 ? options->radius : RADIUS_DEFAULT,
-                      .degree = options->degree > 0 ? options->degree : DEGREE_DEFAULT,
-                      .workers = hatch_pool_threads(pool),
-                      .curvature = &made};
+    struct hatch_curvature_run run = {.surface = surface,
+                                      .frames = frames,
+                                      .options = options,
+                                      .pool = pool,
+                                      .workers = hatch_pool_threads(pool),
+                                      .curvature = &made};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    run.supports = HATCH_NEW(scratch, struct hatch_support, run.workers, err);
-    enum hatch_status status = run.supports ? HATCH_OK : HATCH_LIMIT;
-    for (uint32_t w = 0; w < run.workers && status == HATCH_OK; w++)
-        status = hatch_support_make(surface, frames->normal, scratch, &run.supports[w], err);
-    if (status == HATCH_OK) {
-        hatch_parallel_for(pool, run.workers, estimate_some, &run);
-        *curvature = made;
-    }
+    enum hatch_status status = estimate(&run, scratch, err);
     hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *curvature = made;
     return status;
 }

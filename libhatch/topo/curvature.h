@@ -20,6 +20,8 @@ struct hatch_curvature {
     double *confidence; /* 0 .. 1: 0 where the surface has no direction (plane, sphere) or the fit has failed */
     double *deviation_rad; /* the standard error expected of the direction, 0 .. π/4 */
     double *radius;     /* of the support that was used, in mean edges */
+    double *normal;     /* 3: unit; of the fit, on the side of the frames': where points are noisy, nearer to
+                           the surface's than any mean of faces' */
 };
 
 struct hatch_curvature_options {

@@ -66,49 +66,47 @@ void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal 
 }
 
 void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
-                                const struct hatch_jet_system *system, uint32_t degree, double x,
-                                double y, const double direction[3],
+                                const struct hatch_jet_system *system, uint32_t degree,
                                 struct hatch_bend_variance *variance)
 {
-    double c = hatch_vec_dot(direction, frame->axes[0]), s = hatch_vec_dot(direction, frame->axes[1]);
-    double length = hypot(c, s), functional[HATCH_JET_TERMS];
-    c = length > 0 ? c / length : 1;
-    s = length > 0 ? s / length : 0;
-    double unit = 1 / (frame->radius * frame->radius);
+    double functional[HATCH_JET_TERMS], unit = 1 / (frame->radius * frame->radius);
     unit *= unit;
-    hatch_jet_second(degree, x, y, -c * s, c * c - s * s, c * s, functional);
-    variance->across = unit * hatch_jet_variance(system, degree, functional);
-    hatch_jet_second(degree, x, y, 0.5, 0, 0.5, functional);
+    hatch_jet_second(degree, 0.5, 0, -0.5, functional);
+    variance->across = hatch_jet_variance(system, degree, functional);
+    hatch_jet_second(degree, 0, 1, 0, functional);
+    variance->across += hatch_jet_variance(system, degree, functional);
+    variance->across *= unit / 2;
+    hatch_jet_second(degree, 0.5, 0, 0.5, functional);
     variance->mean = unit * hatch_jet_variance(system, degree, functional);
 }
 
 double hatch_bend_deviation(const struct hatch_principal *principal,
-                            const struct hatch_bend_variance *variance, double noise)
+                            const struct hatch_bend_variance *variance)
 {
     double spread = fabs(principal->value[0] - principal->value[1]);
     double mean = fabs(principal->value[0] + principal->value[1]) / 2;
     if (!(spread > 0) || !(mean > 0))
         return PI / 4;
-    double own = noise * sqrt(variance->across) / spread;
-    double wrong = noise > 0 ? erfc(mean / (noise * sqrt(2 * variance->mean))) / 2 : 0;
-    double both = sqrt(own * own + wrong * PI * PI / 4);
+    double own = variance->across / (spread * spread);
+    double wrong = variance->mean > 0 ? erfc(mean / sqrt(2 * variance->mean)) / 2 : 0;
+    double both = sqrt(own + wrong * PI * PI / 4);
     return both < PI / 4 ? both : PI / 4;
 }
 
-/* A direction known to this many radians has half the weight of one that is known exactly. */
-#define DEVIATION_HALF 0.02
-/* One known no better than this has none. */
+/* A direction known to this many radians has even odds. */
+#define DEVIATION_EVEN 0.008
+/* One known no better than this says nothing. */
 #define DEVIATION_NONE 0.5
-/* The anisotropy at which a direction that is known exactly has half the weight. */
-#define ANISOTROPY_HALF 0.1
+/* The anisotropy at which the odds are half of what they would be at a larger one. */
+#define ANISOTROPY_HALF 0.02
 
 double hatch_bend_confidence(const struct hatch_principal *principal, double deviation_rad)
 {
     double first = fabs(principal->value[0]), second = fabs(principal->value[1]);
-    if (!(first > 0) || !(deviation_rad < DEVIATION_NONE))
+    if (!(first > second) || !(deviation_rad < DEVIATION_NONE))
         return 0;
     double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
-    double deviation = deviation_rad / DEVIATION_HALF, rest = deviation_rad / DEVIATION_NONE;
+    double deviation = deviation_rad / DEVIATION_EVEN, rest = deviation_rad / DEVIATION_NONE;
     anisotropy *= anisotropy;
     double odds = anisotropy / (1 + anisotropy) * (1 - rest * rest);
     return odds / (odds + deviation * deviation);

@@ -23,21 +23,21 @@ void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coeffic
 /* Principal curvatures: of bend's matrix in the plane of its normal. */
 void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal *principal);
 
-/* Variances, for points whose heights have variance 1: of the curvature across the principal axes, which turns
- * them, and of the mean curvature, which says which of them is first. In (1 / unit of the surface)². */
+/* Variances of the curvature across a direction, which turns the principal axes (the mean over all
+ * directions), and of the mean curvature, which says which of them is first. In (1 / unit of the surface)². */
 struct hatch_bend_variance {
     double across, mean;
 };
 
+/* Those of the fit of a degree at its middle, for points whose heights have variance 1. */
 void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
-                                const struct hatch_jet_system *system, uint32_t degree, double x,
-                                double y, const double direction[3],
+                                const struct hatch_jet_system *system, uint32_t degree,
                                 struct hatch_bend_variance *variance);
 
-/* The standard error of the direction, 0 .. π/4: the axes' own, and that of taking the second for the first.
- * noise: standard deviation of the points along the normal. */
+/* The standard error of the direction, 0 .. π/4: the axes' own, and that of taking the second for the
+ * first. */
 double hatch_bend_deviation(const struct hatch_principal *principal,
-                            const struct hatch_bend_variance *variance, double noise);
+                            const struct hatch_bend_variance *variance);
 
 /* 0 .. 1: see hatch_curvature. */
 double hatch_bend_confidence(const struct hatch_principal *principal, double deviation_rad);

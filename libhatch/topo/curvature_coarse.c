@@ -2,8 +2,6 @@
 
 #include "base/random.h"
 #include "math/vector.h"
-#include "topo/curvature.h"
-#include "topo/curvature_bend.h"
 #include "topo/curvature_work.h"
 
 /* What a face of the simplified mesh says; lengths in the mesh's units. */
@@ -95,9 +93,11 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
     hatch_jet_solve(&system, 2, coefficients);
     hatch_bend_of_jet(&frame, coefficients, 2, 0, 0, &bend);
     hatch_bend_principal(&bend, &sample->principal);
-    hatch_bend_variance_of_jet(&frame, &system, 2, 0, 0, sample->principal.direction, &variance);
-    double noise = frame.radius * sqrt(hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2)));
-    sample->deviation_rad = hatch_bend_deviation(&sample->principal, &variance, noise);
+    hatch_bend_variance_of_jet(&frame, &system, 2, &variance);
+    double square = hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2));
+    variance.across *= square * frame.radius * frame.radius;
+    variance.mean *= square * frame.radius * frame.radius;
+    sample->deviation_rad = hatch_bend_deviation(&sample->principal, &variance);
     sample->confidence = hatch_bend_confidence(&sample->principal, sample->deviation_rad);
     for (int k = 0; k < 2; k++)
         sample->principal.value[k] /= component->scale;
@@ -202,6 +202,7 @@ static void carry(const struct hatch_surface *surface, const struct hatch_frames
         curvature->confidence[p] = stands ? 0 : sample->confidence;
         curvature->deviation_rad[p] = sample->deviation_rad;
         curvature->radius[p] = sample->radius / scale;
+        hatch_vec_copy(search->normal, &curvature->normal[(size_t)p * 3]);
     }
 }
 

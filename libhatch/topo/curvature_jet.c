@@ -133,9 +133,12 @@ double hatch_jet_variance(const struct hatch_jet_system *system, uint32_t degree
                           const double functional[HATCH_JET_TERMS])
 {
     double solved[HATCH_JET_TERMS], sum = 0;
-    for (uint32_t row = 0; row < hatch_jet_terms(degree); row++) {
+    uint32_t first = 0;
+    while (first + 1 < hatch_jet_terms(degree) && functional[first] == 0)
+        first++;
+    for (uint32_t row = first; row < hatch_jet_terms(degree); row++) {
         double value = functional[row];
-        for (uint32_t k = 0; k < row; k++)
+        for (uint32_t k = first; k < row; k++)
             value -= system->lower[row][k] * solved[k];
         solved[row] = value * system->lower[row][row];
         sum += solved[row] * solved[row];
@@ -143,42 +146,38 @@ double hatch_jet_variance(const struct hatch_jet_system *system, uint32_t degree
     return sum;
 }
 
-/* x^n, with x^-1 and x^-2 as 0: they only stand where a derivative's factor is 0. */
-static void raise(double x, double out[HATCH_JET_DEGREE_MAX + 3])
-{
-    out[0] = out[1] = 0;
-    out[2] = 1;
-    for (uint32_t n = 1; n <= HATCH_JET_DEGREE_MAX; n++)
-        out[n + 2] = out[n + 1] * x;
-}
-
 void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
                   struct hatch_jet_point *point)
 {
-    double px[HATCH_JET_DEGREE_MAX + 3], py[HATCH_JET_DEGREE_MAX + 3];
-    raise(x, px);
-    raise(y, py);
-    *point = (struct hatch_jet_point){0};
-    for (uint32_t t = 1; t < hatch_jet_terms(degree); t++) {
-        uint32_t i = powers[t][0], k = powers[t][1];
-        double c = coefficients[t];
-        point->fx += c * i * px[i + 1] * py[k + 2];
-        point->fy += c * k * px[i + 2] * py[k + 1];
-        point->fxx += c * i * (i - 1.0) * px[i] * py[k + 2];
-        point->fxy += c * i * k * px[i + 1] * py[k + 1];
-        point->fyy += c * k * (k - 1.0) * px[i + 2] * py[k];
+    const double *c = coefficients;
+    double xx = x * x, xy = x * y, yy = y * y;
+    *point = (struct hatch_jet_point){.fx = c[1] + 2 * c[3] * x + c[4] * y,
+                                      .fy = c[2] + c[4] * x + 2 * c[5] * y,
+                                      .fxx = 2 * c[3],
+                                      .fxy = c[4],
+                                      .fyy = 2 * c[5]};
+    if (degree >= 3) {
+        point->fx += 3 * c[6] * xx + 2 * c[7] * xy + c[8] * yy;
+        point->fy += c[7] * xx + 2 * c[8] * xy + 3 * c[9] * yy;
+        point->fxx += 6 * c[6] * x + 2 * c[7] * y;
+        point->fxy += 2 * c[7] * x + 2 * c[8] * y;
+        point->fyy += 2 * c[8] * x + 6 * c[9] * y;
+    }
+    if (degree >= 4) {
+        point->fx += x * (4 * c[10] * xx + 3 * c[11] * xy + 2 * c[12] * yy) + c[13] * y * yy;
+        point->fy += c[11] * x * xx + y * (2 * c[12] * xx + 3 * c[13] * xy + 4 * c[14] * yy);
+        point->fxx += 12 * c[10] * xx + 6 * c[11] * xy + 2 * c[12] * yy;
+        point->fxy += 3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy;
+        point->fyy += 2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy;
     }
 }
 
-void hatch_jet_second(uint32_t degree, double x, double y, double a, double b, double c,
+void hatch_jet_second(uint32_t degree, double a, double b, double c,
                       double functional[HATCH_JET_TERMS])
 {
-    double px[HATCH_JET_DEGREE_MAX + 3], py[HATCH_JET_DEGREE_MAX + 3];
-    raise(x, px);
-    raise(y, py);
-    for (uint32_t t = 0; t < hatch_jet_terms(degree); t++) {
-        uint32_t i = powers[t][0], k = powers[t][1];
-        functional[t] = a * i * (i - 1.0) * px[i] * py[k + 2] + b * i * k * px[i + 1] * py[k + 1] +
-                        c * k * (k - 1.0) * px[i + 2] * py[k];
-    }
+    for (uint32_t t = 0; t < hatch_jet_terms(degree); t++)
+        functional[t] = 0;
+    functional[3] = 2 * a;
+    functional[4] = b;
+    functional[5] = 2 * c;
 }

@@ -61,8 +61,8 @@ double hatch_jet_variance(const struct hatch_jet_system *system, uint32_t degree
 void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
                   struct hatch_jet_point *point);
 
-/* The functional that gives a·fxx + b·fxy + c·fyy at a place. */
-void hatch_jet_second(uint32_t degree, double x, double y, double a, double b, double c,
+/* The functional that gives a·fxx + b·fxy + c·fyy at the origin. */
+void hatch_jet_second(uint32_t degree, double a, double b, double c,
                       double functional[HATCH_JET_TERMS]);
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "math/vector.h"
 
-#define LEAN_COSINE_MIN 0.2
+#define LEAN_COSINE 0.2
 
 /* A disk of radius r holds about 3.6 r² points when edges are alike. Where a mesh has far more, the nearest
  * rings say enough, and of a ring of thousands a few hundred do: else time is the square of the points. */
@@ -15,7 +15,7 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
                                      struct hatch_err *err)
 {
     size_t points = surface->point_count;
-    struct hatch_support made = {.surface = surface, .normals = normals};
+    struct hatch_support made = {.surface = surface, .normals = normals, .lean_cosine = LEAN_COSINE};
     made.seen = HATCH_NEW(arena, uint32_t, points, err);
     made.points = made.seen ? HATCH_NEW(arena, uint32_t, points, err) : NULL;
     made.sides = made.points ? HATCH_NEW(arena, int8_t, points, err) : NULL;
@@ -58,7 +58,7 @@ bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const 
             if (hatch_vec_dot(offset, offset) > square)
                 continue;
             int side = surface->ring_turned[i] ? -support->sides[next] : support->sides[next];
-            if (hatch_vec_dot(&support->normals[(size_t)q * 3], normal) * side < LEAN_COSINE_MIN)
+            if (hatch_vec_dot(&support->normals[(size_t)q * 3], normal) * side < support->lean_cosine)
                 continue;
             push(support, q, side, offset);
         }

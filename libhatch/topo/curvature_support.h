@@ -6,10 +6,11 @@
 #include "topo/surface.h"
 
 /* What one thread needs to walk over a surface. normals: 3 a point, each for the side that its ring takes
- * for outside. */
+ * for outside; lean_cosine: of the angle by which normals may lean away from the middle's. */
 struct hatch_support {
     const struct hatch_surface *surface;
     const double *normals;
+    double lean_cosine;
     uint32_t *seen;   /* per point: the number of the last walk that met it */
     uint32_t walk;
     uint32_t count;
@@ -23,8 +24,8 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
                                      struct hatch_arena *arena, struct hatch_support *support,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals lean
- * away from the given one by less than 78°: not through the air to the other side of a thin part. True when
+/* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals do not
+ * lean away from the given one by more than lean_cosine allows (78° at first): not through the air to the other side of a thin part. True when
  * there are far more of them than even edges would give: then only the nearest rings are taken. */
 bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
                           double radius);

@@ -3,10 +3,51 @@
 #define HATCH_TOPO_CURVATURE_WORK_H
 
 #include "topo/curvature.h"
+#include "topo/curvature_bend.h"
+#include "topo/curvature_support.h"
+
+/* The smallest support, in mean edges, and its degree: on clean points nothing is more accurate. */
+#define HATCH_CURVATURE_RADIUS 2.6
+#define HATCH_CURVATURE_DEGREE 4u
+
+struct hatch_curvature_run {
+    const struct hatch_surface *surface;
+    const struct hatch_frames *frames;
+    const struct hatch_curvature_options *options;
+    struct hatch_pool *pool;
+    uint32_t workers;
+    struct hatch_support *supports; /* one a worker */
+    struct hatch_curvature *curvature;
+};
 
 /* Zeroed, from arena. */
 enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
                                            struct hatch_curvature *curvature, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Half the last place of a float at a point's largest coordinate, in units of the surface: files hold
+ * floats, and no fit is better known than its points. */
+double hatch_curvature_grain(const struct hatch_surface *surface, uint32_t point);
+
+/* A fit over a support of the radius wanted, larger where it holds too few points for the degree. */
+void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3],
+                         double radius, uint32_t degree, struct hatch_jet_frame *frame,
+                         struct hatch_jet_system *system);
+
+/* Writes what was found for a point. bend: NULL when nothing was. variance: of the curvatures themselves. */
+void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point,
+                           const struct hatch_bend *bend, const struct hatch_bend_variance *variance,
+                           double radius);
+
+/* Runs task(context, item, support) for item = 0 .. count - 1, shared out among the workers. A task writes
+ * only what is its item's, so that nothing depends on who runs it. */
+typedef void (*hatch_curvature_task)(void *context, uint32_t item, struct hatch_support *support);
+void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count,
+                          hatch_curvature_task task, void *context);
+
+/* Supports that grow with the noise. */
+enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
     HATCH_MUST_USE;
 
 #endif

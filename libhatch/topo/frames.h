@@ -24,6 +24,12 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
+/* Takes other normals, of a smoother surface than the faces', where points are noisy: angles are then those of
+ * edges laid into the new planes, and turns the least that make one plane another. A point whose faces fold over
+ * one another in its new plane keeps what it has. The fields that are solved on such frames do not follow the
+ * noise. normal: 3 a point, unit, on the sides of the frames' own; may not be frames->normal. */
+void hatch_frames_lean(const struct hatch_surface *surface, const double *normal, struct hatch_frames *frames);
+
 /* What rounding leaves in the plane of a vector along the normal, as a share of it: counts as nothing. */
 #define HATCH_FRAMES_ROUNDING 1e-14
 

@@ -1,0 +1,372 @@
+/* Supports that grow with the noise.
+ *
+ * Fits stand on some of the points only, a share of their radius apart, each serves the points around it, and where
+ * several serve a point their shape operators are averaged, weighed by what error each is expected to have (a
+ * partition of unity: Ohtake et al., "Multi-level partition of unity implicits", SIGGRAPH 2003). Small supports,
+ * first, measure the noise: the residual of a quartic. Where that leaves the direction uncertain, larger and larger
+ * supports follow, until the error that the noise leaves no longer falls below the error that the polynomial's own
+ * stiffness makes: that is measured by what a higher degree would change, and where the residual grows beyond the
+ * noise (compare Lepski, "On a problem of adaptive estimation in Gaussian white noise", 1990). Clean points get a
+ * fit each. */
+#include <string.h>
+
+#include "math/vector.h"
+#include "topo/curvature_work.h"
+
+#define RADIUS_STEP 1.4142135623730951
+#define RADIUS_MAX 24.0
+#define SPACING 0.3        /* between fits, in radii */
+#define SPACING_FIRST 0.5
+#define SERVED 0.5         /* how far a fit reaches, in radii */
+#define LEAN_COSINE 0.5    /* from the second level on: a polynomial over a plane cannot follow steeper slopes */
+#define POINTS_LEAST 16u
+#define NOISE_ROUNDS 3     /* of averaging with neighbours: one fit's residual has few degrees of freedom */
+#define CERTAIN_RAD 0.0017 /* no larger support is tried */
+#define NEARLY_RAD 0.01    /* a fit of its own is worth it */
+#define WORSE 4.0          /* than the least expected error so far: no larger support is tried */
+#define DEGREE_LEAST 3u
+
+/* What is known of a point: sums over the fits that serve it, weighed; and the least expected error, of all
+ * levels and of this one. */
+struct place {
+    struct hatch_bend bend;
+    struct hatch_bend_variance variance;
+    double weight, radius, least, now;
+    bool open; /* larger supports may still help */
+};
+
+struct fit {
+    struct hatch_jet_frame frame;
+    double coefficients[HATCH_JET_TERMS];
+    uint32_t degree; /* 0: the points do not say */
+    struct hatch_bend_variance variance;
+    double residual, freedom; /* of the first level: squares summed, in units of the surface; and of how many */
+};
+
+struct work {
+    const struct hatch_curvature_run *run;
+    struct place *places;
+    double *normals;              /* 3 a point: the best that is known */
+    double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
+    uint32_t *centers;            /* points that a fit stands on */
+    struct fit *fits;
+    double radius;
+    bool first;
+};
+
+static double sum_of(const struct hatch_bend_variance *variance)
+{
+    return variance->across + variance->mean;
+}
+
+/* Points that are open and further from all others chosen than the spacing, in the points' order. */
+static uint32_t choose_centers(struct work *w, uint32_t *covered, uint32_t level)
+{
+    struct hatch_support *support = &w->run->supports[0];
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < w->run->surface->point_count; p++) {
+        if (!w->places[p].open || covered[p] == level)
+            continue;
+        hatch_support_gather(support, p, &w->normals[(size_t)p * 3],
+                             w->radius * (w->first ? SPACING_FIRST : SPACING));
+        for (uint32_t i = 0; i < support->count; i++)
+            covered[support->points[i]] = level;
+        w->centers[count++] = p;
+    }
+    return count;
+}
+
+/* How much a lower degree's bending differs from a higher one's, squared, in the frame's unit. */
+static struct hatch_bend_variance difference(const double a[HATCH_JET_TERMS], const double b[HATCH_JET_TERMS])
+{
+    double skew = (a[3] - b[3]) - (a[5] - b[5]), across = a[4] - b[4], mean = (a[3] - b[3]) + (a[5] - b[5]);
+    return (struct hatch_bend_variance){(skew * skew + across * across) / 2, mean * mean};
+}
+
+/* The expected error of each degree is its variance and its bias. Least squares of nested degrees differ by the
+ * bias and by a variance that is the difference of their variances. The highest degree's bias shows in a residual
+ * that is beyond the noise and its own scatter. */
+static void choose_degree(const struct work *w, const struct hatch_jet_system *system, double noise,
+                          struct fit *fit)
+{
+    uint32_t asked = w->run->options->degree, top = system->degree;
+    double unit = 1 / (fit->frame.radius * fit->frame.radius), highest[HATCH_JET_TERMS];
+    struct hatch_bend_variance widest, own;
+    double freedom = system->count - hatch_jet_terms(top);
+    double excess = hatch_jet_residual(system, top) * fit->frame.radius * fit->frame.radius / freedom -
+                    noise * (1 + 2 * sqrt(2 / freedom));
+    hatch_jet_solve(system, top, highest);
+    hatch_bend_variance_of_jet(&fit->frame, system, top, &widest);
+    fit->degree = 0;
+    uint32_t lowest = asked ? asked : DEGREE_LEAST;
+    for (uint32_t d = lowest < top ? lowest : top; d <= (asked && asked < top ? asked : top); d++) {
+        double coefficients[HATCH_JET_TERMS];
+        hatch_jet_solve(system, d, coefficients);
+        hatch_bend_variance_of_jet(&fit->frame, system, d, &own);
+        struct hatch_bend_variance error = {noise * own.across, noise * own.mean};
+        struct hatch_bend_variance bias = difference(coefficients, highest);
+        if (d < top) {
+            error.across += fmax(0, bias.across * unit - noise * (widest.across - own.across));
+            error.mean += fmax(0, bias.mean * unit - noise * (widest.mean - own.mean));
+        } else {
+            error.across += fmax(0, excess) * system->count * own.across;
+            error.mean += fmax(0, excess) * system->count * own.mean;
+        }
+        if (fit->degree == 0 || sum_of(&error) < sum_of(&fit->variance)) {
+            fit->degree = d;
+            fit->variance = error;
+            memcpy(fit->coefficients, coefficients, sizeof coefficients);
+        }
+    }
+}
+
+static void fit_first(struct work *w, uint32_t point, struct hatch_support *support, struct fit *fit)
+{
+    struct hatch_jet_system system;
+    hatch_curvature_fit(support, point, &w->normals[(size_t)point * 3], w->radius, HATCH_CURVATURE_DEGREE,
+                        &fit->frame, &system);
+    fit->freedom = (double)system.count - hatch_jet_terms(system.degree);
+    fit->degree = fit->freedom > 0 ? system.degree : 0;
+    if (fit->degree == 0)
+        return;
+    hatch_jet_solve(&system, fit->degree, fit->coefficients);
+    hatch_bend_variance_of_jet(&fit->frame, &system, fit->degree, &fit->variance);
+    fit->residual = hatch_jet_residual(&system, fit->degree) * fit->frame.radius * fit->frame.radius;
+}
+
+static void fit_center(void *context, uint32_t i, struct hatch_support *support)
+{
+    struct work *w = context;
+    struct fit *fit = &w->fits[i];
+    uint32_t point = w->centers[i];
+    if (w->first) {
+        fit_first(w, point, support, fit);
+        return;
+    }
+    struct hatch_jet_sums sums;
+    struct hatch_jet_system system;
+    const double *normal = &w->normals[(size_t)point * 3];
+    fit->degree = 0;
+    hatch_support_gather(support, point, normal, w->radius);
+    if (support->count < POINTS_LEAST)
+        return;
+    hatch_support_sums(support, normal, w->radius, &fit->frame, &sums);
+    hatch_jet_factorise(&sums, HATCH_JET_DEGREE_MAX, &system);
+    if (system.degree >= 2 && system.count > hatch_jet_terms(system.degree))
+        choose_degree(w, &system, w->squares[point], fit);
+}
+
+/* The noise around each point from the residuals of the first level's fits. */
+static void measure_noise(struct work *w, uint32_t count, double *scratch)
+{
+    const struct hatch_surface *surface = w->run->surface;
+    struct hatch_support *support = &w->run->supports[0];
+    for (uint32_t c = 0; c < count; c++) {
+        const struct fit *fit = &w->fits[c];
+        if (fit->degree == 0)
+            continue;
+        hatch_support_gather(support, w->centers[c], fit->frame.axes[2], w->radius * SERVED);
+        for (uint32_t i = 0; i < support->count; i++) {
+            w->squares[support->points[i]] += fit->residual;
+            w->freedom[support->points[i]] += fit->freedom;
+        }
+    }
+    double *sums[2] = {w->squares, w->freedom};
+    for (int round = 0; round < NOISE_ROUNDS; round++)
+        for (int k = 0; k < 2; k++) {
+            memcpy(scratch, sums[k], surface->point_count * sizeof *scratch);
+            for (uint32_t p = 0; p < surface->point_count; p++) {
+                uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
+                for (uint32_t i = first; i < end; i++)
+                    sums[k][p] += scratch[surface->ring_point[i]];
+                sums[k][p] /= end - first + 1;
+            }
+        }
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        double grain = hatch_curvature_grain(surface, p);
+        double square = w->freedom[p] > 0 ? w->squares[p] / w->freedom[p] : 0;
+        w->squares[p] = fmax(square, grain * grain);
+    }
+}
+
+static void add_bend(struct place *place, double weight, double side, const struct hatch_bend *bend)
+{
+    for (int i = 0; i < 6; i++)
+        place->bend.matrix[i] += side * weight * bend->matrix[i];
+    for (int i = 0; i < 3; i++)
+        place->bend.normal[i] += side * weight * bend->normal[i];
+    place->weight += weight;
+}
+
+/* Gives what a fit says to the points that it serves. The middle of its support weighs most; squares of expected
+ * errors let the better fits speak nearly alone. */
+static void serve(struct work *w, const struct fit *fit, uint32_t center)
+{
+    struct hatch_support *support = &w->run->supports[0];
+    double reach = fit->frame.radius * SERVED, error = sum_of(&fit->variance);
+    hatch_support_gather(support, center, fit->frame.axes[2], reach);
+    for (uint32_t i = 0; i < support->count; i++) {
+        struct place *place = &w->places[support->points[i]];
+        const double *offset = &support->offsets[(size_t)i * 3];
+        double away = hatch_vec_dot(offset, offset) / (reach * reach);
+        if (!(away < 1))
+            continue;
+        double weight = (1 - away) * (1 - away) / (error * error);
+        double x = hatch_vec_dot(offset, fit->frame.axes[0]) / fit->frame.radius;
+        double y = hatch_vec_dot(offset, fit->frame.axes[1]) / fit->frame.radius;
+        struct hatch_bend bend;
+        hatch_bend_of_jet(&fit->frame, fit->coefficients, fit->degree, x, y, &bend);
+        add_bend(place, weight, support->sides[i], &bend);
+        place->variance.across += weight * fit->variance.across;
+        place->variance.mean += weight * fit->variance.mean;
+        place->radius += weight * fit->frame.radius;
+        if (away <= 4 * SPACING * SPACING)
+            place->now = fmin(place->now, error);
+    }
+}
+
+/* The weighed means. false when no fit has served the point. */
+static bool mean_of(const struct place *place, struct hatch_bend *bend, struct hatch_bend_variance *variance)
+{
+    if (!(place->weight > 0))
+        return false;
+    for (int i = 0; i < 6; i++)
+        bend->matrix[i] = place->bend.matrix[i] / place->weight;
+    hatch_vec_copy(place->bend.normal, bend->normal);
+    variance->across = place->variance.across / place->weight;
+    variance->mean = place->variance.mean / place->weight;
+    return hatch_vec_normalize(bend->normal) > 0;
+}
+
+static double deviation_of(const struct place *place)
+{
+    struct hatch_bend bend;
+    struct hatch_bend_variance variance;
+    struct hatch_principal principal;
+    if (!mean_of(place, &bend, &variance))
+        return INFINITY;
+    hatch_bend_principal(&bend, &principal);
+    return hatch_bend_deviation(&principal, &variance);
+}
+
+/* A point whose direction is nearly certain gets a fit of its own in place of what the first level's fits
+ * around it say. */
+static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
+{
+    struct work *w = context;
+    struct place *place = &w->places[p];
+    struct hatch_jet_system system;
+    struct hatch_jet_frame frame;
+    if (!(deviation_of(place) < NEARLY_RAD))
+        return;
+    hatch_curvature_fit(support, p, &w->run->frames->normal[(size_t)p * 3], w->radius,
+                        w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
+                        &system);
+    if (system.degree == 0)
+        return;
+    double coefficients[HATCH_JET_TERMS];
+    struct hatch_bend bend;
+    struct hatch_bend_variance variance;
+    hatch_jet_solve(&system, system.degree, coefficients);
+    hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
+    hatch_bend_variance_of_jet(&frame, &system, system.degree, &variance);
+    variance.across *= w->squares[p];
+    variance.mean *= w->squares[p];
+    double error = sum_of(&variance), weight = 1 / (error * error);
+    *place = (struct place){.least = error, .now = error, .open = true};
+    add_bend(place, weight, 1, &bend);
+    place->variance.across = weight * variance.across;
+    place->variance.mean = weight * variance.mean;
+    place->radius = weight * frame.radius;
+}
+
+/* Closes the points that need no larger support, or that a larger one has not helped. */
+static void settle(struct work *w)
+{
+    for (uint32_t p = 0; p < w->run->surface->point_count; p++) {
+        struct place *place = &w->places[p];
+        if (!place->open)
+            continue;
+        bool worse = place->now < INFINITY && place->now > WORSE * place->least;
+        place->least = fmin(place->least, place->now);
+        place->now = INFINITY;
+        place->open = !worse && deviation_of(place) > CERTAIN_RAD;
+        if (place->weight > 0) {
+            hatch_vec_copy(place->bend.normal, &w->normals[(size_t)p * 3]);
+            hatch_vec_normalize(&w->normals[(size_t)p * 3]);
+        }
+    }
+}
+
+/* One level: false when no point is open. */
+static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *covered, double *pool,
+                                   struct hatch_arena *scratch, bool *more, struct hatch_err *err)
+{
+    uint32_t count = choose_centers(w, covered, level);
+    *more = count > 0;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    w->fits = HATCH_NEW(scratch, struct fit, count, err);
+    if (!w->fits)
+        return HATCH_LIMIT;
+    hatch_curvature_each(w->run, count, fit_center, w);
+    if (w->first)
+        measure_noise(w, count, pool);
+    for (uint32_t c = 0; c < count; c++) {
+        struct fit *fit = &w->fits[c];
+        if (w->first) {
+            fit->variance.across *= w->squares[w->centers[c]];
+            fit->variance.mean *= w->squares[w->centers[c]];
+        }
+        if (fit->degree > 0)
+            serve(w, fit, w->centers[c]);
+    }
+    if (w->first)
+        hatch_curvature_each(w->run, w->run->surface->point_count, fit_itself, w);
+    settle(w);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, uint32_t **covered,
+                                  double **pool, struct hatch_err *err)
+{
+    uint32_t points = w->run->surface->point_count;
+    w->places = HATCH_NEW(scratch, struct place, points, err);
+    w->normals = w->places ? HATCH_NEW(scratch, double, (size_t)points * 3, err) : NULL;
+    w->squares = w->normals ? HATCH_NEW(scratch, double, points, err) : NULL;
+    w->freedom = w->squares ? HATCH_NEW(scratch, double, points, err) : NULL;
+    w->centers = w->freedom ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
+    *covered = w->centers ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
+    *pool = *covered ? HATCH_NEW(scratch, double, points, err) : NULL;
+    return *pool ? HATCH_OK : HATCH_LIMIT;
+}
+
+enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct work w = {.run = run, .radius = HATCH_CURVATURE_RADIUS, .first = true};
+    uint32_t points = run->surface->point_count, *covered;
+    double *pool;
+    HATCH_TRY(allocate(&w, scratch, &covered, &pool, err));
+    memcpy(w.normals, run->frames->normal, (size_t)points * 3 * sizeof *w.normals);
+    for (uint32_t p = 0; p < points; p++)
+        w.places[p] = (struct place){.least = INFINITY, .now = INFINITY, .open = true};
+    bool more = true;
+    for (uint32_t level = 1; more && w.radius <= RADIUS_MAX; level++, w.radius *= RADIUS_STEP) {
+        HATCH_TRY(run_level(&w, level, covered, pool, scratch, &more, err));
+        w.first = false;
+        for (uint32_t i = 0; i < run->workers; i++) {
+            run->supports[i].normals = w.normals;
+            run->supports[i].lean_cosine = LEAN_COSINE;
+        }
+    }
+    for (uint32_t p = 0; p < points; p++) {
+        const struct place *place = &w.places[p];
+        struct hatch_bend bend;
+        struct hatch_bend_variance variance;
+        bool known = mean_of(place, &bend, &variance);
+        hatch_curvature_store(run, p, known ? &bend : NULL, &variance,
+                              known ? place->radius / place->weight : w.radius);
+    }
+    return HATCH_OK;
+}

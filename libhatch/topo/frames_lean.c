@@ -1,0 +1,71 @@
+#include <math.h>
+
+#include "math/vector.h"
+#include "topo/frames.h"
+
+#define TURN (2 * 3.14159265358979323846)
+
+/* The edge of ring entry i, laid into the plane that halves the angle between the tangent planes at its ends: from
+ * there it falls onto both alike, so that the angles that it takes in them differ by the least turn that makes one
+ * plane the other. */
+static void lay_edge(const struct hatch_surface *surface, const double *normal, uint32_t p, uint32_t i,
+                     double edge[3])
+{
+    uint32_t q = surface->ring_point[i];
+    double middle[3];
+    hatch_vec_sub(&surface->points[(size_t)q * 3], &surface->points[(size_t)p * 3], edge);
+    hatch_vec_add_scaled(&normal[(size_t)p * 3], surface->ring_turned[i] ? -1 : 1, &normal[(size_t)q * 3],
+                         middle);
+    hatch_vec_normalize(middle);
+    hatch_vec_add_scaled(edge, -hatch_vec_dot(edge, middle), middle, edge);
+}
+
+/* The angle of entry i's edge in a plane, against an axis in it. */
+static double edge_angle(const struct hatch_surface *surface, const double *normal, uint32_t p, uint32_t i,
+                         const double axis[3])
+{
+    double edge[3], side[3];
+    lay_edge(surface, normal, p, i, edge);
+    hatch_vec_cross(&normal[(size_t)p * 3], axis, side);
+    return atan2(hatch_vec_dot(edge, side), hatch_vec_dot(edge, axis));
+}
+
+/* Goes around a ring in the plane of its new normal. false when that is not one time around: faces are folded over
+ * one another there. */
+static bool lean_ring(const struct hatch_surface *surface, const double *normal, uint32_t p,
+                      struct hatch_frames *frames, bool write)
+{
+    uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
+    const double *n = &normal[(size_t)p * 3];
+    bool open = surface->ring_face[end - 1] == HATCH_NO_SIDE;
+    double axis[3], sum = 0, before = 0;
+    lay_edge(surface, normal, p, first, axis);
+    hatch_vec_add_scaled(axis, -hatch_vec_dot(axis, n), n, axis);
+    if (!(hatch_vec_normalize(axis) > 0))
+        return false;
+    for (uint32_t i = first; i < end; i++) {
+        double angle = i == first ? 0 : edge_angle(surface, normal, p, i, axis);
+        sum += remainder(angle - before, TURN);
+        before = angle;
+        if (write)
+            frames->angle_rad[i] = sum;
+        else if (sum < 0 || sum >= TURN)
+            return false;
+    }
+    if (write) {
+        hatch_vec_copy(n, &frames->normal[(size_t)p * 3]);
+        hatch_vec_copy(axis, &frames->axis[(size_t)p * 3]);
+    }
+    return open || sum + remainder(-before, TURN) > TURN / 2;
+}
+
+void hatch_frames_lean(const struct hatch_surface *surface, const double *normal, struct hatch_frames *frames)
+{
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        if (lean_ring(surface, normal, p, frames, false))
+            lean_ring(surface, normal, p, frames, true);
+    for (uint32_t i = 0; i < surface->ring_first[surface->point_count]; i++) {
+        double here = frames->angle_rad[i], there = frames->angle_rad[frames->mate[i]];
+        frames->turn_rad[i] = remainder(here + (surface->ring_turned[i] ? there : -there) + TURN / 2, TURN);
+    }
+}
