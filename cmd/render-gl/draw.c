@@ -32,17 +32,22 @@ static void use_item(const struct renderer *renderer, const struct gpu_item *ite
     glFrontFace(item->mirrored ? GL_CW : GL_CCW);
 }
 
+static void draw_part(struct part part)
+{
+    glBindVertexArray(part.vertex_array);
+    glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
+                   (const void *)(sizeof(uint32_t) * part.first));
+}
+
 /* Faces that may be seen from behind are drawn once for each side, because the light is per vertex
  * and a vertex has no side. */
 static void draw_sides(const struct gpu_item *item, struct part part, uint32_t pass)
 {
     glUniform1i(4, (GLint)pass);
-    glBindVertexArray(part.vertex_array);
     for (int behind = 0; behind <= (item->double_sided ? 1 : 0); behind++) {
         glCullFace(behind ? GL_FRONT : GL_BACK);
         glUniform1f(3, behind ? -1.0f : 1.0f);
-        glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
-                       (const void *)(sizeof(uint32_t) * part.first));
+        draw_part(part);
     }
 }
 
@@ -78,8 +83,13 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
         const struct gpu_item *item = &scene->items[i];
         if (!shows_patches(renderer, technique, item))
             continue;
+        struct part part = surface_of(&scene->meshes[item->mesh], item);
         use_item(renderer, item, renderer->below_patches[techniques[technique]->stages.geometry != NULL]);
-        draw_sides(item, surface_of(&scene->meshes[item->mesh], item), 0);
+        glCullFace(GL_BACK);
+        if (item->double_sided)
+            glDisable(GL_CULL_FACE);
+        draw_part(part);
+        glEnable(GL_CULL_FACE);
     }
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
