@@ -98,7 +98,8 @@ static void upload(struct job *job)
     open_context(job);
     cmd_check(scene_upload(&job->scene, job->patches, &bounds, keep, scratch, &job->gpu, &err), name,
               &err);
-    material_upload(&job->args, name, options->style.base_tone, &job->gpu);
+    material_upload(&job->args, name, options->style.base_tone, job->context.size_max_px,
+                    &job->gpu);
 }
 
 void job_prepare(struct job *job)

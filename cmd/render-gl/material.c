@@ -3,14 +3,17 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "filter/pyramid.h"
 #include "io/foreign.h"
 
-static GLuint upload(const struct hatch_image *image, bool repeats)
+static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap[2])
 {
+    static const GLint modes[] = {[HATCH_WRAP_CLAMP] = GL_CLAMP_TO_EDGE,
+                                  [HATCH_WRAP_REPEAT] = GL_REPEAT,
+                                  [HATCH_WRAP_MIRROR] = GL_MIRRORED_REPEAT};
     static const GLenum formats[5] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
     static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
     static const GLint grey_alpha[4] = {GL_RED, GL_RED, GL_RED, GL_GREEN};
-    GLint wrap = repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     GLuint texture;
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
     glTextureStorage2D(texture, (GLsizei)hatch_mip_chain_length(image->width, image->height),
@@ -23,8 +26,8 @@ static GLuint upload(const struct hatch_image *image, bool repeats)
                              image->channel_count == 2 ? grey_alpha : grey);
     glGenerateTextureMipmap(texture);
     glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, wrap);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, wrap);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, modes[wrap[0]]);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, modes[wrap[1]]);
     return texture;
 }
 
@@ -55,10 +58,29 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
     return HATCH_OK;
 }
 
-static GLuint decode(struct cmd_args *args, const char *file, const char *plugin,
+/* Halves an image until the driver takes it. */
+static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px,
+                             struct hatch_arena *arena, struct hatch_err *err)
+{
+    while (image->width > size_max_px || image->height > size_max_px) {
+        struct hatch_image half = *image;
+        half.width = hatch_mip_size(image->width, 1);
+        half.height = hatch_mip_size(image->height, 1);
+        half.pixels =
+            HATCH_NEW(arena, float, (size_t)half.width *half.height *half.channel_count, err);
+        if (!half.pixels)
+            return HATCH_LIMIT;
+        hatch_image_halve(image, &half);
+        *image = half;
+    }
+    return HATCH_OK;
+}
+
+static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_px,
                      const struct hatch_scene *scene, const struct hatch_material *material,
                      bool outline, float *side_px)
 {
+    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
     const struct hatch_texture *texture = &scene->textures[material->base_texture];
     struct hatch_bytes bytes = {texture->data, texture->size};
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -69,34 +91,39 @@ static GLuint decode(struct cmd_args *args, const char *file, const char *plugin
         hatch_fail_at(&err, "texture %u: ", material->base_texture);
         cmd_die(file, &err);
     }
+    cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made;
     if (outline)
         cmd_check(material_outline(&image, &args->scratch, &made, &err), file, &err);
     else
-        made = upload(&image, material->base_repeat);
+        made = upload(&image, material->base_wrap);
     *side_px = (float)(image.width > image.height ? image.width : image.height);
     hatch_arena_rewind(&args->scratch, mark);
     return made;
 }
 
 /* An earlier item with the same texture, for the same use, lends it. */
-static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item, uint32_t texture,
-                                     bool outline)
+static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item,
+                                     const struct hatch_material *wanted, bool outline)
 {
     for (uint32_t i = 0; i < item; i++) {
         uint32_t material = gpu->scene->meshes[gpu->items[i].mesh].material;
-        if (gpu->items[i].base_texture && material != HATCH_NONE &&
-            gpu->scene->materials[material].base_texture == texture &&
+        if (!gpu->items[i].base_texture || material == HATCH_NONE)
+            continue;
+        const struct hatch_material *has = &gpu->scene->materials[material];
+        if (has->base_texture == wanted->base_texture &&
+            has->base_wrap[0] == wanted->base_wrap[0] &&
+            has->base_wrap[1] == wanted->base_wrap[1] &&
             (gpu->meshes[gpu->items[i].mesh].patches != NULL) == outline)
             return &gpu->items[i];
     }
     return NULL;
 }
 
-void material_upload(struct cmd_args *args, const char *file, bool as_tone, struct gpu_scene *gpu)
+void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px,
+                     struct gpu_scene *gpu)
 {
     const struct hatch_scene *scene = gpu->scene;
-    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         struct gpu_item *item = &gpu->items[i];
         const struct hatch_scene_mesh *mesh = &scene->meshes[item->mesh];
@@ -106,12 +133,14 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, stru
         const float *color = material->base_color;
         item->base_lightness = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
         bool outline = gpu->meshes[item->mesh].patches != NULL;
-        if (material->base_texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0 || outline))
+        if (material->base_texture == HATCH_NONE ||
+            !(as_tone || material->alpha_cutoff > 0 || outline))
             continue;
-        const struct gpu_item *other = lender(gpu, i, material->base_texture, outline);
+        const struct gpu_item *other = lender(gpu, i, material, outline);
         float side_px = 1;
         item->base_texture =
-            other ? other->base_texture : decode(args, file, plugin, scene, material, outline, &side_px);
+            other ? other->base_texture
+                  : decode(args, file, size_max_px, scene, material, outline, &side_px);
         item->base_side_px = other ? other->base_side_px : side_px;
         /* Tone that is taken at vertices must not hold detail that lies between them. */
         float vertices_side = sqrtf((float)mesh->mesh.vertex_count);

@@ -8,8 +8,10 @@
 
 /* Decodes and uploads the base-colour textures that items need, each once, and sets the items'
  * fields. as_tone: colours count as tone; otherwise only holes do. Dies on an image that cannot be
- * read. file: the scene's name for messages. */
-void material_upload(struct cmd_args *args, const char *file, bool as_tone, struct gpu_scene *gpu);
+ * read; one that is wider or higher than size_max_px is halved until it is not. file: the scene's name for
+ * messages. */
+void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px,
+                     struct gpu_scene *gpu);
 
 /* Uploads the alpha of an image as the outline of patches; without alpha it is 1. Outside of the image it
  * is 0. No level coarser than the third is read: those would thin the outline's opaque middle, and what

@@ -6,27 +6,28 @@
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
 {
     static const float white[4] = {1, 1, 1, 1};
-    uint32_t texture = material->base_texture == HATCH_NONE
-                           ? HATCH_NONE
-                           : glb->texture[2 * material->base_texture + material->base_repeat];
+    uint32_t texture =
+        material->base_texture == HATCH_NONE ? HATCH_NONE : *hatch_glb_texture(glb, material);
     HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
     HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
     if (memcmp(material->base_color, white, sizeof white) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
     if (texture != HATCH_NONE)
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u}", texture,
-                                     material->base_texcoord));
+                                     ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u}",
+                                     texture, material->base_texcoord));
     return hatch_glb_put(glb, "}");
 }
 
-static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
+static enum hatch_status print_material(struct hatch_glb *glb,
+                                        const struct hatch_material *material)
 {
     HATCH_TRY(hatch_glb_next(glb));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     HATCH_TRY(print_base(glb, material));
     if (material->outline) {
-        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}"));
+        HATCH_TRY(
+            hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}"));
     } else if (material->alpha_cutoff > 0) {
         HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"MASK\""));
         HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
@@ -42,33 +43,54 @@ static enum hatch_status print_images(struct hatch_glb *glb)
         if (glb->image[t] == HATCH_NONE)
             continue;
         HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
-                                     glb->accessor_count + images++,
-                                     scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+        HATCH_TRY(hatch_buffer_print(
+            &glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
+            glb->accessor_count + images++, scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
     }
     return hatch_glb_put(glb, images ? "]" : "");
 }
 
-/* In the order of their numbers, which the materials' order made. */
-static enum hatch_status print_textures(struct hatch_glb *glb)
+/* Filters: linear, and with mip maps. */
+static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    static const int modes[] = {
+        [HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
+    return hatch_buffer_print(&glb->json, glb->err,
+                              "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
+                              modes[material->base_wrap[0]], modes[material->base_wrap[1]]);
+}
+
+static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
+                              *hatch_glb_texture(glb, material),
+                              glb->image[material->base_texture]);
+}
+
+/* One of the lists that hold an entry per texture, in the order of their numbers, which the
+ * materials' order made. */
+static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
+                                    enum hatch_status (*print)(struct hatch_glb *,
+                                                               const struct hatch_material *))
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t textures = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
         const struct hatch_material *material = &scene->materials[m];
-        uint32_t image = material->base_texture;
-        if (image == HATCH_NONE || glb->texture[2 * image + material->base_repeat] != textures)
+        if (material->base_texture == HATCH_NONE || *hatch_glb_texture(glb, material) != textures)
             continue;
-        HATCH_TRY(hatch_glb_put(glb, textures++ == 0 ? ",\"textures\":[" : ","));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
-                                     material->base_repeat, glb->image[image]));
+        if (textures++ == 0)
+            HATCH_TRY(hatch_glb_open(glb, key));
+        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(print(glb, material));
     }
-    /* Filters: linear, and with mip maps. */
-    return hatch_glb_put(glb, textures ? "],\"samplers\":["
-                                 "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":33071,\"wrapT\":33071},"
-                                 "{\"magFilter\":9729,\"minFilter\":9987}]"
-                               : "");
+    return hatch_glb_put(glb, textures ? "]" : "");
+}
+
+static enum hatch_status print_textures(struct hatch_glb *glb)
+{
+    HATCH_TRY(print_list(glb, "textures", print_texture));
+    return print_list(glb, "samplers", print_sampler);
 }
 
 static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)
@@ -126,7 +148,7 @@ enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)
     if (scene->light_count == 0)
         return HATCH_OK;
     HATCH_TRY(hatch_glb_put(glb, ",\"extensionsUsed\":[\"KHR_lights_punctual\"],"
-                         "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
+                                 "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
     for (uint32_t l = 0; l < scene->light_count; l++)
         HATCH_TRY(print_light(glb, &scene->lights[l]));
     return hatch_glb_put(glb, "]}}");

@@ -35,8 +35,17 @@ struct hatch_glb {
     uint32_t skin_first;    /* the accessor of the first one's matrices */
     uint32_t channel_first; /* the accessor of the first animation's first times */
     uint32_t *image;        /* per texture: the file's image, or HATCH_NONE: no PNG and no JPEG */
-    uint32_t *texture;      /* 2 per texture, clamped and repeated: the file's texture, or HATCH_NONE */
+    uint32_t *texture;      /* HATCH_GLB_WRAPS per texture: the file's texture and sampler, or HATCH_NONE */
 };
+
+#define HATCH_GLB_WRAPS 9u /* ways to wrap in u and in v */
+
+/* The number in the file of a material's texture; the material has one. */
+static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    return &glb->texture[HATCH_GLB_WRAPS * material->base_texture + 3u * material->base_wrap[0] +
+                         material->base_wrap[1]];
+}
 
 /* The order in which a mesh's attributes are written, and read: POSITION, the others by their names; so that
  * a copy has the bytes of what it copies. order: attribute_count numbers. */

@@ -128,7 +128,8 @@ static void plan_images(struct hatch_glb *glb)
     for (uint32_t t = 0; t < scene->texture_count; t++) {
         bool known = is_image(&scene->textures[t]);
         glb->image[t] = known ? images++ : HATCH_NONE;
-        glb->texture[2 * t] = glb->texture[2 * t + 1] = HATCH_NONE;
+        for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
+            glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;
         if (known)
             add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_U8,
                                                   .data = scene->textures[t].data,
@@ -140,7 +141,7 @@ static void plan_images(struct hatch_glb *glb)
         uint32_t t = material->base_texture;
         if (t == HATCH_NONE || glb->image[t] == HATCH_NONE)
             continue;
-        uint32_t *texture = &glb->texture[2 * t + material->base_repeat];
+        uint32_t *texture = hatch_glb_texture(glb, material);
         if (*texture == HATCH_NONE)
             *texture = textures++;
     }
@@ -161,7 +162,7 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     const struct hatch_scene *scene = glb->scene;
     uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->skin, &glb->image, &glb->texture};
     const size_t sizes[] = {scene->mesh_count, scene->mesh_count, scene->mesh_count,
-                            scene->skin_count, scene->texture_count, 2 * (size_t)scene->texture_count};
+                            scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         *lists[i] = HATCH_NEW(glb->scratch, uint32_t, sizes[i], glb->err);
         if (!*lists[i])

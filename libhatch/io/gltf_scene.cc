@@ -123,6 +123,13 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     return HATCH_OK;
 }
 
+enum hatch_wrap wrap_of(int mode)
+{
+    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? HATCH_WRAP_CLAMP
+           : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? HATCH_WRAP_MIRROR
+                                                           : HATCH_WRAP_REPEAT;
+}
+
 enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
                                 const std::string &where, struct hatch_material *material)
 {
@@ -134,9 +141,11 @@ enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
     HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
     material->base_texture = static_cast<uint32_t>(texture.source);
     material->base_texcoord = static_cast<uint32_t>(info.texCoord);
-    if (texture.sampler != -1)
-        material->base_repeat = r.model.samplers[static_cast<size_t>(texture.sampler)].wrapS !=
-                                TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    if (texture.sampler != -1) {
+        const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
+        material->base_wrap[0] = wrap_of(sampler.wrapS);
+        material->base_wrap[1] = wrap_of(sampler.wrapT);
+    }
     return HATCH_OK;
 }
 
@@ -215,7 +224,7 @@ enum hatch_status read_materials(Reader &r)
         std::string where = place("material", i);
         *to = {};
         to->base_texture = HATCH_NONE;
-        to->base_repeat = true;
+        to->base_wrap[0] = to->base_wrap[1] = HATCH_WRAP_REPEAT;
         to->double_sided = from.doubleSided;
         to->alpha_cutoff = from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;
         to->outline = is_outline(from);

@@ -7,11 +7,14 @@
 
 #define HATCH_NONE UINT32_MAX /* an index that points to nothing */
 
+/* What a texture is outside of 0..1. */
+enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
+
 struct hatch_material {
     float base_color[4];       /* linear, 0..1 */
     uint32_t base_texture;     /* index into textures, or HATCH_NONE */
     uint32_t base_texcoord;    /* 0 or 1 */
-    bool base_repeat;          /* the texture's wrap mode is repeat (else clamp) */
+    enum hatch_wrap base_wrap[2]; /* in u, in v */
     bool double_sided;
     float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
     bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,

@@ -4,20 +4,22 @@
 
 tamgen --size 64 --tones 6 --levels 2 --contact-sheet texture.png -o map.exr
 
-# scene MODE: one square with texture.png as its base colour; MODE is OPAQUE or MASK.
+# scene MODE [U0 U1 WRAP]: one square with texture.png as its base colour from u = U0 to U1; MODE is OPAQUE
+# or MASK, WRAP a sampler's.
 scene() {
     perl -e '
         use MIME::Base64;
         local $/;
         open my $png, "<:raw", "texture.png" or die; my $image = encode_base64(<$png>, "");
+        my ($mode, $u, $v, $wrap) = @ARGV;
         my $bytes = pack("f<12f<12f<8S<6", -1,-1,0, 1,-1,0, 1,1,0, -1,1,0, (0,0,1) x 4,
-            0,1, 1,1, 1,0, 0,0, 0,1,2, 0,2,3);
+            $u,1, $v,1, $v,0, $u,0, 0,1,2, 0,2,3);
         my $data = encode_base64($bytes, "");
         print qq({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
             "meshes":[{"primitives":[{"material":0,"indices":3,"attributes":
                 {"POSITION":0,"NORMAL":1,"TEXCOORD_0":2}}]}],
-            "materials":[{"alphaMode":"$ARGV[0]","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
-            "textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,$image"}],
+            "materials":[{"alphaMode":"$mode","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+            "textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":$wrap}],"images":[{"uri":"data:image/png;base64,$image"}],
             "buffers":[{"byteLength":140,"uri":"data:application/octet-stream;base64,$data"}],
             "bufferViews":[{"buffer":0,"byteLength":128},
                 {"buffer":0,"byteOffset":128,"byteLength":12}],
@@ -25,7 +27,7 @@ scene() {
                 {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
                 {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC3"},
                 {"bufferView":0,"byteOffset":96,"componentType":5126,"count":4,"type":"VEC2"},
-                {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]});' "$1"
+                {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]});' "$1" "${2:-0}" "${3:-1}" "${4:-10497}"
 }
 scene OPAQUE >OPAQUE.gltf
 scene MASK >MASK.gltf
@@ -41,6 +43,18 @@ for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-thresh
         done
     done
 done
+
+for uv in "1 2 33648" "1 0 33071"; do
+    # shellcheck disable=SC2086 # the numbers are words
+    scene OPAQUE $uv >wrapped.gltf
+    render-gl wrapped.gltf --technique gouraud --size 64x48 --from 0:0 --texture-tone -o "${uv##* }.exr"
+done
+ok "a texture is mirrored where its sampler says so" \
+    hatchstat diff 33648.exr 33071.exr --max-difference 1e-3
+render-gl OPAQUE.gltf --technique gouraud --size 20000x16 --samples 1 -o texture.png
+scene OPAQUE >large.gltf
+ok "a texture wider than the driver takes" render-gl large.gltf --technique gouraud --size 32x24 \
+    --texture-tone -o picture.png
 
 ok "a probe of the driver's anisotropic reads" render-gl MASK.gltf --tam map.exr --size 32x24 \
     --anisotropy 4 --probe -o probe.tsv

@@ -43,8 +43,8 @@ static void make_meshes(void)
     const struct hatch_shape_options options = {.faces = 12, .jitter = 0.3f};
     for (uint32_t i = 0; i < 5; i++) {
         struct hatch_mesh *mesh = &scene_meshes[i].mesh;
-        HATCH_TEST_OK(hatch_shape_make(i % 2 ? HATCH_SHAPE_TORUS : HATCH_SHAPE_PLANE, &options, &keep,
-                                       &scratch, mesh, &err),
+        HATCH_TEST_OK(hatch_shape_make(i % 2 ? HATCH_SHAPE_TORUS : HATCH_SHAPE_PLANE, &options,
+                                       &keep, &scratch, mesh, &err),
                       &err);
         scene_meshes[i].material = i == 4 ? HATCH_NONE : i;
         scene_meshes[i].file_vertices = mesh->vertex_count;
@@ -91,17 +91,31 @@ static void make_looks(void)
     textures[0] = (struct hatch_texture){png, sizeof png};
     textures[1] = (struct hatch_texture){jpeg, sizeof jpeg};
     static const struct hatch_material made[] = {
-        {{1, 1, 1, 1}, 0, 0, true, false, 0, false},
-        {{0.1f, 1.0f / 3, 1, 0.5f}, 1, 1, false, true, 0.25f, false},
-        {{1, 1, 1, 1}, 0, 1, false, false, 0, true},
-        {{0.2f, 0.3f, 0.4f, 1}, HATCH_NONE, 0, true, false, 0, false},
+        {{1, 1, 1, 1}, 0, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0, false},
+        {{0.1f, 1.0f / 3, 1, 0.5f},
+         1,
+         1,
+         {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
+         true,
+         0.25f,
+         false},
+        {{1, 1, 1, 1}, 0, 1, {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP}, false, 0, true},
+        {{0.2f, 0.3f, 0.4f, 1},
+         HATCH_NONE,
+         0,
+         {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         false,
+         0,
+         false},
     };
     memcpy(materials, made, sizeof made);
     cameras[0] = (struct hatch_camera){.yfov_rad = 0.7f, .aspect = 1.7777778f, .znear = 0.01f};
-    cameras[1] = (struct hatch_camera){.orthographic = true, .ymag = 0.3f, .aspect = 1.1f, .zfar = 9};
+    cameras[1] =
+        (struct hatch_camera){.orthographic = true, .ymag = 0.3f, .aspect = 1.1f, .zfar = 9};
     cameras[2] = (struct hatch_camera){.yfov_rad = 1.2f, .znear = 0.1f, .zfar = 100};
     for (int i = 0; i < 3; i++)
-        lights[i] = (struct hatch_light){(enum hatch_light_type)i, {1, 0.9f, 0.1f}, 3.3f, 0, 0, 0.78539816f};
+        lights[i] = (struct hatch_light){
+            (enum hatch_light_type)i, {1, 0.9f, 0.1f}, 3.3f, 0, 0, 0.78539816f};
     lights[1].range = 12.5f;
     lights[2].inner_cone_rad = 0.1f;
     lights[2].outer_cone_rad = 0.2f;
@@ -116,7 +130,8 @@ static void make_motion(void)
     skins[0] = (struct hatch_skin){2, joints, inverse_bind};
     static const enum hatch_interpolation ways[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
     for (uint32_t i = 0; i < 3; i++)
-        channels[i] = (struct hatch_animation_channel){i, (enum hatch_channel_path)i, ways[i], 3, times, values};
+        channels[i] = (struct hatch_animation_channel){
+            i, (enum hatch_channel_path)i, ways[i], 3, times, values};
     animations[0] = (struct hatch_animation){3, channels, 2.5f};
 }
 
@@ -128,8 +143,9 @@ static void begin(void)
     make_nodes();
     make_looks();
     make_motion();
-    whole = (struct hatch_scene){5, 7, 4, 2, 3, 3, 1, 1, scene_meshes, nodes, materials, textures,
-                                 cameras, lights, skins, animations};
+    whole = (struct hatch_scene){
+        5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
+        nodes, materials, textures, cameras, lights, skins, animations};
 }
 
 static void end(void)
@@ -204,15 +220,17 @@ START_TEST(looks_come_back)
         same_floats(a->base_color, b->base_color, 4);
         ck_assert_uint_eq(a->base_texture, b->base_texture);
         ck_assert_uint_eq(a->base_texcoord, b->base_texcoord);
-        ck_assert(a->base_repeat == b->base_repeat && a->double_sided == b->double_sided);
+        ck_assert(a->base_wrap[0] == b->base_wrap[0] && a->base_wrap[1] == b->base_wrap[1]);
+        ck_assert(a->double_sided == b->double_sided);
         ck_assert(a->alpha_cutoff == b->alpha_cutoff && a->outline == b->outline);
     }
     ck_assert_uint_eq(back.camera_count, 3);
     ck_assert_mem_eq(back.lights, lights, sizeof lights);
     for (uint32_t c = 0; c < 3; c++) {
         const struct hatch_camera *a = &cameras[c], *b = &back.cameras[c];
-        ck_assert(a->orthographic == b->orthographic && a->yfov_rad == b->yfov_rad && a->ymag == b->ymag &&
-                  a->aspect == b->aspect && a->znear == b->znear && a->zfar == b->zfar);
+        ck_assert(a->orthographic == b->orthographic && a->yfov_rad == b->yfov_rad &&
+                  a->ymag == b->ymag && a->aspect == b->aspect && a->znear == b->znear &&
+                  a->zfar == b->zfar);
     }
 }
 END_TEST
@@ -227,10 +245,12 @@ START_TEST(motion_comes_back)
     ck_assert_uint_eq(back.animations[0].channel_count, 3);
     ck_assert_float_eq(back.animations[0].duration_s, 2.5f);
     for (uint32_t c = 0; c < 3; c++) {
-        const struct hatch_animation_channel *a = &channels[c], *b = &back.animations[0].channels[c];
+        const struct hatch_animation_channel *a = &channels[c],
+                                             *b = &back.animations[0].channels[c];
         ck_assert(a->node == b->node && a->path == b->path && a->interpolation == b->interpolation);
         same_floats(b->times_s, times, 3);
-        same_floats(b->values, values, (a->interpolation == HATCH_CUBIC ? 9u : 3u) * (c == 1 ? 4u : 3u));
+        same_floats(b->values, values,
+                    (a->interpolation == HATCH_CUBIC ? 9u : 3u) * (c == 1 ? 4u : 3u));
     }
 }
 END_TEST
@@ -279,7 +299,8 @@ START_TEST(the_box_is_exact)
 }
 END_TEST
 
-/* Images that the format does not take, and skins without joints, go; what named them stays whole. */
+/* Images that the format does not take, and skins without joints, go; what named them stays whole.
+ */
 START_TEST(what_cannot_be_written_is_left_out)
 {
     textures[2] = (struct hatch_texture){foreign, sizeof foreign};
@@ -321,7 +342,8 @@ START_TEST(a_mesh_without_faces_is_no_mesh)
 }
 END_TEST
 
-/* The numbers of a mesh too large for the format's 32-bit sizes are looked at; its bytes never are. */
+/* The numbers of a mesh too large for the format's 32-bit sizes are looked at; its bytes never are.
+ */
 START_TEST(four_gigabytes_are_too_many)
 {
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
@@ -337,8 +359,8 @@ START_TEST(four_gigabytes_are_too_many)
 }
 END_TEST
 
-static enum hatch_status write_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                   struct hatch_err *error)
+static enum hatch_status write_one(void *context, struct hatch_arena *kept,
+                                   struct hatch_arena *temporary, struct hatch_err *error)
 {
     struct hatch_buffer file = {.arena = kept};
     return hatch_glb_write_scene(context, "x", temporary, &file, error);
