@@ -100,6 +100,8 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
         /* Vertices of one place are no fault where they may differ in what they carry. */
         if (from->loose || from->mesh.attribute_count > 1)
             notes.welded = 0;
+        if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has said what cannot be mended */
+            notes.edges_cut = notes.points_split = notes.contrary = 0;
         add(&sum, &notes);
     }
     warn(name, &sum, empty);

@@ -1,0 +1,170 @@
+# From a mesh in any state to a picture, in one pipe: what was wrong is said once, by the first command; the
+# patches cover every face, turn none over, and hold no NaN; the picture shows the surface.
+. "${TOP:-.}/tests/tap.sh"
+for command in dirfield lapped-param render-gl; do
+    command -v $command >/dev/null || { skip "from mesh to picture" "no $command"; finish; }
+done
+tamgen --size 64 --levels 2 --tones 2 -o map.exr
+
+# figures NAME: of the last cover; all that are there are numbers, and the cover is whole
+figures() {
+    hatchstat lapped --samples 3000 lapped.glb >figures.tsv 2>.err || { fail "$1: covered" "$(cat .err)"; return; }
+    is "$1: covered, nothing turned over" "$(awk -F'\t' '
+        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
+        NR == 2 {print $at["covered"], $at["flipped"], ($0 ~ /nan|inf/) ? "no number" : "numbers"}' figures.tsv)" \
+        "1 0 numbers"
+}
+
+# draws NAME FILE LAPPED-PARAM'S-OPTIONS [PATTERN ...]: as many warnings as patterns, one of each
+draws() {
+    name=$1
+    file=$2
+    options=$3
+    shift 3
+    rm -f ./*.rc lapped.glb picture.png
+    { dirfield "$file" 2>1.err; echo $? >1.rc; } |
+        { lapped-param $options 2>2.err; echo $? >2.rc; } | tee lapped.glb |
+        { render-gl - --tam map.exr --size 48x48 -o picture.png 2>3.err; echo $? >3.rc; }
+    is "$name: a picture" "$(cat 1.rc 2.rc 3.rc | tr '\n' ' ')$(
+        hatchstat frames picture.png picture.png | awk 'NR == 2 {print $2 < 0.995 ? "not blank" : "blank"}')" \
+        "0 0 0 not blank"
+    cat 1.err 2.err 3.err >said
+    problem=
+    [ "$(wc -l <said)" -eq $# ] || problem="not $# lines: "
+    for pattern in "$@"; do
+        grep -q "^dirfield: .*warning: .*$pattern" said || problem="$problem no '$pattern': "
+    done
+    is "$name: what was wrong is said" "${problem:+$problem$(cat said)}" ""
+    figures "$name"
+}
+nowhere="follow from nothing"
+
+# A torus as OBJ, of size $1, moved by $2, of $3 by $4 squares
+torus() {
+    awk -v scale="$1" -v offset="$2" -v n="${3:-30}" -v m="${4:-15}" 'BEGIN {
+        pi = 3.14159265358979
+        for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+            a = 2 * pi * (i + j / 7) / n; b = 2 * pi * j / m; r = 1 + .4 * cos(b)
+            printf "v %.17g %.17g %.17g\n", scale * r * cos(a) + offset, scale * .4 * sin(b) + offset,
+                -scale * r * sin(a) + offset
+        }
+        for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+            k = (j + 1) % m; wrap = j + 1 == m ? 1 + int((m - 1) / 7) : 0
+            a = i * m + j + 1; b = (i + 1) % n * m + j + 1
+            c = (i + 1) % n * m + k + 1; d = i * m + k + 1
+            printf "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d
+        }
+    }'
+}
+torus 1 0 >torus.obj
+draws "a torus" torus.obj ""
+
+awk '/^v/ {v[++n] = $0} /^f/ {for (i = 2; i < 5; i++) print v[$i]; print "f -3 -2 -1"}' torus.obj >soup.obj
+draws "every triangle with vertices of its own" soup.obj "" "2250 vertices welded"
+awk '/^f/ && NR % 3 == 0 {print $1, $3, $2, $4; next} {print}' torus.obj >mixed.obj
+draws "every third face turned over" mixed.obj "" "300 faces turned"
+awk '{print} /^f/ && NR % 7 == 0 {print; print $1, $2, $4, $3}' torus.obj >twice.obj
+draws "faces given twice and three times" twice.obj "" "256 faces given twice"
+awk '{print} /^f/ && NR % 5 == 0 {print $1, $2, $3, $3} END {print "v 5 5 5\nv 0 0 0"}' torus.obj >waste.obj
+draws "faces without area, vertices without faces" waste.obj "" \
+    "2 vertices that no face uses left out, 180 faces without an area left out"
+awk '/^f/ && !done {print "v 0 3 0"; print "f", $2, $3, -1; done = 1} {print}' torus.obj >fin.obj
+draws "a fin on an edge" fin.obj "" "1 edge of more than two faces" "$nowhere"
+awk '/^v/ {print; n++} /^f/ {print} END {for (i = 0; i < 30; i++) {
+    printf "v %g 1 0\nv %g 1 0\nv %g 1.02 0\n", i / 20, i / 20 + .02, i / 20
+    printf "f %d %d %d\n", n + 3 * i + 1, n + 3 * i + 2, n + 3 * i + 3}}' torus.obj >crumbs.obj
+draws "crumbs beside it" crumbs.obj "" "$nowhere"
+awk '/^f/ && NR % 30 < 10 {next} {print}' torus.obj >open.obj
+draws "open borders" open.obj "" "90 vertices that no face uses"
+awk '/^v/ {print $1, $2, $3 * 1e-4, $4; next} {print}' torus.obj >flat.obj
+draws "slivers: pressed flat" flat.obj ""
+awk '/^v/ {print $1, $2, $3 * 300, $4; next} {print}' torus.obj >long.obj
+draws "needles: drawn out" long.obj ""
+for scale in 1e-20 1e-3 1e20; do
+    torus $scale 0 >scaled.obj
+    draws "scaled by $scale" scaled.obj ""
+done
+torus 1e5 1e6 >moved.obj
+draws "an offset of ten times its size" moved.obj ""
+
+meshgen sphere --faces 600 -o sphere.glb
+draws "a sphere with poles, without a direction" sphere.glb "" "$nowhere"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .3 .6 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n' >plane.obj
+draws "a plane" plane.obj "" "$nowhere"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+draws "one triangle" one.obj "" "$nowhere"
+awk 'BEGIN {for (i = 0; i < 20; i++) printf "v %g 0 %g\nv %g 1 %g\n", sin(i / 9), cos(i / 9), sin(i / 9), cos(i / 9)
+    for (i = 1; i < 39; i += 2) printf "f %d %d %d\nf %d %d %d\n", i, i + 2, i + 3, i, i + 3, i + 1}' >strip.obj
+draws "a strip one face wide, too narrow to be seen to bend" strip.obj "" "$nowhere"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
+f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >cube.obj
+draws "a cube" cube.obj "" "$nowhere"
+draws "a cube with faces larger than a patch" cube.obj "--size 0.05" "$nowhere"
+torus 1 0 9 5 >coarse.obj
+draws "a torus with faces larger than a patch" coarse.obj "--size 0.02" "$nowhere"
+draws "patches as large as the torus" torus.obj "--size 1 --curved 0 --stretch 10 --turn 90"
+awk 'BEGIN {for (i = 0; i <= 40; i++) for (j = 0; j < 6; j++)
+        printf "v %g %g %g\n", .03 * cos(j * 1.0471975512), i / 20, .03 * sin(j * 1.0471975512)
+    for (i = 0; i < 40; i++) for (j = 0; j < 6; j++) {
+        a = 6 * i + j + 1; b = 6 * i + (j + 1) % 6 + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 6, b, b, a + 6, b + 6}}' >leg.obj
+draws "patches wider than a leg" leg.obj "--size 0.3 --curved 0"
+
+# A plate, and on it a handle over two of its squares, of which the patch is many times as large.
+awk 'BEGIN {n = 24; R = 2
+    for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) printf "v %d %d %.9g\n", i, j, .02 * (i - 12) ^ 2
+    for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
+        if (j == 12 && (i == 9 || i == 13)) continue
+        a = i * (n + 1) + j + 1; b = a + n + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, b, b + 1, a, b + 1, a + 1}
+    split("9 12 9 13 10 13 10 12", f, " "); split("14 12 14 13 13 13 13 12", l, " ")
+    for (k = 0; k < 4; k++) {first[k] = f[2 * k + 1] * (n + 1) + f[2 * k + 2] + 1
+        last[k] = l[2 * k + 1] * (n + 1) + l[2 * k + 2] + 1}
+    split(".5 .5 -.5 -.5", out, " "); split("-.5 .5 .5 -.5", side, " "); m = (n + 1) ^ 2
+    for (s = 1; s < 6; s++) for (k = 0; k < 4; k++) {t = 3.14159265 * s / 6; r = R + out[k + 1]
+        printf "v %.9g %.9g %.9g\n", 11.5 - r * cos(t), 12.5 + side[k + 1], .1 + r * sin(t)
+        ring[s, k] = ++m}
+    for (k = 0; k < 4; k++) {ring[0, k] = first[k]; ring[6, k] = last[k]}
+    for (s = 0; s < 6; s++) for (k = 0; k < 4; k++) {a = ring[s, k]; b = ring[s, (k + 1) % 4]
+        c = ring[s + 1, k]; d = ring[s + 1, (k + 1) % 4]
+        printf "f %d %d %d\nf %d %d %d\n", a, d, b, a, c, d}}' >handle.obj
+is "a plate with a handle" "$(hatchstat mesh handle.obj | awk -F'\t' '
+    NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at["euler"], $at["contrary_edges"]}')" "-1 0"
+draws "a handle smaller than a patch" handle.obj "--size 0.5"
+
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv -1 0 0\nv 0 0 -1
+f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 6 5\nf 1 5 7\nf 5 6 7\nf 6 1 7\n' >bow.obj
+draws "a bow-tie" bow.obj "" "1 point split" "$nowhere"
+awk 'BEGIN {print "v 0 0 0\nv 0 0 1"
+    for (i = 0; i < 5; i++) printf "v %.9g %.9g 0\nf 1 2 -1\n", cos(i * 1.2566), sin(i * 1.2566)}' >book.obj
+draws "five pages of a book" book.obj "" "1 edge of more than two faces" "$nowhere"
+awk 'BEGIN {n = 40
+    for (i = 0; i < n; i++) for (k = -1; k <= 1; k++) {a = 6.283185307 * i / n; r = 1 + .3 * k * sin(a / 2)
+        printf "v %.9g %.9g %.9g\n", r * cos(a), .3 * k * cos(a / 2), r * sin(a)}
+    for (i = 0; i < n; i++) for (k = 0; k < 2; k++) {
+        a = 3 * i + k + 1; b = i + 1 < n ? a + 3 : 3 - k; c = i + 1 < n ? a + 4 : 2 - k
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, b, a + 1, c, b}}' >moebius.obj
+draws "a Moebius strip" moebius.obj "" "2 edges where a one-sided surface turns over"
+awk 'BEGIN {pi = 3.14159265358979; n = 30; m = 16
+    for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+        u = 2 * pi * i / n; v = 2 * pi * (j + .5) / m; r = 3 + cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v)
+        printf "v %.9f %.9f %.9f\n", r * cos(u), r * sin(u), sin(u / 2) * sin(v) + cos(u / 2) * sin(2 * v)}
+    for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+        k = (j + 1) % m; a = i * m + j; b = i * m + k
+        c = i + 1 < n ? a + m : m - 1 - j; d = i + 1 < n ? b + m : m - 1 - k
+        printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >klein.obj
+draws "a Klein bottle" klein.obj "" "16 edges where a one-sided surface turns over"
+
+rocker=$TOP/../shared/data/meshes/rocker-arm.obj # some of its faces are larger than this
+if [ -e "$rocker" ]; then
+    draws "the rocker arm at a tenth of its diagonal" "$rocker" "--size 0.1"
+else
+    skip "the rocker arm at a tenth of its diagonal" "no folder shared/data beside the source"
+fi
+
+printf 'v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n' >nan.obj
+for command in dirfield lapped-param; do
+    try $command nan.obj
+    refused "$command refuses NaN" 3 1
+done
+finish
