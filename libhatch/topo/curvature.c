@@ -47,23 +47,23 @@ void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point
                            double radius)
 {
     struct hatch_curvature *out = run->curvature;
-    double *direction = &out->direction[(size_t)point * 3];
-    double *normal = &out->normal[(size_t)point * 3];
+    size_t at = run->order[point];
+    double *direction = &out->direction[at * 3], *normal = &out->normal[at * 3];
     struct hatch_principal principal;
-    out->radius[point] = radius;
+    out->radius[at] = radius;
     if (!bend) {
-        hatch_vec_copy(&run->frames->axis[(size_t)point * 3], direction);
-        hatch_vec_copy(&run->frames->normal[(size_t)point * 3], normal);
-        out->deviation_rad[point] = atan(1);
+        hatch_vec_copy(&run->frames->axis[at * 3], direction);
+        hatch_vec_copy(&run->frames->normal[at * 3], normal);
+        out->deviation_rad[at] = atan(1);
         return;
     }
     hatch_bend_principal(bend, &principal);
     hatch_vec_copy(principal.direction, direction);
     hatch_vec_copy(bend->normal, normal);
     for (uint32_t k = 0; k < 2; k++)
-        out->value[(size_t)point * 2 + k] = principal.value[k];
-    out->deviation_rad[point] = hatch_bend_deviation(&principal, variance);
-    out->confidence[point] = hatch_bend_confidence(&principal, out->deviation_rad[point]);
+        out->value[at * 2 + k] = principal.value[k];
+    out->deviation_rad[at] = hatch_bend_deviation(&principal, variance);
+    out->confidence[at] = hatch_bend_confidence(&principal, out->deviation_rad[at]);
 }
 
 struct share {
@@ -96,7 +96,7 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
     uint32_t degree = run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
     struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, p, &run->frames->normal[(size_t)p * 3], run->options->radius, degree,
+    hatch_curvature_fit(support, p, &run->normals[(size_t)p * 3], run->options->radius, degree,
                         &frame, &system);
     uint32_t terms = hatch_jet_terms(system.degree);
     if (system.degree == 0 || system.count <= terms) {
@@ -135,11 +135,16 @@ enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *
 static enum hatch_status estimate(struct hatch_curvature_run *run, struct hatch_arena *scratch,
                                   struct hatch_err *err)
 {
+    struct hatch_curvature_terrain terrain;
+    HATCH_TRY(hatch_curvature_order(run->surface, run->frames, scratch, &terrain, err));
+    run->surface = &terrain.surface;
+    run->normals = terrain.normals;
+    run->order = terrain.order;
     run->supports = HATCH_NEW(scratch, struct hatch_support, run->workers, err);
     if (!run->supports)
         return HATCH_LIMIT;
     for (uint32_t w = 0; w < run->workers; w++)
-        HATCH_TRY(hatch_support_make(run->surface, run->frames->normal, scratch, &run->supports[w], err));
+        HATCH_TRY(hatch_support_make(run->surface, run->normals, scratch, &run->supports[w], err));
     if (!(run->options->radius > 0))
         return hatch_curvature_adapt(run, scratch, err);
     hatch_curvature_each(run, run->surface->point_count, estimate_point, run);

@@ -13,7 +13,7 @@
 #include "math/vector.h"
 #include "topo/curvature_work.h"
 
-#define RADIUS_STEP 1.4142135623730951
+#define RADIUS_STEP 1.7
 #define RADIUS_MAX 24.0
 #define SPACING 0.3        /* between fits, in radii */
 #define SPACING_FIRST 0.5
@@ -46,7 +46,6 @@ struct fit {
 struct work {
     const struct hatch_curvature_run *run;
     struct place *places;
-    double *normals;              /* 3 a point: the best that is known */
     double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
     uint32_t *centers;            /* points that a fit stands on */
     struct fit *fits;
@@ -67,7 +66,7 @@ static uint32_t choose_centers(struct work *w, uint32_t *covered, uint32_t level
     for (uint32_t p = 0; p < w->run->surface->point_count; p++) {
         if (!w->places[p].open || covered[p] == level)
             continue;
-        hatch_support_gather(support, p, &w->normals[(size_t)p * 3],
+        hatch_support_gather(support, p, &w->run->normals[(size_t)p * 3],
                              w->radius * (w->first ? SPACING_FIRST : SPACING));
         for (uint32_t i = 0; i < support->count; i++)
             covered[support->points[i]] = level;
@@ -123,7 +122,7 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
 static void fit_first(struct work *w, uint32_t point, struct hatch_support *support, struct fit *fit)
 {
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, point, &w->normals[(size_t)point * 3], w->radius, HATCH_CURVATURE_DEGREE,
+    hatch_curvature_fit(support, point, &w->run->normals[(size_t)point * 3], w->radius, HATCH_CURVATURE_DEGREE,
                         &fit->frame, &system);
     fit->freedom = (double)system.count - hatch_jet_terms(system.degree);
     fit->degree = fit->freedom > 0 ? system.degree : 0;
@@ -145,7 +144,7 @@ static void fit_center(void *context, uint32_t i, struct hatch_support *support)
     }
     struct hatch_jet_sums sums;
     struct hatch_jet_system system;
-    const double *normal = &w->normals[(size_t)point * 3];
+    const double *normal = &w->run->normals[(size_t)point * 3];
     fit->degree = 0;
     hatch_support_gather(support, point, normal, w->radius);
     if (support->count < POINTS_LEAST)
@@ -259,7 +258,7 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     struct hatch_jet_frame frame;
     if (!(deviation_of(place) < NEARLY_RAD))
         return;
-    hatch_curvature_fit(support, p, &w->run->frames->normal[(size_t)p * 3], w->radius,
+    hatch_curvature_fit(support, p, &w->run->normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
                         &system);
     if (system.degree == 0)
@@ -292,8 +291,8 @@ static void settle(struct work *w)
         place->now = INFINITY;
         place->open = !worse && deviation_of(place) > CERTAIN_RAD;
         if (place->weight > 0) {
-            hatch_vec_copy(place->bend.normal, &w->normals[(size_t)p * 3]);
-            hatch_vec_normalize(&w->normals[(size_t)p * 3]);
+            hatch_vec_copy(place->bend.normal, &w->run->normals[(size_t)p * 3]);
+            hatch_vec_normalize(&w->run->normals[(size_t)p * 3]);
         }
     }
 }
@@ -332,8 +331,7 @@ static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, u
 {
     uint32_t points = w->run->surface->point_count;
     w->places = HATCH_NEW(scratch, struct place, points, err);
-    w->normals = w->places ? HATCH_NEW(scratch, double, (size_t)points * 3, err) : NULL;
-    w->squares = w->normals ? HATCH_NEW(scratch, double, points, err) : NULL;
+    w->squares = w->places ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->freedom = w->squares ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->centers = w->freedom ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
     *covered = w->centers ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
@@ -348,17 +346,14 @@ enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
     uint32_t points = run->surface->point_count, *covered;
     double *pool;
     HATCH_TRY(allocate(&w, scratch, &covered, &pool, err));
-    memcpy(w.normals, run->frames->normal, (size_t)points * 3 * sizeof *w.normals);
     for (uint32_t p = 0; p < points; p++)
         w.places[p] = (struct place){.least = INFINITY, .now = INFINITY, .open = true};
     bool more = true;
     for (uint32_t level = 1; more && w.radius <= RADIUS_MAX; level++, w.radius *= RADIUS_STEP) {
         HATCH_TRY(run_level(&w, level, covered, pool, scratch, &more, err));
         w.first = false;
-        for (uint32_t i = 0; i < run->workers; i++) {
-            run->supports[i].normals = w.normals;
+        for (uint32_t i = 0; i < run->workers; i++)
             run->supports[i].lean_cosine = LEAN_COSINE;
-        }
     }
     for (uint32_t p = 0; p < points; p++) {
         const struct place *place = &w.places[p];

@@ -10,8 +10,25 @@
 #define HATCH_CURVATURE_RADIUS 2.6
 #define HATCH_CURVATURE_DEGREE 4u
 
+/* The points, rings and components of a surface with its points numbered so that neighbours lie near one another
+ * in memory: files order them as they like, and walks then wait for memory most of the time. */
+struct hatch_curvature_terrain {
+    struct hatch_surface surface; /* no faces */
+    double *normals;              /* 3 a point: the frames' */
+    uint32_t *order;              /* per point: its number in the whole surface */
+};
+
+/* Memory of the terrain, and a little more: arena. */
+enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
+                                        const struct hatch_frames *frames, struct hatch_arena *arena,
+                                        struct hatch_curvature_terrain *terrain, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* Points are those of the terrain but in curvature and frames. */
 struct hatch_curvature_run {
-    const struct hatch_surface *surface;
+    const struct hatch_surface *surface; /* the terrain's */
+    double *normals;                     /* 3 a point: the terrain's at first, then the best that is known */
+    const uint32_t *order;
     const struct hatch_frames *frames;
     const struct hatch_curvature_options *options;
     struct hatch_pool *pool;
