@@ -72,24 +72,22 @@ static uint32_t component_nodes(const struct work *w, const struct hatch_field_s
     return *first == HATCH_NO_SIDE ? 0 : of->point_count * (of->orientable ? 1 : 2);
 }
 
-/* right = mass z for z of length 1 per component, all by the areas; returns the sum of 1 / eigenvalue. */
-static double scale_components(const struct work *w, const struct hatch_field_system *system, double *z)
+/* right = mass z / |z|, |z| by the areas, per component; returns the sum of |z|: near the end that of 1 / eigenvalue.
+ * z keeps its length: it is what the next step's solution will be like. */
+static double next_right(const struct work *w, const struct hatch_field_system *system, const double *z)
 {
     double sum = 0;
     for (uint32_t c = 0; c < w->surface->component_count; c++) {
         uint32_t first, count = component_nodes(w, system, c, &first);
         double square = 0;
-        for (uint32_t n = first; n < first + count; n++)
-            square += system->mass[n] * (z[2 * (size_t)n] * z[2 * (size_t)n] +
-                                         z[2 * (size_t)n + 1] * z[2 * (size_t)n + 1]);
+        for (size_t n = first; n < (size_t)first + count; n++)
+            square += system->mass[n] * (z[2 * n] * z[2 * n] + z[2 * n + 1] * z[2 * n + 1]);
         double length = sqrt(square);
         sum += count > 0 ? length : 0;
-        for (size_t i = 2 * (size_t)first; i < 2 * ((size_t)first + count); i++)
-            z[i] /= length;
+        for (size_t n = first; n < (size_t)first + count; n++)
+            for (size_t i = 2 * n; i < 2 * n + 2; i++)
+                system->right[i] = system->mass[n] * z[i] / length;
     }
-    for (uint32_t n = 0; n < system->count; n++)
-        for (size_t i = 0; i < 2; i++)
-            system->right[2 * (size_t)n + i] = system->mass[n] * z[2 * (size_t)n + i];
     return sum;
 }
 
@@ -120,13 +118,13 @@ static enum hatch_status solve_smoothest(struct work *w, struct hatch_field_syst
 {
     struct hatch_field_levels *levels;
     start_power(w, system, z);
-    scale_components(w, system, z);
+    next_right(w, system, z);
     HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
     double before = 0;
     for (int i = 0; i < POWER_STEPS_MAX; i++) {
         HATCH_TRY(hatch_field_iterate(system, levels, system->right, POWER_TOLERANCE,
                                       w->options->iterations_max, w->scratch, z, &w->progress, err));
-        double now = scale_components(w, system, z);
+        double now = next_right(w, system, z);
         if (fabs(now - before) <= POWER_CHANGE * now)
             break;
         before = now;

@@ -24,11 +24,11 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
     z[1] = 2 * x * y / length;
 }
 
-/* Data so strong that nothing moves it, in sums of edge weights; and the mean confidence under which a component
- * has none. */
+/* Data so strong that nothing moves it, in sums of edge weights; and the confidence under whose root mean square a
+ * component has none: what noise leaves on a sphere or a plane. */
 #define MASS_MAX 1e6
-#define CONFIDENCE_MIN 1e-3
-#define LENGTH_SHARE 0.02 /* of the root of the component's area, at smooth 0.5 */
+#define CONFIDENCE_MIN 0.01
+#define LENGTH_SHARE 0.013 /* of the root of the component's area, at smooth 0.5 */
 
 static double edge_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
 {
@@ -48,11 +48,11 @@ struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surfac
     bool hard = false;
     for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++) {
         area += frames->area[p];
-        known += frames->area[p] * data->confidence[p];
+        known += frames->area[p] * data->confidence[p] * data->confidence[p];
         hard = hard || (data->hard && data->hard[p] > 0);
     }
     double knob = smooth / fmax(1 - smooth, 1e-3);
-    return (struct hatch_field_scale){.directed = hard || known >= CONFIDENCE_MIN * area,
+    return (struct hatch_field_scale){.directed = hard || known >= CONFIDENCE_MIN * CONFIDENCE_MIN * area,
                                       .length = LENGTH_SHARE * sqrt(area) * knob * knob};
 }
 
