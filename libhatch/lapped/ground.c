@@ -12,7 +12,11 @@
 #define BLUR_ROUNDS 4
 /* Chosen size: diameter over the diagonal, and the faces that a patch should at least have. */
 #define SIZE_CHOSEN 0.10
-#define FACES_WANTED 150.0
+#define FACES_WANTED 250.0
+/* What they should at most have, so that time stays in proportion to faces; and how much larger than
+ * chosen the wish for faces may make a patch. */
+#define FACES_MOST 1000.0
+#define SIZE_MOST 8.0
 /* The disk that a patch shows, over its square's radius. */
 #define SHOWN 0.75
 /* How strongly `curved` counts, and the smallest share of its size that it leaves a patch. */
@@ -116,6 +120,12 @@ static double diagonal_of(const struct hatch_surface *surface)
     return hatch_vec_distance(low, high);
 }
 
+/* Half the side of the square around an outline that shows about so many faces. */
+static double radius_of_faces(double faces, double area)
+{
+    return sqrt(faces * area / 3.14159265358979) / SHOWN;
+}
+
 static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_options *options,
                          const double *area)
 {
@@ -130,7 +140,8 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_
             double bend = options->curved * CURVED_GAIN * ground->rough[f] * whole;
             double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + bend * bend));
             if (options->size == 0)
-                radius = fmax(radius, sqrt(FACES_WANTED * area[f] / 3.14159265358979) / SHOWN);
+                radius = fmin(fmax(radius, radius_of_faces(FACES_WANTED, area[f])),
+                              fmin(radius_of_faces(FACES_MOST, area[f]), SIZE_MOST * whole));
             ground->wish[f] = radius;
         }
     }

@@ -20,7 +20,8 @@ enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const str
                                 .obstacles = {.arena = arena}};
     made.face_round = HATCH_NEW(arena, uint32_t, surface->face_count, err);
     made.face_local = made.face_round ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    made.point_round = made.face_local ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
+    made.barred = made.face_local ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    made.point_round = made.barred ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
     made.point_local = made.point_round ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
     made.place_number = made.point_local ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
     made.known = made.place_number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 2, err) : NULL;
@@ -116,12 +117,14 @@ static int8_t agree(const struct hatch_growth *growth, uint32_t face)
     return sign ? sign : through;
 }
 
-/* Whether the patch stays a disk that encloses no index when it gets this face. */
+/* Whether the patch may have this face, and stays a disk that encloses no index. */
 static bool stays_disk(const struct hatch_growth *growth, uint32_t face)
 {
     const struct hatch_surface *surface = growth->ground->surface;
     int shared = 0;
     uint32_t last = 0;
+    if (growth->barred[face] == growth->number)
+        return false;
     for (uint32_t c = 0; c < 3; c++) {
         uint32_t side = side_of(face, c);
         if (hatch_growth_side(growth, side) != HATCH_SIDE_INSIDE)

@@ -8,7 +8,7 @@
 #include "lapped/work.h"
 
 /* The share of the radius wanted below which a patch is put off. */
-#define KEPT_SHARE 0.7
+#define KEPT_SHARE 0.5
 
 /* A patch as it is kept until all are there. */
 struct kept {
@@ -138,8 +138,9 @@ static void put_off(struct making *of, uint32_t seed)
 static enum hatch_status make_patch(struct making *of, uint32_t seed, double scale, struct hatch_err *err)
 {
     struct hatch_patch_notes notes;
-    HATCH_TRY(hatch_patch_make(&of->growth, &of->solver, of->options, seed, &notes, err));
-    if (!of->order.filling && of->growth.patch.radius < KEPT_SHARE * of->ground.wish[seed]) {
+    double least = of->order.filling ? 0 : KEPT_SHARE * of->ground.wish[seed];
+    HATCH_TRY(hatch_patch_make(&of->growth, &of->solver, of->options, seed, least, &notes, err));
+    if (notes.given_up) {
         put_off(of, seed);
         return HATCH_OK;
     }

@@ -5,15 +5,19 @@
 #include "mesh/edges.h"
 
 /* Rounds of growing and placing before a patch is cut back to its first face. */
-#define ROUNDS_MAX 16
+#define ROUNDS_MAX 24
 /* A determinant below this counts as turned over: floats must still show the face's side. */
 #define DETERMINANT_MIN 0.05
 /* How deep a way is halved before it counts as touched. */
 #define HALVINGS 4
 /* What the outline shrinks by each time that something was wrong. */
 #define SHRINK 0.97
+/* The least that is left of it. */
+#define STEP_MIN 0.7
+/* One part in so many faces may be added without placing all anew. */
+#define FEW 12
 /* An outline does not shrink below this many edges: what it then cannot leave outside is cut. */
-#define FLOOR_GRAINS 4.0
+#define FLOOR_GRAINS 5.0
 /* The core is so much larger than the circle around the first face, so that a few cuts show that it holds it. */
 #define SEED_ROOM 1.05
 
@@ -164,10 +168,10 @@ static void turn_at_random(struct hatch_patch *patch, uint64_t seed)
     patch->turn[1] = y / length;
 }
 
-/* Slides and shrinks the outline, or, where it is as small as may be, the patch, so that it leaves out
- * what was wrong; false when there is nothing more to be done. */
+/* Slides and shrinks the outline so that it leaves out what was wrong. Where it is as small as it may
+ * be, bars the faces that were; false when there is nothing more to be done. */
 static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *obstacles,
-                    const struct verdict *verdict)
+                    const struct hatch_lapped_options *options, const struct verdict *verdict)
 {
     struct hatch_patch *patch = &growth->patch;
     double middle[2] = {patch->center[0] - patch->offset[0], patch->center[1] - patch->offset[1]};
@@ -175,46 +179,68 @@ static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *o
     bool small = patch->offset[0] == 0 && patch->offset[1] == 0 &&
                  patch->radius <= fmax(floor, hatch_patch_least(patch, growth->outline));
     if (!small) {
+        double large = STEP_MIN * patch->radius;
         patch->radius *= SHRINK;
-        hatch_patch_slide(patch, growth->outline, obstacles, floor);
+        hatch_patch_slide(patch, growth->outline, obstacles, fmax(large, floor));
         for (int i = 0; i < 2; i++)
             patch->center[i] = middle[i] + patch->offset[i];
         return true;
     }
-    if (verdict->bad == UINT32_MAX)
-        return false;
-    patch->faces_max = verdict->bad > 1 ? verdict->bad : 1;
-    return true;
+    if (verdict->bad == 0)
+        patch->faces_max = (patch->face_count + 1) / 2;
+    for (uint32_t f = verdict->bad; f < patch->face_count; f++)
+        if (past_limits(growth, options, f))
+            growth->barred[patch->faces[f]] = growth->number;
+    return verdict->bad != UINT32_MAX;
 }
 
-enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
-                                   const struct hatch_lapped_options *options, uint32_t seed,
-                                   struct hatch_patch_notes *notes, struct hatch_err *err)
+/* Nothing but the first face, which can always be placed. */
+static void cut_back(struct hatch_growth *growth)
+{
+    struct hatch_patch *patch = &growth->patch;
+    patch->faces_max = 1;
+    patch->offset[0] = patch->offset[1] = patch->radius = 0;
+    center_on_seed(growth);
+}
+
+static void begin(struct hatch_growth *growth, const struct hatch_lapped_options *options, uint32_t seed,
+                  struct hatch_patch_notes *notes)
 {
     struct hatch_patch *patch = &growth->patch;
     hatch_growth_begin(growth, seed);
     turn_at_random(patch, options->seed);
-    double wish = growth->ground->wish[seed];
-    patch->radius = wish;
+    patch->radius = growth->ground->wish[seed];
     center_on_seed(growth);
-    notes->enlarged = patch->radius > wish;
+    *notes = (struct hatch_patch_notes){.enlarged = patch->radius > growth->ground->wish[seed]};
+}
+
+enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
+                                   const struct hatch_lapped_options *options, uint32_t seed, double least,
+                                   struct hatch_patch_notes *notes, struct hatch_err *err)
+{
+    struct hatch_patch *patch = &growth->patch;
     struct verdict verdict = {0};
-    for (int round = 0; round <= ROUNDS_MAX; round++) {
-        if (round == ROUNDS_MAX) {
-            patch->faces_max = 1;
-            patch->offset[0] = patch->offset[1] = patch->radius = 0;
+    uint32_t solved = 0; /* faces that the places are the solution for; 0 when they are none's */
+    begin(growth, options, seed, notes);
+    uint32_t faces_max = patch->faces_max;
+    for (int round = 0; round <= ROUNDS_MAX && !notes->given_up; round++) {
+        if (round == ROUNDS_MAX)
+            cut_back(growth);
+        HATCH_TRY(hatch_growth_grow(growth, err));
+        bool few = patch->face_count >= solved && patch->face_count - solved <= solved / FEW;
+        if (!few) {
+            HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
+            hatch_growth_keep(growth);
             center_on_seed(growth);
         }
-        HATCH_TRY(hatch_growth_grow(growth, err));
-        HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
-        hatch_growth_keep(growth);
-        center_on_seed(growth);
         HATCH_TRY(judge(growth, options, &growth->obstacles, &verdict, err));
         bool right = verdict.bad == UINT32_MAX && !verdict.open;
         if ((right && !verdict.more) || patch->faces_max == 1)
             break;
-        if (!right && !retreat(growth, &growth->obstacles, &verdict))
+        solved = right ? patch->face_count : 0;
+        if (!right && !few && !retreat(growth, &growth->obstacles, options, &verdict))
             break;
+        notes->given_up = patch->radius < least || (least > 0 && patch->faces_max < faces_max);
     }
     notes->cut = verdict.open;
     return HATCH_OK;

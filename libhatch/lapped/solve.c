@@ -9,10 +9,10 @@
 /* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
  * that cannot be flattened, then cost neither angle nor shape. How much of that a face's scale takes
  * on, within which bounds, and in how many rounds. */
-#define SCALE_FREE 0.8
+#define SCALE_FREE 1.0
 #define SCALE_MIN 0.6
 #define SCALE_MAX 1.6
-#define SCALE_ROUNDS 4
+#define SCALE_ROUNDS 6
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
 
@@ -46,27 +46,21 @@ static enum hatch_status make_room(struct hatch_solver *of, uint32_t count, stru
     return HATCH_OK;
 }
 
-/* Numbers the vertices by a sweep along the longer axis: the envelope is then about as wide as the
- * patch is across. */
-static void sweep(struct hatch_solver *of, const struct hatch_patch *patch)
+/* Numbers the vertices by a sweep along an axis of the plane: the envelope is then about as wide as
+ * the patch is across. Without an axis (2) against the order of growth, which is better where long
+ * faces lie across each other. */
+static void number(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t axis)
 {
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (uint32_t v = 0; v < patch->vertex_count; v++) {
-        for (int i = 0; i < 2; i++) {
-            low[i] = fmin(low[i], patch->place[2 * v + (uint32_t)i]);
-            high[i] = fmax(high[i], patch->place[2 * v + (uint32_t)i]);
-        }
-    }
-    uint32_t axis = high[1] - low[1] > high[0] - low[0];
     for (uint32_t v = 0; v < patch->vertex_count; v++)
-        of->order[v] = (struct hatch_heap_item){patch->place[2 * v + axis], v};
-    qsort(of->order, patch->vertex_count, sizeof *of->order, compare);
+        of->order[v] = (struct hatch_heap_item){axis == 2 ? -(double)v : patch->place[2 * v + axis], v};
+    if (axis < 2)
+        qsort(of->order, patch->vertex_count, sizeof *of->order, compare);
     for (uint32_t i = 0; i < patch->vertex_count; i++)
-        of->rank[of->order[i].id] = i;
+        of->rank[of->order[i].id] = axis < 2 ? i : patch->vertex_count - 1 - i;
 }
 
-static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
-                                        struct hatch_err *err)
+/* The first column of each row; returns how many entries lie within. */
+static uint64_t find_envelope(struct hatch_solver *of, const struct hatch_patch *patch)
 {
     for (uint32_t i = 0; i < patch->vertex_count; i++)
         of->first[i] = i;
@@ -76,6 +70,29 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
         uint32_t low = a < b ? a : b, high = a < b ? b : a;
         if (low < of->first[high])
             of->first[high] = low;
+    }
+    uint64_t size = 0;
+    for (uint32_t i = 0; i < patch->vertex_count; i++)
+        size += i - of->first[i] + 1;
+    return size;
+}
+
+static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
+                                        struct hatch_err *err)
+{
+    uint64_t least = UINT64_MAX;
+    uint32_t best = 2;
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        number(of, patch, axis);
+        uint64_t found = find_envelope(of, patch);
+        if (found < least) {
+            least = found;
+            best = axis;
+        }
+    }
+    if (best < 2) {
+        number(of, patch, best);
+        find_envelope(of, patch);
     }
     uint32_t size = 0;
     for (uint32_t i = 0; i < patch->vertex_count; i++) {
@@ -224,7 +241,6 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch
                                      struct hatch_patch *patch, struct hatch_err *err)
 {
     HATCH_TRY(make_room(of, patch->vertex_count, err));
-    sweep(of, patch);
     HATCH_TRY(shape_envelope(of, patch, err));
     for (uint32_t f = 0; f < patch->face_count; f++)
         add_matrix(of, ground, patch, f);

@@ -69,6 +69,7 @@ struct hatch_growth {
     struct hatch_obstacles obstacles;
     uint32_t round, number;               /* of this growth, of this patch */
     uint32_t *face_round, *face_local;    /* per face */
+    uint32_t *barred;                     /* per face: the patch that must not hold it */
     uint32_t *point_round, *point_local;  /* per point */
     uint32_t *place_number;               /* per point: the patch that last placed it */
     double *known;                        /* 2 a point: where that was */
@@ -138,13 +139,15 @@ bool hatch_patch_slide(struct hatch_patch *patch, const struct hatch_outline *ou
 /* The smallest radius with which the core holds the first face. */
 double hatch_patch_least(const struct hatch_patch *patch, const struct hatch_outline *outline);
 
-/* Grows and places a patch that begins at a face, within the limits; cut: its faces end inside its
- * outline. */
+/* Grows and places a patch that begins at a face, within the limits. least: the radius below which it
+ * is given up. */
 struct hatch_patch_notes {
-    bool cut, enlarged;
+    bool cut;       /* its faces end inside its outline */
+    bool enlarged;  /* the outline is larger than was wished */
+    bool given_up;
 };
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
-                                   const struct hatch_lapped_options *options, uint32_t seed,
+                                   const struct hatch_lapped_options *options, uint32_t seed, double least,
                                    struct hatch_patch_notes *notes,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
