@@ -94,7 +94,8 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
     struct hatch_material *materials = HATCH_NEW(&args->keep, struct hatch_material, plain + 1, &err);
     struct hatch_texture *texture = HATCH_NEW(&args->keep, struct hatch_texture, 1, &err);
     cmd_check(materials && texture ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    memcpy(materials, scene->materials, plain * sizeof *materials);
+    for (uint32_t m = 0; m < plain; m++)
+        materials[m] = scene->materials[m];
     /* Without a material faces are seen from both sides. */
     materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}, .double_sided = true};
     for (uint32_t m = 0; m <= plain; m++) {
