@@ -102,6 +102,16 @@ static void upload(struct job *job)
                     &job->gpu);
 }
 
+enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err)
+{
+    struct line_style style = job->options.lines;
+    style.kinds = kinds;
+    HATCH_TRY(lines_make(&job->gpu, &style, &job->renderer.shaders, job->args.max_memory,
+                         &job->args.keep, &job->args.scratch, &job->lines, err));
+    job->renderer.lines = &job->lines;
+    return HATCH_OK;
+}
+
 void job_prepare(struct job *job)
 {
     const struct options *options = &job->options;
@@ -113,12 +123,8 @@ void job_prepare(struct job *job)
                                       .map = options->map_path ? &job->map : NULL,
                                       .scene = &job->gpu,
                                       .size_max_px = job->context.size_max_px};
-    if (options->lines.kinds) {
-        cmd_check(lines_make(&job->gpu, &options->lines, &job->renderer.shaders,
-                             job->args.max_memory, &job->args.keep, scratch, &job->lines, &err),
-                  NULL, &err);
-        job->renderer.lines = &job->lines;
-    }
+    if (options->lines.kinds)
+        cmd_check(job_make_lines(job, options->lines.kinds, &err), NULL, &err);
     if (options->map_path && !options->high_given)
         job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
     struct view view;

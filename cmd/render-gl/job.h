@@ -29,6 +29,9 @@ void job_read(struct job *job);
 /* Opens the context and uploads. The scene is posed at the first frame then. */
 void job_prepare(struct job *job);
 
+/* Finds the scene's feature lines, and draws them from now on. kinds: some of enum line_kind. */
+enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Poses the scene for a frame and finds its view. */
 void job_set_frame(struct job *job, uint32_t frame, struct view *view);
 

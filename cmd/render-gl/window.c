@@ -38,7 +38,7 @@ static void say_keys(void)
     cmd_say("arrows: turn; wheel, + and -: nearer and further; f: the view of the start");
     cmd_say("1 to %u, t: technique; space: pause or play the animation", TECHNIQUE_CHOICES);
     cmd_say("[ and ]: turn the strokes; < and >: make their pattern smaller and larger");
-    cmd_say("s: save a picture; r: read --shader-dir again; ?: these lines; q, escape: close");
+    cmd_say("s: save a picture; l: lines; r: read --shader-dir again; ?: these lines; q, escape: close");
     for (uint32_t i = 0; i < TECHNIQUE_CHOICES; i++)
         cmd_say("%u %s: %s", i + 1, techniques[i]->name, techniques[i]->summary);
 }
@@ -77,6 +77,24 @@ static void move_hatch(struct window *window, unsigned character)
     style->hatch_scale = fmin(fmax(style->hatch_scale, 0.01), 100);
 }
 
+/* Lines that were never wanted are found now. */
+static void toggle_lines(struct window *window)
+{
+    struct job *job = window->job;
+    struct renderer *renderer = &job->renderer;
+    struct hatch_err err;
+    bool strokes = techniques[window->technique]->columns != COLUMNS_NONE;
+    if (renderer->lines && (strokes || renderer->lines->style.asked)) {
+        renderer->lines = NULL;
+        return;
+    }
+    if (job->lines.scene)
+        renderer->lines = &job->lines;
+    else if (job_make_lines(job, LINES_ALL, &err) != HATCH_OK)
+        cmd_say("%s", err.text);
+    job->lines.style.asked = true;
+}
+
 static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
@@ -112,6 +130,9 @@ static void on_character(GLFWwindow *handle, unsigned character)
         break;
     case 's':
         window->save = true;
+        break;
+    case 'l':
+        toggle_lines(window);
         break;
     case 'r':
         reload(window);

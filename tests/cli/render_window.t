@@ -101,11 +101,17 @@ is "the title shows technique and milliseconds" $? 0
 xdotool key t
 shot shot9
 ok "t shows the next technique" changed shot8 shot9
+xdotool key l
+shot shot10
+ok "l hides the lines" changed shot9 shot10
+xdotool key l
+shot shot11
+ok "and shows them again" cmp shot9.png shot11.png
 xdotool key question key q
 wait $window
 is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-7] (tam|gouraud)' err)" 7
-is "nothing else is said" "$(grep -vE '^render-gl: ([1-7] |saved shot|drag|arrows|1 to 7|s: )' err)" ""
+is "nothing else is said" "$(grep -vE '^render-gl: ([1-7] |saved shot|drag|arrows|1 to 7|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn
 shot turn1
