@@ -9,7 +9,7 @@
 
 #define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */
 
-static double size, curved = 0.5, stretch = 1.3, turn_deg = 10, tile, roughness = 0.5, feather = 0.1;
+static double size, curved = 0.5, stretch = 1.5, turn_deg = 17, tile, roughness = 0.3, feather = 0.05;
 static int64_t mask_size = 256;
 
 static const struct cmd_option options[] = {
@@ -17,15 +17,15 @@ static const struct cmd_option options[] = {
      "of a patch, in diagonals of the scene (default: from the surface)", &size, NULL, NULL},
     {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where it is curved (default 0.5)", &curved,
      NULL, NULL},
-    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.3)", &stretch, NULL,
+    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.5)", &stretch, NULL,
      NULL},
-    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 10)", &turn_deg,
+    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 17)", &turn_deg,
      NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
      "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, NULL},
-    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.5)",
+    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)",
      &roughness, NULL, NULL},
-    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.1)",
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.05)",
      &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 256)", &mask_size, NULL,
      NULL},
