@@ -42,6 +42,7 @@ struct frame_block {
     float paper[4], ink[4], light_ink[4];
     float curve[4]; /* low, high, gamma, samples a pixel */
     float shade[4]; /* 0, ambient, specular, shininess */
+    float viewport[4]; /* half the tile's width and height in pixels */
     float hatch[4]; /* cosine and sine of the strokes' turn, over their size */
     int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 0 */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */

@@ -19,7 +19,7 @@ static void check_scene(const struct job *job)
     struct hatch_err err;
     if (options->technique == TECHNIQUE_PATCHES)
         cmd_check(load_check_patches(&job->scene, job->patches, &err), name, &err);
-    if (techniques[options->technique]->columns != COLUMNS_NONE)
+    if (technique_draws_strokes(techniques[options->technique]))
         cmd_check(load_check_texcoords(&job->scene, &err), name, &err);
     if (options->animation_given && options->animation >= job->scene.animation_count) {
         hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
@@ -33,6 +33,8 @@ void job_read(struct job *job)
     const struct options *options = &job->options;
     struct hatch_mesh_notes notes = {0};
     load_scene(&job->args, options->scene_path, &job->scene, &job->patches, &notes);
+    if (techniques[options->technique]->seeds || options->window)
+        job_read_seeds(job);
     if (options->map_path)
         cmd_read_map(&job->args, options->map_path, &job->map);
     check_scene(job);
@@ -121,6 +123,8 @@ void job_prepare(struct job *job)
     job->renderer = (struct renderer){.shaders = {options->shader_folder, scratch},
                                       .style = options->style,
                                       .map = options->map_path ? &job->map : NULL,
+                                      .rptam = job->rptam.layer_count ? &job->rptam : NULL,
+                                      .all_seeds = options->seeds.all,
                                       .scene = &job->gpu,
                                       .size_max_px = job->context.size_max_px};
     if (options->lines.kinds)

@@ -13,6 +13,7 @@ struct job {
     struct hatch_scene scene;
     struct patch_mesh *patches; /* of each of its meshes */
     struct hatch_tam map;
+    struct hatch_rptam rptam; /* when the technique draws at seeds, or a window may */
     struct context context;
     struct gpu_scene gpu;
     struct renderer renderer;
@@ -25,6 +26,9 @@ struct job {
 
 /* Reads the files. Dies with one line on what is wrong. */
 void job_read(struct job *job);
+
+/* Reads the seeds and the style of strokes, and makes the model. Dies with one line on what is wrong. */
+void job_read_seeds(struct job *job);
 
 /* Opens the context and uploads. The scene is posed at the first frame then. */
 void job_prepare(struct job *job);

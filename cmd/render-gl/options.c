@@ -8,6 +8,7 @@
 #include "render-gl/color.h"
 
 #define RADIANS (3.14159265358979324 / 180)
+#define LAYER_TURN 25 /* degrees between layers of strokes that have one direction */
 #define AMBIENT 0.05 /* light from everywhere, so that shadows hold some form */
 
 /* What the table fills; options_read turns it into struct options. */
@@ -20,6 +21,9 @@ static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
+static const char *seeds, *drawing = "ink";
+static double stroke[2] = {0, 0}, seed_tile = 256, overlap = 0.3;
+static int fade, fade_by, seed_loop;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
 static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given;
@@ -27,11 +31,30 @@ static bool frames_given, from_given;
 
 static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
+static const char *const fades[] = {"even", "paper", NULL}; /* enum hatch_fade_law */
+static const char *const fades_by[] = {"opacity", "size", NULL};
+static const char *const seed_loops[] = {"coverage", "brute", NULL};
+
 static struct cmd_option table[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
      &technique, NULL, &technique_given},
     {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map, as tamgen writes it", &map_path, NULL,
      NULL},
+    {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
+     &seeds, NULL, NULL},
+    {0, "style", CMD_TEXT, 0, 0, "STYLE", "rptam: the drawing style of the strokes (default ink)", &drawing,
+     NULL, NULL},
+    {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "rptam: length and width in pixels (default: the style's)",
+     stroke, NULL, NULL},
+    {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "rptam: side of a set's tile (default 256)", &seed_tile, NULL,
+     NULL},
+    {0, "fade", CMD_CHOICE, 0, 0, "LAW", "rptam: even, which keeps the tone (default), or paper", &fade,
+     fades, NULL},
+    {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "rptam: opacity (default) or size", &fade_by, fades_by, NULL},
+    {0, "overlap", CMD_REAL, 0, 1, "X", "rptam: strokes fade together, 1, or one by one, 0 (default 0.3)",
+     &overlap, NULL, NULL},
+    {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "rptam: coverage (default), or brute: every seed everywhere",
+     &seed_loop, seed_loops, NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
      NULL, NULL},
     {0, "samples", CMD_INT, 1, 64, "N",
@@ -190,6 +213,21 @@ static void read_style(struct style *style)
         cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
 }
 
+static void read_seed_choice(struct seed_choice *choice)
+{
+    *choice = (struct seed_choice){.path = seeds,
+                                   .drawing = drawing,
+                                   .style = {.tile_px = seed_tile,
+                                             .length_px = stroke[0],
+                                             .width_px = stroke[1],
+                                             .law = (enum hatch_fade_law)fade,
+                                             .fade_size = fade_by == 1,
+                                             .overlap = overlap,
+                                             .tone_overlap = overlap},
+                                   .turn_rad = LAYER_TURN * RADIANS,
+                                   .all = seed_loop == 1};
+}
+
 /* A list of kinds with commas between. */
 static uint32_t read_line_kinds(const char *list)
 {
@@ -329,6 +367,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .probe = probe,
                                 .window = window};
     read_style(&options->style);
+    read_seed_choice(&options->seeds);
     read_lines(&options->lines);
     read_view(&options->view);
 }

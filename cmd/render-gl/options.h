@@ -5,12 +5,22 @@
 #include "cmd.h"
 #include "render-gl/renderer.h"
 
+/* What draws at seeds. */
+struct seed_choice {
+    const char *path;    /* of the sets; NULL: made */
+    const char *drawing; /* the style: brush, ink, directions, width and length where none is given */
+    struct hatch_rptam_style style; /* length_px 0: the drawing style's */
+    double turn_rad;     /* between layers that have one direction */
+    bool all;            /* look at every seed at every place */
+};
+
 struct options {
     int technique;           /* index into techniques; what --show shows is one */
     const char *map_path;    /* NULL: none */
     const char *scene_path;  /* NULL: standard input */
     const char *shader_folder;
     struct style style;
+    struct seed_choice seeds;
     struct line_style lines;
     struct view_choice view;
     bool high_given;         /* the darkest tone; else the map's darkest column */

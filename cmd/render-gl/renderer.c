@@ -42,6 +42,7 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     const struct technique *chosen = techniques[technique];
     struct gpu_columns *columns = columns_of(renderer, chosen);
     assert(technique < TECHNIQUE_COUNT && (renderer->map || chosen->columns == COLUMNS_NONE));
+    assert(renderer->rptam || !chosen->seeds);
     if (!renderer->block_buffer) {
         glCreateBuffers(1, &renderer->block_buffer);
         glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL,
@@ -50,6 +51,10 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     if (chosen->columns != COLUMNS_NONE && columns->form == COLUMNS_NONE)
         HATCH_TRY(columns_upload(renderer->map, chosen->columns, renderer->style.anisotropy,
                                  renderer->size_max_px, scratch, columns, err));
+    if (chosen->seeds && !renderer->seeds.layers) {
+        HATCH_TRY(seeds_upload(renderer->rptam, renderer->all_seeds, scratch, &renderer->seeds, err));
+        HATCH_TRY(seeds_set_spans(renderer->scene, scratch, err));
+    }
     if (technique == TECHNIQUE_PATCHES)
         HATCH_TRY(scene_tell_patches(renderer->scene, scratch, err));
     for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
@@ -81,6 +86,8 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
     target_begin(target, background);
     clock_end_pass(renderer->clock, "clear");
+    if (techniques[technique]->seeds)
+        seeds_bind(&renderer->seeds);
     glBindTextureUnit(0, columns->texture);
     glBindSampler(0, columns->sampler);
     if (style->anisotropy > 1)
@@ -106,7 +113,7 @@ enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
                                 const struct view *view, const struct tile *tile,
                                 const struct target *target, struct hatch_err *err)
 {
-    bool strokes = techniques[technique]->columns != COLUMNS_NONE;
+    bool strokes = technique_draws_strokes(techniques[technique]);
     enum hatch_status status = HATCH_OK;
     draw_surfaces(renderer, technique, renderer->style.inks.paper, view, tile, target);
     if (renderer->lines && (strokes || renderer->lines->style.asked)) {
@@ -151,6 +158,7 @@ void renderer_free(struct renderer *renderer)
         glDeleteProgram(renderer->below_patches[geometry]);
     for (uint32_t form = 0; form < 3; form++)
         columns_free(&renderer->columns[form]);
+    seeds_free(&renderer->seeds);
     glDeleteBuffers(1, &renderer->block_buffer);
     renderer->block_buffer = 0;
 }

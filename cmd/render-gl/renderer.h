@@ -7,6 +7,7 @@
 #include "render-gl/frame.h"
 #include "render-gl/lines.h"
 #include "render-gl/scene.h"
+#include "render-gl/seeds.h"
 #include "render-gl/target.h"
 #include "render-gl/technique.h"
 
@@ -26,6 +27,9 @@ struct renderer {
     struct shader_source shaders;
     struct style style;
     const struct hatch_tam *map; /* NULL: only techniques that draw tone alone */
+    const struct hatch_rptam *rptam; /* NULL: no technique that draws at seeds */
+    bool all_seeds;                  /* looks at every seed at every place */
+    struct gpu_seeds seeds;          /* made when a technique first wants them */
     struct gpu_scene *scene;
     uint32_t size_max_px;
     struct gpu_columns columns[3]; /* by form, made when a technique first wants them */

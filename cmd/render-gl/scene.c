@@ -234,6 +234,19 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
     return HATCH_OK;
 }
 
+void scene_set_spans(struct gpu_item *item, const float *spans, uint32_t count)
+{
+    const GLuint binding = 3, step = 6 * sizeof *spans;
+    glCreateBuffers(1, &item->spans);
+    glNamedBufferStorage(item->spans, (GLsizeiptr)((size_t)step * count), spans, 0);
+    glVertexArrayVertexBuffer(item->vertex_array, binding, item->spans, 0, (GLsizei)step);
+    for (GLuint k = 0; k < 2; k++) {
+        glEnableVertexArrayAttrib(item->vertex_array, SPANS_ATTRIBUTE + k);
+        glVertexArrayAttribFormat(item->vertex_array, SPANS_ATTRIBUTE + k, 3, GL_FLOAT, GL_FALSE, k * step / 2);
+        glVertexArrayAttribBinding(item->vertex_array, SPANS_ATTRIBUTE + k, binding);
+    }
+}
+
 static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_arena *scratch,
                                           struct hatch_err *err)
 {
@@ -292,6 +305,7 @@ void scene_free(struct gpu_scene *gpu)
         glDeleteVertexArrays(1, &gpu->items[i].surface_array);
         glDeleteBuffers(1, &gpu->items[i].posed);
         glDeleteBuffers(1, &gpu->items[i].repeats);
+        glDeleteBuffers(1, &gpu->items[i].spans);
     }
     for (uint32_t i = 0; gpu->meshes && i < gpu->scene->mesh_count; i++) {
         glDeleteBuffers(1, &gpu->meshes[i].vertices);

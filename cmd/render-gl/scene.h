@@ -19,6 +19,7 @@ struct vertex {
 /* Places among the vertex stage's inputs. */
 #define REPEAT_ATTRIBUTE 4u
 #define PATCH_ATTRIBUTE 5u
+#define SPANS_ATTRIBUTE 6u /* and 7 */
 
 struct gpu_mesh {
     GLuint vertices, indices;
@@ -39,6 +40,7 @@ struct gpu_item {
     float normal[9];
     GLuint repeats;       /* two floats a vertex: tiles of the tonal art map per unit of u and of v;
                              0: `repeat` for all */
+    GLuint spans;         /* six floats a vertex: the surface along a unit of u and of v; 0: not set */
     float repeat[2];      /* that of the largest chart */
     uint32_t chart_count; /* parts of the surface that have repeats of their own */
     bool mirrored;        /* the node turns the faces' winding round */
@@ -73,6 +75,9 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
 
 /* Gives the vertices of an item repeats of their own; count of them. NULL takes them away. */
 void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t count);
+
+/* Gives the vertices of an item their spans; count of them. */
+void scene_set_spans(struct gpu_item *item, const float *spans, uint32_t count);
 
 /* Gives the vertices of patches a tone each, by which patches can be told apart. Again is cheap. */
 enum hatch_status scene_tell_patches(struct gpu_scene *gpu, struct hatch_arena *scratch,

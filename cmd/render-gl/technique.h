@@ -8,11 +8,12 @@
 
 #define TECHNIQUE_PASSES_MAX 4u
 #define TECHNIQUE_GOURAUD 6u /* the reference for tone and for speed */
-#define TECHNIQUE_CHOICES 7u /* of --technique; those after them serve other options */
-#define TECHNIQUE_PROBE 7u
-#define TECHNIQUE_PATCHES 8u
-#define TECHNIQUE_FIELD 9u
-#define TECHNIQUE_COUNT 10u
+#define TECHNIQUE_RPTAM 7u
+#define TECHNIQUE_CHOICES 8u /* of --technique; those after them serve other options */
+#define TECHNIQUE_PROBE 8u
+#define TECHNIQUE_PATCHES 9u
+#define TECHNIQUE_FIELD 10u
+#define TECHNIQUE_COUNT 11u
 
 /* What a technique makes of patches over a surface. */
 enum technique_patches {
@@ -26,6 +27,7 @@ struct technique {
     const char *name;
     const char *summary;          /* one line for the window's terminal help */
     enum columns_form columns;    /* the form of the tonal art map that it draws with */
+    bool seeds;                   /* it draws strokes at seeds */
     struct shader_stages stages;
     const char *defines;          /* lines before each stage, "" for none */
     uint32_t samples;             /* a pixel, by default; 0: what the option says */
@@ -37,6 +39,12 @@ struct technique {
 
 /* In the order of --technique's choices. */
 extern const struct technique *const techniques[TECHNIQUE_COUNT];
+
+/* Whether it draws strokes along texture coordinates, and not tone alone. */
+static inline bool technique_draws_strokes(const struct technique *technique)
+{
+    return technique->seeds || technique->columns != COLUMNS_NONE;
+}
 
 /* The choices' names, for the option table; the last entry is NULL. */
 const char *const *technique_names(void);

@@ -113,7 +113,7 @@ void timing_report(struct job *job)
     cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_GOURAUD, &job->args.scratch, &err), NULL,
               &err);
     /* The reference differs from the technique in its strokes alone. */
-    if (job->renderer.lines && techniques[job->options.technique]->columns != COLUMNS_NONE)
+    if (job->renderer.lines && technique_draws_strokes(techniques[job->options.technique]))
         job->renderer.lines->style.asked = true;
     clock_make(&clock);
     job->renderer.clock = &clock;

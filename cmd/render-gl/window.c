@@ -51,7 +51,7 @@ static void set_technique(struct window *window, uint32_t technique)
         cmd_say("%s needs a tonal art map: --tam FILE", techniques[technique]->name);
         return;
     }
-    bool strokes = techniques[technique]->columns != COLUMNS_NONE;
+    bool strokes = technique_draws_strokes(techniques[technique]);
     if ((strokes && load_check_texcoords(&job->scene, &err) != HATCH_OK) ||
         renderer_prepare(&job->renderer, technique, &job->args.scratch, &err) != HATCH_OK) {
         cmd_say("%s", err.text);

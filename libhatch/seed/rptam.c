@@ -7,9 +7,8 @@
 #define COVERAGE_SIDE 64u
 #define TONE_SIDE 128u /* samples along the tile's side, for the tone tables */
 
-/* A stroke's rank among those that fade with tone: another order than that of fading with depth, a stride
- * of about the golden section through the seeds. */
-static double tone_rank(uint32_t seed, uint32_t count)
+/* A stride of about the golden section through the seeds. */
+double hatch_rptam_tone_rank(uint32_t seed, uint32_t count)
 {
     uint64_t stride = (uint64_t)(0.6180339887498949 * count) | 1u;
     for (uint64_t a = count, b = stride; b;) {
@@ -54,7 +53,7 @@ static double seed_alpha(const struct hatch_rptam *rptam, const struct hatch_rpt
     if (layer->stays_in[seed] != tile)
         weight = hatch_fade_weight(hatch_fade_share(style->law, m), (seed + 0.5) / layer->count,
                                    style->overlap);
-    weight *= hatch_fade_weight(amount, tone_rank(seed, layer->count), style->tone_overlap);
+    weight *= hatch_fade_weight(amount, hatch_rptam_tone_rank(seed, layer->count), style->tone_overlap);
     if (!(weight > 0))
         return 0;
     if (style->fade_size)

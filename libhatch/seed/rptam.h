@@ -48,6 +48,9 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
                                    struct hatch_arena *scratch, struct hatch_rptam *rptam,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* A seed's rank, 0 .. 1, among those that fade with tone: another order than that of fading with depth. */
+double hatch_rptam_tone_rank(uint32_t seed, uint32_t count);
+
 /* How much of each layer, 0 .. 1, a darkness asks for: layers come one after the other. amounts:
  * layer_count entries. */
 void hatch_rptam_amounts(const struct hatch_rptam *rptam, double darkness, double *amounts);

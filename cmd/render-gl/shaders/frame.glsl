@@ -11,6 +11,7 @@ layout(std140, binding = 0) uniform Frame {
     vec4 paper, ink, light_ink;
     vec4 curve; // darkness of full light, of none, gamma, samples a pixel
     vec4 shade; // 0, ambient, strength of the highlight, its exponent
+    vec4 viewport; // half the tile's width and height in pixels
     vec4 hatch; // cosine and sine of the strokes' turn, over their size
     ivec4 counts; // lights, columns, ink mode
     vec4 ramp_low[2], ramp_scale[2];

@@ -1,0 +1,67 @@
+/* The surface's derivative by its texture coordinates, per vertex. */
+#include <math.h>
+
+#include "math/vector.h"
+#include "render-gl/seeds.h"
+
+/* Adds what one face says: dP/du and dP/dv, each times twice the face's area. */
+static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, double *sums)
+{
+    double p[3][3], edge[2][3], normal[3], uv[2][2];
+    for (int k = 0; k < 3; k++)
+        hatch_vec_of(position + 3 * (size_t)corner[k], p[k]);
+    for (int k = 0; k < 2; k++) {
+        hatch_vec_sub(p[k + 1], p[0], edge[k]);
+        for (int c = 0; c < 2; c++)
+            uv[k][c] = (double)texcoord[2 * (size_t)corner[k + 1] + (size_t)c] -
+                       (double)texcoord[2 * (size_t)corner[0] + (size_t)c];
+    }
+    double turn = uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1];
+    hatch_vec_cross(edge[0], edge[1], normal);
+    double area = hatch_vec_length(normal), size = hypot(uv[0][0], uv[0][1]) * hypot(uv[1][0], uv[1][1]);
+    if (!(fabs(turn) > 1e-7 * size) || !(area > 0))
+        return;
+    for (int k = 0; k < 3; k++) {
+        double du = (uv[1][1] * edge[0][k] - uv[0][1] * edge[1][k]) / turn;
+        double dv = (uv[0][0] * edge[1][k] - uv[1][0] * edge[0][k]) / turn;
+        for (int c = 0; c < 3; c++) {
+            double *sum = sums + 7 * (size_t)corner[c];
+            sum[k] += area * du;
+            sum[3 + k] += area * dv;
+            sum[6] += k == 0 ? area : 0;
+        }
+    }
+}
+
+static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item *item,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
+{
+    const float *position = hatch_mesh_find(mesh, "POSITION", 3);
+    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    if (!texcoord || item->posed || item->spans)
+        return HATCH_OK;
+    double *sums = HATCH_NEW(scratch, double, 7 * (size_t)mesh->vertex_count, err);
+    float *spans = sums ? HATCH_NEW(scratch, float, 6 * (size_t)mesh->vertex_count, err) : NULL;
+    if (!spans)
+        return HATCH_LIMIT;
+    for (size_t f = 0; f < mesh->face_count; f++)
+        add_face(mesh->indices + 3 * f, position, texcoord, sums);
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        for (size_t k = 0; k < 6; k++)
+            spans[6 * v + k] = sums[7 * v + 6] > 0 ? (float)(sums[7 * v + k] / sums[7 * v + 6]) : 0.0f;
+    scene_set_spans(item, spans, mesh->vertex_count);
+    return HATCH_OK;
+}
+
+enum hatch_status seeds_set_spans(struct gpu_scene *scene, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        struct gpu_item *item = &scene->items[i];
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        enum hatch_status status =
+            set_item(&scene->scene->meshes[item->mesh].mesh, item, scratch, err);
+        hatch_arena_rewind(scratch, mark);
+        HATCH_TRY(status);
+    }
+    return HATCH_OK;
+}
