@@ -4,7 +4,7 @@
 
 /* std430, as in shaders/seeds.glsl */
 struct layer_block {
-    float turn[4];       /* cosine, sine of the strokes' direction */
+    float turn[4];       /* cosine, sine of the strokes' direction; offset of their ranks */
     uint32_t at[4];      /* seeds, the first of them, the first of its lists, texels along a side */
     float darkness[20];  /* HATCH_RPTAM_STEPS */
 };
@@ -29,7 +29,8 @@ static void fill_block(const struct hatch_rptam *rptam, bool all, struct seeds_b
         const struct hatch_rptam_layer *layer = &rptam->layers[i];
         uint32_t side = layer->coverage.side, texels = side * side;
         struct layer_block *to = &block->layers[i];
-        *to = (struct layer_block){.turn = {(float)layer->cosine, (float)layer->sine},
+        *to = (struct layer_block){.turn = {(float)layer->cosine, (float)layer->sine,
+                                            (float)layer->rank_offset},
                                    .at = {layer->count, seed, list, side}};
         for (uint32_t step = 0; step < HATCH_RPTAM_STEPS; step++)
             to->darkness[step] = (float)layer->darkness[step];

@@ -51,8 +51,8 @@ static double seed_alpha(const struct hatch_rptam *rptam, const struct hatch_rpt
     const struct hatch_rptam_style *style = &rptam->style;
     double weight = 1, px = style->tile_px / exp2(m);
     if (layer->stays_in[seed] != tile)
-        weight = hatch_fade_weight(hatch_fade_share(style->law, m), (seed + 0.5) / layer->count,
-                                   style->overlap);
+        weight = hatch_fade_weight(hatch_fade_share(style->law, m),
+                                   (seed + (tile + layer->rank_offset) / 4) / layer->count, style->overlap);
     weight *= hatch_fade_weight(amount, hatch_rptam_tone_rank(seed, layer->count), style->tone_overlap);
     if (!(weight > 0))
         return 0;
@@ -133,13 +133,17 @@ static enum hatch_status size_stroke(const struct hatch_image *from,
     return HATCH_OK;
 }
 
-static enum hatch_status make_layer(const struct hatch_seed_set *set,
-                                    const struct hatch_rptam_style *style, double angle_rad,
+static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t index,
+                                    const struct hatch_rptam_style *style,
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_rptam_layer *layer, struct hatch_err *err)
 {
+    double angle_rad = style->angle_rad[index];
     *layer = (struct hatch_rptam_layer){
-        .count = set->count, .cosine = cos(angle_rad), .sine = sin(angle_rad)};
+        .count = set->count,
+        .cosine = cos(angle_rad),
+        .sine = sin(angle_rad),
+        .rank_offset = (index + 0.5) / HATCH_RPTAM_LAYERS_MAX};
     layer->places = HATCH_NEW(arena, struct hatch_seed_place, set->count, err);
     layer->stays_in = layer->places ? HATCH_NEW(arena, uint8_t, set->count, err) : NULL;
     if (!layer->stays_in)
@@ -190,8 +194,7 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
         if (seeds->layers[i].count > HATCH_RPTAM_SEEDS_MAX)
             return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seeds: %u are the most", i + 1,
                               seeds->layers[i].count, HATCH_RPTAM_SEEDS_MAX);
-        HATCH_TRY(make_layer(&seeds->layers[i], style, style->angle_rad[i], arena, scratch,
-                             &made.layers[i], err));
+        HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made.layers[i], err));
     }
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     double *paper = HATCH_NEW(scratch, double, TONE_SIDE * TONE_SIDE, err);

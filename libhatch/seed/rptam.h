@@ -29,6 +29,7 @@ struct hatch_rptam_layer {
     uint8_t *stays_in;  /* per seed: which of four tiles shows it at the sparse level, 2 v + u */
     struct hatch_coverage coverage;
     double cosine, sine;
+    double rank_offset; /* 0 .. 1: strokes of different tiles and layers go at different depths */
     double darkness[HATCH_RPTAM_STEPS]; /* the mean that the layers up to this one give, at amounts
                                            0, 1/16 .. 1 of this one; rising */
 };

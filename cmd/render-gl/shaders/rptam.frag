@@ -39,11 +39,14 @@ vec2 ink_of(mat2 pixels, vec2 amounts)
         if (!(abs(depth) < 60.0)) // no depth is right: the surface is seen edge on, or has no scale
             continue;
         vec2 at = v_texcoord * exp2(-whole);
-        vec2 parts = vec2(layer_amount(layer, amounts.x), layer_amount(layer, amounts.y));
-        if (parts.x > 0.0)
-            left.x *= layer_paper(layer, at, depth - whole, parts.x);
-        if (parts.y > 0.0)
-            left.y *= layer_paper(layer, at, depth - whole, parts.y);
+        float dark = layer_amount(layer, amounts.x);
+        if (dark > 0.0)
+            left.x *= layer_paper(layer, at, depth - whole, dark);
+#ifdef TWO_INKS
+        float light = layer_amount(layer, amounts.y);
+        if (light > 0.0)
+            left.y *= layer_paper(layer, at, depth - whole, light);
+#endif
     }
     return 1.0 - left;
 }

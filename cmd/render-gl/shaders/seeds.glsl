@@ -1,6 +1,6 @@
 // Recursive procedural tonal art maps: the ink of strokes that stand at seeds. The same as seed/rptam.c.
 struct SeedLayer {
-    vec4 turn;          // cosine, sine of the strokes' direction
+    vec4 turn;          // cosine, sine of the strokes' direction; offset of their ranks
     uvec4 at;           // seeds, the first of them, the first of its lists, texels along a side
     float darkness[20]; // of the layers up to this one, at 0, 1/16 .. 1 of it
 };
@@ -59,6 +59,7 @@ float layer_paper(uint layer, vec2 at, float m, float amount)
 {
     uvec4 where = layers[layer].at;
     vec2 turn = layers[layer].turn.xy;
+    float offset = layers[layer].turn.z;
     float overlap = max(fade.x, 1e-6), tone_overlap = max(fade.y, 1e-6);
     float front = fade_front(fade.z > 0.5 ? 1.0 - m : (exp2(2.0 - 2.0 * m) - 1.0) / 3.0, overlap);
     float tone_front = fade_front(amount, tone_overlap), px = stroke.w * exp2(-m), paper = 1.0;
@@ -73,8 +74,9 @@ float layer_paper(uint layer, vec2 at, float m, float amount)
         away -= tile;
         vec2 odd = mod(tile, 2.0);
         float weight = fade_weight(tone_front, s.z, tone_overlap);
-        if (2.0 * odd.y + odd.x != s.w)
-            weight *= fade_weight(front, (float(seed) + 0.5) / float(where.x), overlap);
+        float in_tile = 2.0 * odd.y + odd.x;
+        if (in_tile != s.w)
+            weight *= fade_weight(front, (float(seed) + 0.25 * (in_tile + offset)) / float(where.x), overlap);
         if (weight <= 0.0)
             continue;
         vec2 place = px * vec2(dot(turn, away), turn.x * away.y - turn.y * away.x);

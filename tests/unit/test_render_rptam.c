@@ -1,0 +1,179 @@
+/* Recursive procedural tonal art maps on the GPU against their definition in doubles, on a plane that is
+ * parallel to the screen; and the lists of strokes against every seed everywhere. */
+#include <math.h>
+
+#include "render_frame.h"
+#include "seed/spread.h"
+
+enum { SIZE = 96 };
+
+static struct test_frame frame;
+static struct hatch_rptam rptam;
+
+static void make_model(uint32_t count, uint32_t layers, const struct hatch_rptam_style *style)
+{
+    const struct hatch_seeds_options how = {
+        .cycle = {.count = count, .seed = 2}, .layers = layers, .candidates = 5};
+    struct hatch_seeds seeds;
+    struct hatch_image stroke;
+    uint64_t steps;
+    struct hatch_err *err = &frame.err;
+    HATCH_TEST_OK(hatch_seeds_make(&how, &frame.arena, &frame.scratch, &seeds, &steps, err), err);
+    HATCH_TEST_OK(hatch_image_make(&frame.arena, 64, 16, "A", &stroke, err), err);
+    for (uint32_t i = 0; i < 64 * 16; i++)
+        stroke.pixels[i] = (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
+    HATCH_TEST_OK(hatch_rptam_make(&seeds, style, &stroke, &frame.arena, &frame.scratch, &rptam, err), err);
+}
+
+/* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
+static void begin_plane(void)
+{
+    struct hatch_shape_options how = {.faces = 200, .seed = 1};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
+    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
+        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
+    }
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.rptam = &rptam;
+}
+
+/* From the front; the picture shows `span` by `span` of the texture's plane around its middle. */
+static struct view view_of(double span)
+{
+    return (struct view){.eye = {0, 0, 5},
+                         .right = {1, 0, 0},
+                         .up = {0, 1, 0},
+                         .back = {0, 0, 1},
+                         .orthographic = true,
+                         .half_height = span,
+                         .aspect = 1,
+                         .near = 0.1,
+                         .far = 10,
+                         .pivot = 5};
+}
+
+/* The largest difference of a picture from the model, in ink. */
+static double compare(double span, double tone)
+{
+    struct hatch_image picture;
+    struct view view = view_of(span);
+    double amounts[HATCH_RPTAM_LAYERS_MAX], worst = 0;
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
+    frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
+    hatch_rptam_amounts(&rptam, tone, amounts);
+    double depth = log2(rptam.style.tile_px / (SIZE / span));
+    for (uint32_t y = 0; y < SIZE; y++)
+        for (uint32_t x = 0; x < SIZE; x++) {
+            const double uv[2] = {0.5 + span * ((x + 0.5) / SIZE - 0.5), 0.5 + span * ((y + 0.5) / SIZE - 0.5)};
+            double want = 1 - hatch_rptam_ink(&rptam, uv, depth, amounts, false);
+            worst = fmax(worst, fabs((double)picture.pixels[3 * (y * SIZE + x)] - want));
+        }
+    return worst;
+}
+
+static const struct hatch_rptam_style styles[] = {
+    {.tile_px = 60, .length_px = 20, .width_px = 2, .angle_rad = {0, 1.5, 0.4}, .ink = 1, .overlap = 1,
+     .tone_overlap = 0.3},
+    {.tile_px = 40, .length_px = 14, .width_px = 3, .angle_rad = {0.7, -1, 2}, .ink = 0.8, .overlap = 0.2,
+     .tone_overlap = 1, .fade_size = true},
+    {.tile_px = 77, .length_px = 30, .width_px = 1.5, .angle_rad = {0.1, 1.2, 3}, .ink = 1,
+     .law = HATCH_FADE_PAPER, .overlap = 0.5, .tone_overlap = 0.5},
+};
+
+START_TEST(a_plane_is_the_model)
+{
+    static const double spans[] = {1, 0.7, 0.31, 0.11};
+    frame_arenas(&frame);
+    make_model(_i == 1 ? 37 : 64, 3, &styles[_i]);
+    begin_plane();
+    for (int i = 0; i < 4; i++)
+        for (int tone = 1; tone <= 3; tone++) {
+            double worst = compare(spans[i], 0.13 * tone);
+            ck_assert_msg(worst <= 1 / 255.0, "span %g, tone %d: %g", spans[i], tone, worst);
+        }
+    frame_end(&frame);
+}
+END_TEST
+
+/* Two of the same views of a torus, with the lists and without. */
+START_TEST(lists_hold_every_stroke_that_shows)
+{
+    struct hatch_shape_options how = {.faces = 800, .seed = 1};
+    struct hatch_mesh mesh;
+    struct hatch_image pictures[2];
+    struct view view = view_of(0.8);
+    view.half_height = 1.5;
+    frame_arenas(&frame);
+    make_model(_i == 1 ? 100 : 16, 3, &styles[_i]);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.rptam = &rptam;
+    frame.renderer.style.curve.exposure = 1;
+    for (int all = 0; all < 2; all++) {
+        seeds_free(&frame.renderer.seeds);
+        frame.renderer.all_seeds = all;
+        frame_draw(&frame, "rptam", &view, SIZE, SIZE, 2, &pictures[all]);
+    }
+    double worst = 0, sum = 0;
+    for (size_t i = 0; i < (size_t)3 * SIZE * SIZE; i++) {
+        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
+        sum += 1 - (double)pictures[0].pixels[i];
+    }
+    ck_assert_double_le(worst, 1 / 255.0);
+    ck_assert_double_gt(sum / (3 * SIZE * SIZE), 0.02);
+    frame_end(&frame);
+}
+END_TEST
+
+/* What is still there a level further out was there before. */
+START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
+{
+    struct hatch_image near_picture, far_picture;
+    struct hatch_rptam_style style = styles[0];
+    style.length_px = style.width_px = 4; /* dots: only whether they are there counts */
+    style.tile_px = SIZE;
+    frame_arenas(&frame);
+    make_model(16, 1, &style);
+    begin_plane();
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    struct view view = view_of(1); /* depth 0 */
+    frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &near_picture);
+    view = view_of(2);
+    frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &far_picture);
+    /* A pixel that is ink far out, and the eight by eight that lie around it near by. */
+    uint32_t dots = 0, lost = 0;
+    for (uint32_t y = SIZE / 4 + 2; y < 3 * SIZE / 4 - 2; y++)
+        for (uint32_t x = SIZE / 4 + 2; x < 3 * SIZE / 4 - 2; x++) {
+            float ink = 0;
+            for (uint32_t k = 0; k < 64; k++) {
+                uint32_t row = 2 * y - SIZE / 2 - 3 + k / 8, column = 2 * x - SIZE / 2 - 3 + k % 8;
+                ink = fmaxf(ink, 1 - near_picture.pixels[3 * (row * SIZE + column)]);
+            }
+            bool dot = far_picture.pixels[3 * (y * SIZE + x)] < 0.3f;
+            dots += dot;
+            lost += dot && ink < 0.5f;
+        }
+    ck_assert_uint_gt(dots, 20);
+    ck_assert_uint_eq(lost, 0);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render rptam");
+    TCase *tests = tcase_create("rptam");
+    tcase_add_loop_test(tests, a_plane_is_the_model, 0, 3);
+    tcase_add_loop_test(tests, lists_hold_every_stroke_that_shows, 0, 3);
+    tcase_add_test(tests, strokes_of_a_sparser_level_are_a_part_of_the_denser);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
