@@ -133,14 +133,14 @@ static enum hatch_status find_partners(const struct hatch_field_sum *sum, const 
     for (uint32_t v = others; v-- > 0;)
         if (point[v] != HATCH_NO_SIDE)
             at_place[places[own + v]] = point[v];
-    bool any = false;
+    uint32_t met = 0;
     for (uint32_t v = 0; v < own; v++) {
         partner[v] = at_place[places[v]];
-        any = any || partner[v] != HATCH_NO_SIDE;
+        met += partner[v] != HATCH_NO_SIDE;
     }
-    if (!any && own == others)
+    if (met < own - met && own == others) /* some points, as poles, may stay where they are under noise */
         memcpy(partner, point, own * sizeof *partner);
-    else if (!any)
+    else if (met == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no point is where one of the reference is, and %u vertices are not %u",
                           own, others);
     return HATCH_OK;

@@ -27,8 +27,8 @@ struct hatch_field_sum {
 };
 
 /* Adds a mesh. reference: NULL, or a mesh whose field the mesh's is compared with. Points meet by their
- * exact positions; where no position is in both, but both have as many vertices, by the vertices'
- * numbers. Points where the reference's confidence is 0 are left out. HATCH_BAD_INPUT as
+ * exact positions; where most positions are not in both, but both have as many vertices, by the
+ * vertices' numbers. Points where the reference's confidence is 0 are left out. HATCH_BAD_INPUT as
  * hatch_surface_make, when a mesh has no `_HATCH_DIR`, and when no point meets one. */
 enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const struct hatch_mesh *mesh,
                                           const struct hatch_mesh *reference, struct hatch_err *err)
