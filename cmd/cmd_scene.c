@@ -39,6 +39,7 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "edges between faces that cannot agree which side is out: the surface has but one side");
     warn(name, notes->primitives_skipped, "sets of points or lines are skipped");
     warn(name, notes->morphs_ignored, "meshes have morph targets, which are not applied");
+    warn(name, notes->attributes_dropped, "vertex attributes are left out: unknown, or more than a mesh holds");
     warn(name, notes->images_missing, "images could not be read");
 }
 

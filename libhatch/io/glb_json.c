@@ -37,6 +37,18 @@ enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text)
     return hatch_buffer_add(json, "\"", 1, glb->err);
 }
 
+enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_put(glb, "\""));
+    for (; *name; name++)
+        if ((unsigned char)*name < 0x20 || *name == '"' || *name == '\\')
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\\u%04x", (unsigned)*name));
+        else
+            HATCH_TRY(hatch_buffer_add(&glb->json, name, 1, glb->err));
+    return hatch_glb_put(glb, "\":");
+}
+
 /* JSON readers take -0 for the whole number 0: it is written as one, so that copies of a copy are alike. */
 static double plain(float value)
 {

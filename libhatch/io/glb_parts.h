@@ -58,6 +58,8 @@ enum hatch_status hatch_glb_open(struct hatch_glb *glb, const char *key); /* key
 enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);
 /* A string; what is not plain ASCII becomes a question mark. */
 enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text);
+/* A key that a file made up: UTF-8, escaped where JSON wants it, and a colon. */
+enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name);
 /* Key and number; nine digits, which name a float exactly. */
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
 enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32_t value);

@@ -114,8 +114,10 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     HATCH_TRY(open_item(glb));
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
-    for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(hatch_glb_index(glb, from->mesh.attributes[order[i]].name, first + i));
+    for (uint32_t i = 0; i < count; i++) {
+        HATCH_TRY(hatch_glb_name(glb, from->mesh.attributes[order[i]].name));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", first + i));
+    }
     HATCH_TRY(hatch_glb_put(glb, "}"));
     HATCH_TRY(hatch_glb_index(glb, "indices", first + count));
     if (from->material != HATCH_NONE)

@@ -183,7 +183,7 @@ static enum hatch_status print_bounds(struct hatch_glb *glb, const struct hatch_
     const float *values = view->data;
     float low[4], high[4];
     memcpy(low, values, view->components * sizeof *low);
-    memcpy(high, low, sizeof low);
+    memcpy(high, values, view->components * sizeof *high);
     for (size_t i = 0; i < view->count; i++)
         for (uint32_t c = 0; c < view->components; c++) {
             float value = values[i * view->components + c];

@@ -10,16 +10,24 @@ namespace {
 /* Normals of neighbours closer than this count as one: the facets of a flat face share vertices. */
 const float flat_rad = 1e-4f;
 
+/* Is name one of a numbered set ("COLOR_" and 0, 1, ...)? */
+bool is_set(const std::string &name, const char *set)
+{
+    size_t length = std::strlen(set);
+    return name.compare(0, length, set) == 0 && name.size() > length && name.size() < HATCH_MESH_NAME_MAX &&
+           name.find_first_not_of("0123456789", length) == std::string::npos;
+}
+
 /* How many components an attribute of this name has, 0 for one that is not read. */
 int wanted_components(const std::string &name, int has)
 {
     if (name == "POSITION" || name == "NORMAL")
         return 3;
-    if (name == "TANGENT" || name == "JOINTS_0" || name == "WEIGHTS_0")
+    if (name == "TANGENT" || is_set(name, "JOINTS_") || is_set(name, "WEIGHTS_"))
         return 4;
-    if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
+    if (is_set(name, "TEXCOORD_"))
         return 2;
-    if (name == "COLOR_0")
+    if (is_set(name, "COLOR_"))
         return has == 3 ? 3 : 4;
     bool own = name.size() > 1 && name[0] == '_' && name.size() < HATCH_MESH_NAME_MAX;
     return own && has <= 4 ? has : 0;
@@ -33,7 +41,7 @@ int components_of(const Reader &r, int accessor)
         static_cast<uint32_t>(r.model.accessors[static_cast<size_t>(accessor)].type));
 }
 
-/* COLOR_0 always has four components in a mesh. */
+/* A colour always has four components in a mesh. */
 enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
 {
     float *wide = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 4, r.err);
@@ -51,8 +59,10 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
                                  const std::string &where, struct hatch_mesh *mesh)
 {
     int components = wanted_components(name, components_of(r, accessor));
-    if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
+    if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_READ) {
+        r.notes->attributes_dropped++;
         return HATCH_OK;
+    }
     std::string at = where + ", " + name;
     float *data;
     uint32_t count;
@@ -61,7 +71,7 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
         return bad(r, at,
                    std::to_string(count) + " elements, POSITION has " +
                        std::to_string(mesh->vertex_count));
-    if (name == "COLOR_0" && components == 3) {
+    if (is_set(name, "COLOR_") && components == 3) {
         HATCH_TRY(add_alpha(r, count, &data));
         components = 4;
     }
@@ -94,13 +104,16 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
 enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where,
                                uint32_t *count)
 {
-    const float *joints = hatch_mesh_find(mesh, "JOINTS_0", 4);
     *count = 0;
-    for (size_t i = 0; joints && i < static_cast<size_t>(mesh->vertex_count) * 4; i++) {
-        if (!(joints[i] >= 0 && joints[i] <= UINT16_MAX && std::floor(joints[i]) == joints[i]))
-            return bad(r, where, place("JOINTS_0: element", i / 4) + " is no joint's number");
-        uint32_t after = static_cast<uint32_t>(joints[i]) + 1;
-        *count = after > *count ? after : *count;
+    for (uint32_t a = 0; a < mesh->attribute_count; a++) {
+        const std::string name = mesh->attributes[a].name;
+        const float *joints = mesh->attributes[a].data;
+        for (size_t i = 0; is_set(name, "JOINTS_") && i < static_cast<size_t>(mesh->vertex_count) * 4; i++) {
+            if (!(joints[i] >= 0 && joints[i] <= UINT16_MAX && std::floor(joints[i]) == joints[i]))
+                return bad(r, where, place((name + ": element").c_str(), i / 4) + " is no joint's number");
+            uint32_t after = static_cast<uint32_t>(joints[i]) + 1;
+            *count = after > *count ? after : *count;
+        }
     }
     return HATCH_OK;
 }

@@ -9,13 +9,14 @@
 
 #include "base/arena.h"
 
-#define HATCH_MESH_ATTRIBUTES_MAX 12u
+#define HATCH_MESH_ATTRIBUTES_MAX 24u
+#define HATCH_MESH_ATTRIBUTES_READ 18u /* of a file: commands add some */
 #define HATCH_MESH_NAME_MAX 64u
 
 /* data[vertex * components + i], owned by the mesh's arena. Names are glTF's: POSITION (3), NORMAL
  * (3), TANGENT (4: unit direction of rising u, and the sign w that makes w * (NORMAL × TANGENT) the
  * direction of falling v, up in the picture: 1 unless the texture is mirrored), TEXCOORD_0 (2),
- * TEXCOORD_1 (2), COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
+ * TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
 struct hatch_mesh_attribute {
     char name[HATCH_MESH_NAME_MAX];
     uint32_t components; /* 1 .. 4 */
@@ -44,6 +45,7 @@ struct hatch_mesh_notes {
     uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
     uint32_t morphs_ignored;       /* glTF: meshes with morph targets, drawn as they rest */
+    uint32_t attributes_dropped;   /* glTF: vertex attributes of no known name, or too many */
     uint32_t images_missing;       /* glTF: image files that could not be read */
 };
 

@@ -277,6 +277,45 @@ START_TEST(a_mesh_drawn_twice_is_written_once)
 }
 END_TEST
 
+/* Names are the file's: any UTF-8. Sets of colours and joints go on after the first. */
+START_TEST(names_are_kept)
+{
+    static const char *const names[] = {"_A \"name\"\\\n", "_\xc3\xa9t\xc3\xa9", "COLOR_1", "JOINTS_1", "TEXCOORD_7"};
+    struct hatch_mesh *mesh = &scene_meshes[4].mesh;
+    float *data[5];
+    for (uint32_t i = 0; i < 5; i++) {
+        HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, names[i], i == 4 ? 2 : 4, &data[i], &err), &err);
+        data[i][1] = 3;
+    }
+    write_and_read(&whole);
+    for (uint32_t i = 0; i < 5; i++) {
+        const float *read = hatch_mesh_find(&back.meshes[4].mesh, names[i], i == 4 ? 2 : 4);
+        ck_assert_msg(read != NULL, "%s is lost", names[i]);
+        ck_assert_float_eq(read[1], 3);
+    }
+    ck_assert_uint_eq(back.meshes[4].joints_used, 4);
+}
+END_TEST
+
+START_TEST(what_is_too_much_is_counted)
+{
+    struct hatch_mesh *mesh = &scene_meshes[4].mesh;
+    struct hatch_mesh_notes notes = {0};
+    float *data;
+    while (mesh->attribute_count < HATCH_MESH_ATTRIBUTES_READ + 2) {
+        char name[] = "_A";
+        name[1] = (char)('A' + mesh->attribute_count);
+        HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, name, 1, &data, &err), &err);
+    }
+    struct hatch_buffer file = written(&whole);
+    HATCH_TEST_OK(hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch,
+                                  &back, &notes, &err),
+                  &err);
+    ck_assert_uint_eq(back.meshes[4].mesh.attribute_count, HATCH_MESH_ATTRIBUTES_READ);
+    ck_assert_uint_eq(notes.attributes_dropped, 2);
+}
+END_TEST
+
 /* The box that a viewer trusts is that of the numbers that it gets. */
 START_TEST(the_box_is_exact)
 {
@@ -383,6 +422,8 @@ static Suite *suite(void)
     tcase_add_test(tests, motion_comes_back);
     tcase_add_test(tests, a_copy_has_the_same_bytes);
     tcase_add_test(tests, a_mesh_drawn_twice_is_written_once);
+    tcase_add_test(tests, names_are_kept);
+    tcase_add_test(tests, what_is_too_much_is_counted);
     tcase_add_test(tests, the_box_is_exact);
     tcase_add_test(tests, what_cannot_be_written_is_left_out);
     tcase_add_test(tests, a_scene_of_nothing_is_a_file);
