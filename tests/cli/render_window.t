@@ -110,8 +110,8 @@ ok "and shows them again" cmp shot9.png shot11.png
 xdotool key question key q
 wait $window
 is "q closes" $? 0
-is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-7] (tam|gouraud)' err)" 7
-is "nothing else is said" "$(grep -vE '^render-gl: ([1-7] |saved shot|drag|arrows|1 to 7|\[ and|s: )' err)" ""
+is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
+is "nothing else is said" "$(grep -vE '^render-gl: ([1-8] |saved shot|drag|arrows|1 to 8|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn
 shot turn1
