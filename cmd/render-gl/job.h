@@ -13,7 +13,7 @@ struct job {
     struct hatch_scene scene;
     struct patch_mesh *patches; /* of each of its meshes */
     struct hatch_tam map;
-    struct hatch_rptam rptam; /* when the technique draws at seeds, or a window may */
+    struct hatch_rptam rptam; /* made when a technique first draws at seeds */
     struct context context;
     struct gpu_scene gpu;
     struct renderer renderer;

@@ -52,6 +52,10 @@ static void set_technique(struct window *window, uint32_t technique)
         return;
     }
     bool strokes = technique_draws_strokes(techniques[technique]);
+    if (techniques[technique]->seeds && !job->renderer.rptam) {
+        job_read_seeds(job);
+        job->renderer.rptam = &job->rptam;
+    }
     if ((strokes && load_check_texcoords(&job->scene, &err) != HATCH_OK) ||
         renderer_prepare(&job->renderer, technique, &job->args.scratch, &err) != HATCH_OK) {
         cmd_say("%s", err.text);
