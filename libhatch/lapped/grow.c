@@ -16,7 +16,8 @@ enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const str
                                     struct hatch_growth *growth, struct hatch_err *err)
 {
     const struct hatch_surface *surface = ground->surface;
-    struct hatch_growth made = {.covered = covered, .ground = ground, .outline = outline, .arena = arena, .heap = {.arena = arena},
+    struct hatch_growth made = {.covered = covered, .ground = ground, .outline = outline, .arena = arena,
+                                .heap = {.arena = arena},
                                 .obstacles = {.arena = arena}};
     made.face_round = HATCH_NEW(arena, uint32_t, surface->face_count, err);
     made.face_local = made.face_round ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;

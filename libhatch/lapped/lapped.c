@@ -189,7 +189,8 @@ static enum hatch_status gather(const struct making *of, struct hatch_arena *are
         made.patches[i].first_face = face;
         memcpy(&made.vertices[vertex], kept->vertices, kept->patch.vertex_count * sizeof *kept->vertices);
         memcpy(&made.faces[face], kept->faces, kept->patch.face_count * sizeof *kept->faces);
-        memcpy(&made.corners[3 * (size_t)face], kept->corners, 3 * (size_t)kept->patch.face_count * sizeof *kept->corners);
+        memcpy(&made.corners[3 * (size_t)face], kept->corners,
+               3 * (size_t)kept->patch.face_count * sizeof *kept->corners);
         vertex += kept->patch.vertex_count;
         face += kept->patch.face_count;
     }

@@ -57,7 +57,7 @@ static void fill_waves(double x, uint32_t steps, double complex *waves)
 {
     for (uint32_t k = 0; k < steps; k++) {
         double turn = fmod((double)k * x, 1.0) * 6.283185307179586;
-        waves[k] = CMPLX(cos(turn), -sin(turn));
+        waves[k] = cos(turn) - sin(turn) * I;
     }
 }
 

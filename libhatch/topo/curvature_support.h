@@ -25,8 +25,9 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals do not
- * lean away from the given one by more than lean_cosine allows (78° at first): not through the air to the other side of a thin part. True when
- * there are far more of them than even edges would give: then only the nearest rings are taken. */
+ * lean away from the given one by more than lean_cosine allows (78° at first): not through the air to the
+ * other side of a thin part. True when there are far more of them than even edges would give: then only the
+ * nearest rings are taken. */
 bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
                           double radius);
 

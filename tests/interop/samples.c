@@ -200,8 +200,8 @@ static void save_scene(const char *folder)
         {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values}};
     struct hatch_texture texture;
     struct hatch_material materials[] = {
-        {{1, 0.5f, 0.25f, 1}, 0, 0, true, false, 0, false},
-        {{1, 1, 1, 1}, HATCH_NONE, 0, true, true, 0.5f, false}};
+        {{1, 0.5f, 0.25f, 1}, 0, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR}, false, 0, false},
+        {{1, 1, 1, 1}, HATCH_NONE, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 0.5f, false}};
     struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
     struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
                                    {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},

@@ -201,7 +201,8 @@ START_TEST(smooth_means_the_same_at_any_resolution)
         }
         struct hatch_field field = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.7);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
-            sum += of.frames.area[p] * line_angle(&of, p, &field.direction[3 * (size_t)p], &of.direction[3 * (size_t)p]);
+            sum += of.frames.area[p] * line_angle(&of, p, &field.direction[3 * (size_t)p],
+                                                    &of.direction[3 * (size_t)p]);
             area += of.frames.area[p];
         }
         mean[fine] = sum / area;
