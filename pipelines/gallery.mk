@@ -12,7 +12,7 @@ SHELL := /bin/bash
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := teapot torus ellipsoid stipple scratchboard grey threshold
-all: $(pictures:%=$(OUT)/%.png) $(OUT)/sheet.png
+all: $(pictures:%=$(OUT)/%.png) $(OUT)/sheet.png $(OUT)/zoom-0.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -32,6 +32,11 @@ $(OUT)/grey.png: $(call map,crayon)
 	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black$(comma)white)
 $(OUT)/threshold.png: $(call map,ink)
 	$(call draw,saddle,ink,--technique tam-threshold)
+
+# rptam.mk stands beside this file.
+$(OUT)/zoom-0.png:
+	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))rptam.mk OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
+	[ $(WORK) = $(OUT) ] || mv $(WORK)/zoom-?.png $(OUT)
 
 $(WORK)/%.exr:
 	mkdir -p $(WORK) $(OUT)
