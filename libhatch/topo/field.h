@@ -4,7 +4,7 @@
  * directions and constraints), by one energy of z = r e^(2iθ), a complex number a point:
  *     E(z) = Σ_edges w |z_p − turn(z_q)|²  +  Σ_points m |z_p − d_p|²
  * with w of the frames, d the data and m its weight,
- *     m = area c / (1 − c) / length²,  length = 0.013 √(area of the component) (smooth / (1 − smooth))²
+ *     m = area c / (1 − c) / length²,  length = 0.0115 √(area of the component) (smooth / (1 − smooth))²
  * so that confidence c counts as odds, like the inverse of a variance (c = 1/2: a smoothing length of `length`;
  * the more certain the shorter: clean data is not smoothed away), and so that a number for `smooth` means the
  * same at any scale and any resolution.

@@ -199,10 +199,10 @@ START_TEST(smooth_means_the_same_at_any_resolution)
             hatch_vec_copy(line, &of.direction[3 * (size_t)p]);
             of.confidence[p] = 0.5;
         }
-        struct hatch_field field = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.7);
+        struct hatch_field field = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.75);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
-            sum += of.frames.area[p] * line_angle(&of, p, &field.direction[3 * (size_t)p],
-                                                    &of.direction[3 * (size_t)p]);
+            sum += of.frames.area[p] *
+                   line_angle(&of, p, &field.direction[3 * (size_t)p], &of.direction[3 * (size_t)p]);
             area += of.frames.area[p];
         }
         mean[fine] = sum / area;
