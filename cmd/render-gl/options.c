@@ -129,11 +129,11 @@ static const char *const examples[] = {
 
 static const struct cmd_program program = {
     .name = "render-gl",
-    .operands = "[SCENE]",
+    .operands = "[SCENE ...]",
     .summary = "draw a 3D scene with strokes",
     .examples = examples,
     .options = table,
-    .operands_max = 1,
+    .operands_max = -1,
     .reports = true,
     .binary = true,
 };

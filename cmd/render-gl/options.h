@@ -17,7 +17,7 @@ struct seed_choice {
 struct options {
     int technique;           /* index into techniques; what --show shows is one */
     const char *map_path;    /* NULL: none */
-    const char *scene_path;  /* NULL: standard input */
+    const char *scene_path;  /* of the first; NULL: standard input */
     const char *shader_folder;
     struct style style;
     struct seed_choice seeds;

@@ -165,7 +165,7 @@ enum hatch_status pose_bounds(struct pose *pose, const struct pose_span *span,
     HATCH_TRY(pose_each_corner(pose, span, scratch, grow_box, &box, err));
     double square = 0;
     for (int k = 0; k < 3; k++) {
-        double half = 0.5 * box.high[k] - 0.5 * box.low[k];
+        double half = bounds->half[k] = 0.5 * box.high[k] - 0.5 * box.low[k];
         bounds->center[k] = 0.5 * box.high[k] + 0.5 * box.low[k];
         square += half * half;
     }

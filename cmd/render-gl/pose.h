@@ -18,6 +18,7 @@ struct pose {
 struct bounds {
     double center[3];
     double radius; /* over 0; 1 for a scene without extent */
+    double half[3]; /* of the box's sides */
     bool empty;    /* no face anywhere */
 };
 

@@ -173,6 +173,24 @@ static inline void round_mask(void)
     }
 }
 
+/* Ink everywhere, before a technique first draws. */
+static inline void black_map(void)
+{
+    for (uint32_t t = 0; t < TONES; t++)
+        for (uint32_t level = 0; level < map.columns[t].level_count; level++)
+            for (uint32_t i = 0; i < map.columns[t].levels[level].width *
+                                         map.columns[t].levels[level].height; i++)
+                map.columns[t].levels[level].pixels[i] = 0;
+}
+
+/* The frame can begin anew, with what its arenas hold. */
+static inline void close_frame(void)
+{
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+}
+
 /* Caps of a sphere around points of a spiral, each in the plane that touches it there. */
 enum { CAPS = 40 };
 static const double CAP_COS = 0.86;

@@ -93,9 +93,7 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
     begin_lapped(&mesh, &cut);
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &lapped);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    close_frame();
     frame_begin(&mesh, &frame_unit, &map, &frame);
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &plain);
@@ -132,11 +130,7 @@ START_TEST(nothing_shows_through_patches)
     fill_mask();
     struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
-    for (uint32_t t = 0; t < TONES; t++)
-        for (uint32_t level = 0; level < map.columns[t].level_count; level++)
-            for (uint32_t i = 0; i < map.columns[t].levels[level].width *
-                                         map.columns[t].levels[level].height; i++)
-                map.columns[t].levels[level].pixels[i] = 0;
+    black_map();
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
     draw_in_tiles("tam", 160, 1, &image);
     for (int y = -40; y <= 40; y++)
@@ -159,9 +153,7 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
     frame.renderer.style.hatch_turn_rad = 1.57079632679489662;
     frame.renderer.style.hatch_scale = 0.5;
     frame_draw(&frame, "tam", &map_facing, SIZE, SIZE, 1, &turned);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    close_frame();
     /* Against the clock as one sees it: what ran to the right along u runs upwards, where v falls. */
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         float *t = texcoord + 2 * v, u = t[0];

@@ -1,5 +1,6 @@
 /* Patches joined to one mesh, and what must see the surface below them once. */
 #include "fail_alloc.h"
+#include "render-gl/row.h"
 #include "render_lapped.h"
 
 static uint32_t layer_of(const struct patch_mesh *from, const struct hatch_mesh *mesh, uint32_t patch)
@@ -102,9 +103,7 @@ START_TEST(lines_see_the_surface_once)
     begin_lapped(&mesh, _i ? &planes : &caps);
     frame.renderer.style.curve.high = 0.2;
     draw_lines(&lapped);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    close_frame();
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.style.curve.high = 0.2;
     frame.scene.meshes[0].had_normals = true;
@@ -113,6 +112,115 @@ START_TEST(lines_see_the_surface_once)
     ck_assert_double_gt(worst_difference(&plain, &none), 0.5);
     ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
     frame_end(&frame);
+}
+END_TEST
+
+/* The upper half of a sphere follows a joint that leans and moves to the right. */
+static struct hatch_mesh skinned_sphere(void)
+{
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 2000);
+    float *joints, *weights;
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &sphere, "JOINTS_0", 4, &joints, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &sphere, "WEIGHTS_0", 4, &weights, &frame.err), &frame.err);
+    for (size_t v = 0; v < sphere.vertex_count; v++) {
+        weights[4 * v] = fminf(fmaxf(0.5f + sphere.attributes[0].data[3 * v + 1], 0), 1);
+        weights[4 * v + 1] = 1 - weights[4 * v];
+        joints[4 * v + 1] = 1;
+    }
+    return sphere;
+}
+
+static void add_skin(struct hatch_scene *scene)
+{
+    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 3, &frame.err);
+    scene->skins = HATCH_NEW(&frame.arena, struct hatch_skin, 1, &frame.err);
+    scene->skins[0] = (struct hatch_skin){.joint_count = 2,
+                                          .joints = HATCH_NEW(&frame.arena, uint32_t, 2, &frame.err),
+                                          .inverse_bind = HATCH_NEW(&frame.arena, float, 32, &frame.err)};
+    for (uint32_t j = 0; j < 2; j++) {
+        scene->skins[0].joints[j] = 1 + j;
+        for (uint32_t i = 0; i < 4; i++)
+            scene->skins[0].inverse_bind[16 * j + 5 * i] = 1;
+    }
+    nodes[0] = nodes[1] = nodes[2] = scene->nodes[0];
+    nodes[0].skin = 0;
+    nodes[1].mesh_count = nodes[2].mesh_count = 0;
+    nodes[1].translation[0] = 0.1f;
+    nodes[1].rotation[2] = -0.1f;
+    nodes[1].rotation[3] = sqrtf(0.99f);
+    scene->nodes = nodes;
+    scene->node_count = 3;
+    scene->skin_count = 1;
+}
+
+START_TEST(patches_move_with_a_skin)
+{
+    struct hatch_image lapped, plain, still;
+    begin();
+    fill_mask();
+    struct hatch_mesh sphere = skinned_sphere();
+    make_scene(&sphere, &caps);
+    add_skin(&frame.scene);
+    HATCH_TEST_OK(patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
+                  &frame.err);
+    frame_begin_scene(patches, &frame_unit, &map, &frame);
+    lend_outline();
+    black_map();
+    frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
+    draw_in_tiles("tam", 160, 1, &lapped);
+    close_frame();
+    HATCH_TEST_OK(hatch_scene_of_mesh(&sphere, &frame.arena, &frame.scene, &frame.err), &frame.err);
+    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
+    draw_in_tiles("gouraud", 160, 1, &still);
+    close_frame();
+    add_skin(&frame.scene);
+    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
+    draw_in_tiles("gouraud", 160, 1, &plain);
+    ck_assert_double_gt(worst_difference(&plain, &still), 0.5);
+    ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+static enum hatch_status row(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                             struct hatch_err *err)
+{
+    struct hatch_scene joined;
+    return row_join(context, 2, keep, scratch, &joined, err);
+}
+
+START_TEST(scenes_stand_in_a_row)
+{
+    struct hatch_scene scenes[2], joined;
+    float world[16 * 8];
+    begin();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100), large = shape_of(HATCH_SHAPE_SPHERE, 100);
+    for (size_t i = 0; i < 3 * (size_t)large.vertex_count; i++)
+        large.attributes[0].data[i] = 5 * large.attributes[0].data[i] + 7;
+    make_scene(&sphere, &caps);
+    add_skin(&frame.scene);
+    scenes[0] = frame.scene;
+    make_scene(&large, &caps);
+    scenes[1] = frame.scene;
+    HATCH_TEST_OK(row_join(scenes, 2, &frame.arena, &frame.scratch, &joined, &frame.err), &frame.err);
+    ck_assert_uint_eq(joined.node_count, 6);
+    ck_assert_uint_eq(joined.nodes[1].parent, 0);
+    ck_assert_uint_eq(joined.skins[0].joints[1], 3);
+    ck_assert_uint_eq(joined.nodes[5].parent, 4);
+    ck_assert_uint_eq(joined.nodes[5].first_mesh, CAPS);
+    ck_assert_uint_eq(joined.meshes[CAPS].material, 2);
+    ck_assert_uint_eq(joined.materials[2].base_texture, 1);
+    hatch_scene_pose(&joined, HATCH_NONE, 0, world);
+    /* A fifth as large, and its middle beside the first by two half widths and a gap. */
+    const float *place = world + 16 * 5;
+    ck_assert_double_eq_tol((double)place[0], 0.2, 0.01);
+    ck_assert_double_eq_tol((double)(place[0] * 7 + place[12]), 2 + 0.2 * sqrt(3), 0.05);
+    ck_assert_double_eq_tol((double)(place[5] * 7 + place[13]), 0, 0.01);
+    ck_assert_uint_gt(hatch_test_fail_alloc(row, scenes, NULL, 0), 8);
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
 }
 END_TEST
 
@@ -205,6 +313,8 @@ static Suite *suite(void)
     tcase_add_test(tests, joined_patches_are_the_surface);
     tcase_add_test(tests, joining_survives_every_failed_allocation);
     tcase_add_loop_test(tests, lines_see_the_surface_once, 0, 2);
+    tcase_add_test(tests, patches_move_with_a_skin);
+    tcase_add_test(tests, scenes_stand_in_a_row);
     tcase_add_test(tests, patches_have_tones_of_their_own);
     tcase_add_test(tests, marks_lie_evenly_along_directions);
     tcase_add_test(tests, strokes_have_one_size_on_all_patches);
