@@ -1,74 +1,81 @@
 #include "render-gl/seeds.h"
 
-#include <string.h>
-
-/* std430, as in shaders/seeds.glsl */
+/* std140, as in shaders/seeds.glsl */
 struct layer_block {
     float turn[4];       /* cosine, sine of the strokes' direction; offset of their ranks */
-    uint32_t at[4];      /* seeds, the first of them, the first of its lists, texels along a side */
+    int32_t at[4];       /* seeds, the first of them, the first of its lists, texels along a side */
     float darkness[20];  /* HATCH_RPTAM_STEPS */
 };
 
 struct seeds_block {
     float stroke[4];     /* length, width in pixels, ink, side of the tile in pixels */
     float fade[4];       /* overlap with depth, with tone; law, size */
-    uint32_t counts[4];  /* layers, whether all seeds are looked at */
+    int32_t counts[4];   /* layers, whether all seeds are looked at */
     struct layer_block layers[HATCH_RPTAM_LAYERS_MAX];
 };
 
-static void fill_block(const struct hatch_rptam *rptam, bool all, struct seeds_block *block)
+/* Four floats a seed: u, v, the tone's rank, four times the number and the tile that it stays in. First all
+ * of a layer, then the lists one after the other, so that the shader finds a list's seeds by one read each. */
+static void put_seed(const struct hatch_rptam_layer *layer, uint32_t seed, float to[4])
+{
+    to[0] = (float)((double)layer->places[seed].u * 0x1p-64);
+    to[1] = (float)((double)layer->places[seed].v * 0x1p-64);
+    to[2] = (float)hatch_rptam_tone_rank(seed, layer->count);
+    to[3] = (float)(4 * seed + layer->stays_in[seed]);
+}
+
+/* What the buffers hold, and how much of it there is. */
+struct packed {
+    struct seeds_block block;
+    float *seeds;
+    int32_t *lists; /* two a texel */
+    size_t seed_count, list_count;
+};
+
+static void pack_layer(const struct hatch_rptam_layer *layer, struct packed *packed, struct layer_block *to)
+{
+    const struct hatch_coverage *coverage = &layer->coverage;
+    size_t texels = (size_t)coverage->side * coverage->side;
+    *to = (struct layer_block){
+        .turn = {(float)layer->cosine, (float)layer->sine, (float)layer->rank_offset},
+        .at = {(int32_t)layer->count, (int32_t)packed->seed_count, (int32_t)packed->list_count,
+               (int32_t)coverage->side}};
+    for (uint32_t step = 0; step < HATCH_RPTAM_STEPS; step++)
+        to->darkness[step] = (float)layer->darkness[step];
+    for (uint32_t k = 0; k < layer->count; k++)
+        put_seed(layer, k, packed->seeds + 4 * packed->seed_count++);
+    for (size_t t = 0; t < texels; t++) {
+        packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
+        for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++)
+            put_seed(layer, coverage->ids[i], packed->seeds + 4 * packed->seed_count++);
+        packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
+    }
+}
+
+static enum hatch_status pack(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,
+                              struct packed *packed, struct hatch_err *err)
 {
     const struct hatch_rptam_style *style = &rptam->style;
-    uint32_t seed = 0, list = 0;
-    *block = (struct seeds_block){
-        .stroke = {(float)style->length_px, (float)style->width_px, (float)style->ink, (float)style->tile_px},
-        .fade = {(float)style->overlap, (float)style->tone_overlap, style->law == HATCH_FADE_PAPER,
-                 style->fade_size},
-        .counts = {rptam->layer_count, all}};
+    size_t seeds = 0, lists = 0;
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
-        const struct hatch_rptam_layer *layer = &rptam->layers[i];
-        uint32_t side = layer->coverage.side, texels = side * side;
-        struct layer_block *to = &block->layers[i];
-        *to = (struct layer_block){.turn = {(float)layer->cosine, (float)layer->sine,
-                                            (float)layer->rank_offset},
-                                   .at = {layer->count, seed, list, side}};
-        for (uint32_t step = 0; step < HATCH_RPTAM_STEPS; step++)
-            to->darkness[step] = (float)layer->darkness[step];
-        seed += layer->count;
-        list += texels + 1 + layer->coverage.first[texels];
-    }
-}
-
-/* Per seed: u, v, the tone's rank, the tile that it stays in. */
-static float *pack_seeds(const struct hatch_rptam *rptam, uint32_t count, struct hatch_arena *scratch,
-                         struct hatch_err *err)
-{
-    float *packed = HATCH_NEW(scratch, float, 4 * (size_t)count, err), *next = packed;
-    for (uint32_t i = 0; packed && i < rptam->layer_count; i++)
-        for (uint32_t k = 0; k < rptam->layers[i].count; k++, next += 4) {
-            const struct hatch_rptam_layer *layer = &rptam->layers[i];
-            next[0] = (float)((double)layer->places[k].u * 0x1p-64);
-            next[1] = (float)((double)layer->places[k].v * 0x1p-64);
-            next[2] = (float)hatch_rptam_tone_rank(k, layer->count);
-            next[3] = layer->stays_in[k];
-        }
-    return packed;
-}
-
-/* Per layer: where each texel's list begins, counted from the first list, then the lists. */
-static uint32_t *pack_lists(const struct hatch_rptam *rptam, size_t count, struct hatch_arena *scratch,
-                            struct hatch_err *err)
-{
-    uint32_t *packed = HATCH_NEW(scratch, uint32_t, count, err), *next = packed;
-    for (uint32_t i = 0; packed && i < rptam->layer_count; i++) {
         const struct hatch_coverage *coverage = &rptam->layers[i].coverage;
         size_t texels = (size_t)coverage->side * coverage->side;
-        memcpy(next, coverage->first, (texels + 1) * sizeof *next);
-        next += texels + 1;
-        memcpy(next, coverage->ids, coverage->first[texels] * sizeof *next);
-        next += coverage->first[texels];
+        lists += texels;
+        seeds += rptam->layers[i].count + coverage->first[texels];
     }
-    return packed;
+    *packed = (struct packed){
+        .block = {.stroke = {(float)style->length_px, (float)style->width_px, (float)style->ink,
+                             (float)style->tile_px},
+                  .fade = {(float)style->overlap, (float)style->tone_overlap, style->law == HATCH_FADE_PAPER,
+                           style->fade_size},
+                  .counts = {(int32_t)rptam->layer_count, all}}};
+    packed->seeds = HATCH_NEW(scratch, float, 4 * seeds, err);
+    packed->lists = packed->seeds ? HATCH_NEW(scratch, int32_t, 2 * lists, err) : NULL;
+    if (!packed->lists)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < rptam->layer_count; i++)
+        pack_layer(&rptam->layers[i], packed, &packed->block.layers[i]);
+    return HATCH_OK;
 }
 
 static GLuint make_buffer(const void *data, size_t size)
@@ -92,41 +99,54 @@ static GLuint make_stroke(const struct hatch_image *image)
     return texture;
 }
 
+/* A buffer that shaders read as a texture. */
+static GLuint make_view(GLuint buffer, GLenum format)
+{
+    GLuint texture;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &texture);
+    glTextureBuffer(texture, format, buffer);
+    return texture;
+}
+
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,
                                struct gpu_seeds *seeds, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct seeds_block block;
-    fill_block(rptam, all, &block);
-    const struct layer_block *last = &block.layers[rptam->layer_count - 1];
-    const struct hatch_coverage *coverage = &rptam->layers[rptam->layer_count - 1].coverage;
-    size_t texels = (size_t)coverage->side * coverage->side;
-    uint32_t seed_count = last->at[1] + last->at[0];
-    size_t list_count = last->at[2] + texels + 1 + coverage->first[texels];
-    float *packed = pack_seeds(rptam, seed_count, scratch, err);
-    uint32_t *lists = packed ? pack_lists(rptam, list_count, scratch, err) : NULL;
-    if (lists)
-        *seeds = (struct gpu_seeds){.layers = make_buffer(&block, sizeof block),
-                                    .seeds = make_buffer(packed, 4 * sizeof *packed * seed_count),
-                                    .lists = make_buffer(lists, sizeof *lists * list_count),
-                                    .stroke = make_stroke(&rptam->stroke)};
+    struct packed packed;
+    GLint most;
+    enum hatch_status status = pack(rptam, all, scratch, &packed, err);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (status == HATCH_OK && packed.seed_count > (size_t)most)
+        status = hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d",
+                            packed.seed_count, most);
+    if (status == HATCH_OK) {
+        *seeds = (struct gpu_seeds){
+            .layers = make_buffer(&packed.block, sizeof packed.block),
+            .seeds = make_buffer(packed.seeds, 4 * sizeof *packed.seeds * packed.seed_count),
+            .lists = make_buffer(packed.lists, 2 * sizeof *packed.lists * packed.list_count),
+            .stroke = make_stroke(&rptam->stroke)};
+        seeds->seeds_view = make_view(seeds->seeds, GL_RGBA32F);
+        seeds->lists_view = make_view(seeds->lists, GL_RG32I);
+    }
     hatch_arena_rewind(scratch, mark);
-    return lists ? HATCH_OK : HATCH_LIMIT;
+    return status;
 }
 
 void seeds_bind(const struct gpu_seeds *seeds)
 {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, seeds->layers);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, seeds->seeds);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, seeds->lists);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, seeds->layers);
     glBindTextureUnit(4, seeds->stroke);
+    glBindTextureUnit(5, seeds->seeds_view);
+    glBindTextureUnit(6, seeds->lists_view);
 }
 
 void seeds_free(struct gpu_seeds *seeds)
 {
+    glDeleteTextures(1, &seeds->seeds_view);
+    glDeleteTextures(1, &seeds->lists_view);
+    glDeleteTextures(1, &seeds->stroke);
     glDeleteBuffers(1, &seeds->layers);
     glDeleteBuffers(1, &seeds->seeds);
     glDeleteBuffers(1, &seeds->lists);
-    glDeleteTextures(1, &seeds->stroke);
     *seeds = (struct gpu_seeds){0};
 }

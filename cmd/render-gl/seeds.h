@@ -9,8 +9,9 @@
 #include "seed/rptam.h"
 
 struct gpu_seeds {
-    GLuint layers, seeds, lists; /* buffers */
-    GLuint stroke;               /* texture */
+    GLuint layers, seeds, lists;   /* buffers */
+    GLuint seeds_view, lists_view; /* the last two as textures */
+    GLuint stroke;                 /* texture */
 };
 
 /* Uploads the model. all: the shader looks at every seed at every place, which is slow. */

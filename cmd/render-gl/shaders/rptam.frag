@@ -32,20 +32,16 @@ mat2 pixels_by_derivative()
 vec2 ink_of(mat2 pixels, vec2 amounts)
 {
     vec2 left = vec2(1.0);
-    for (uint layer = 0u; layer < layer_count.x; layer++) {
+    for (int layer = 0; layer < layer_count.x; layer++) {
         vec2 turn = layers[layer].turn.xy;
         float across = length(pixels * vec2(-turn.y, turn.x));
         float depth = log2(stroke.w / across), whole = floor(depth);
         if (!(abs(depth) < 60.0)) // no depth is right: the surface is seen edge on, or has no scale
             continue;
         vec2 at = v_texcoord * exp2(-whole);
-        float dark = layer_amount(layer, amounts.x);
-        if (dark > 0.0)
-            left.x *= layer_paper(layer, at, depth - whole, dark);
+        left.x *= layer_paper(layer, at, depth - whole, layer_amount(layer, amounts.x));
 #ifdef TWO_INKS
-        float light = layer_amount(layer, amounts.y);
-        if (light > 0.0)
-            left.y *= layer_paper(layer, at, depth - whole, light);
+        left.y *= layer_paper(layer, at, depth - whole, layer_amount(layer, amounts.y));
 #endif
     }
     return 1.0 - left;
