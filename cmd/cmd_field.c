@@ -52,14 +52,20 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
                                                        .iterations_max = CMD_FIELD_ITERATIONS};
     struct hatch_frames frames;
     struct hatch_curvature curvature;
+    bool *made_up = HATCH_NEW(work, bool, surface->component_count, err);
+    if (!made_up)
+        return HATCH_LIMIT;
     HATCH_TRY(hatch_frames_make(surface, work, &args->scratch, &frames, err));
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
                                        &curvature, err));
     hatch_curvature_doubt_creases(surface, CMD_CREASE_RAD, &curvature);
     hatch_frames_lean(surface, curvature.normal, &frames);
+    hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL};
-    return hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,
-                             err);
+    HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,
+                                err));
+    hatch_field_own_up(surface, made_up, field);
+    return HATCH_OK;
 }
 
 void cmd_add_field(struct cmd_args *args, const char *name, const struct hatch_surface *surface,

@@ -76,7 +76,7 @@ static void say(const struct run *run)
     if (run->undirected > 0)
         cmd_warn(cmd_input_name(run->input),
                  "%.3g %% of the faces lie on parts that have no direction of their own, as planes and spheres: "
-                 "their lines are smooth, but follow from nothing",
+                 "their lines only lie across the longest side",
                  100 * run->undirected / run->faces);
     cmd_note("%llu singularities", (unsigned long long)run->singularities);
 }

@@ -19,15 +19,17 @@ static void check(const struct dirfield_part *part, enum hatch_status status, st
     cmd_check(status, part->name, err);
 }
 
-/* Right angles are exact, and need no side to be seen from. */
+/* What was found, not what was given by hand. Right angles are exact, and need no side to be seen from. */
 static void turn(const struct hatch_frames *frames, const struct hatch_surface *surface, double degrees,
-                 double *direction)
+                 const double *hard, double *direction)
 {
     double right_angles = degrees / 90, radians = degrees * (3.14159265358979323846 / 180);
     bool exact = right_angles == floor(right_angles), across = exact && fmod(right_angles, 2) != 0;
     double along = exact ? !across : cos(radians), aside = exact ? across : sin(radians);
     for (size_t p = 0; p < surface->point_count; p++) {
         double *d = &direction[3 * p], left[3];
+        if (hard && hard[p] > 0)
+            continue;
         hatch_vec_cross(&frames->normal[3 * p], d, left);
         for (int k = 0; k < 3; k++)
             d[k] = along * d[k] + aside * left[k];
@@ -60,7 +62,7 @@ static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_o
                                   curvature, err);
 }
 
-/* What was given by hand replaces what was found, and is not turned. */
+/* What was given by hand replaces what was found. */
 static void constrain(const char *file, struct dirfield_part *part, double *direction, double **hard)
 {
     struct hatch_err err;
@@ -91,6 +93,8 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     struct hatch_err err;
     struct hatch_curvature curvature;
     double begun_ms = cmd_elapsed_ms(), *hard;
+    bool *made_up = HATCH_NEW(&part->work, bool, part->surface->component_count, &err);
+    check(part, made_up ? HATCH_OK : HATCH_LIMIT, &err);
     check(part, check_sides(part->surface, options->turn_deg, &err), &err);
     check(part, hatch_frames_make(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
     end_phase(part, PHASE_FRAMES, begun_ms);
@@ -99,14 +103,16 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     check(part, estimate(args, options, part, &curvature, &err), &err);
     hatch_curvature_doubt_creases(part->surface, CMD_CREASE_RAD, &curvature);
     hatch_frames_lean(part->surface, curvature.normal, &part->frames);
-    turn(&part->frames, part->surface, options->turn_deg, curvature.direction);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
+    hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);
+    turn(&part->frames, part->surface, options->turn_deg, hard, curvature.direction);
     end_phase(part, PHASE_CURVATURE, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard};
     check(part, hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args),
                                   &part->work, &args->scratch, &part->field, &err), &err);
+    hatch_field_own_up(part->surface, made_up, &part->field);
     end_phase(part, PHASE_FIELD, begun_ms);
     check(part, hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work,
                                           &args->scratch, &part->singular, &err), &err);

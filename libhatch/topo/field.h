@@ -58,6 +58,15 @@ enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const s
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_field *field, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Gives components without data to speak of (planes, spheres, boxes) lines across the longest of their sides along
+ * the axes, as data: the smoothest field of all could lie any way, and swirls on a box. hard: as in
+ * hatch_field_data. direction, confidence: of the data, changed. made_up: per component, written. */
+void hatch_field_make_up(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *hard,
+                         double *direction, double *confidence, bool *made_up);
+
+/* Takes the confidence from components whose data was made up; they count as undirected. */
+void hatch_field_own_up(const struct hatch_surface *surface, const bool *made_up, struct hatch_field *field);
+
 /* energy[2] of any unit field, as in hatch_field. */
 void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_frames *frames,
                         const struct hatch_field_data *data, double smooth, const double *direction,

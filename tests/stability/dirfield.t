@@ -43,7 +43,7 @@ same "every triangle with vertices of its own" soup.obj
 awk '/^f/ && NR % 3 == 0 {print $1, $3, $2, $4; next} {print}' torus.obj >mixed.obj
 same "every third face turned over" mixed.obj
 awk '/^f/ {print $1, $2, $4, $3; next} {print}' torus.obj >inside.obj
-same "all faces turned over" inside.obj
+same "all faces turned over" inside.obj 1
 awk '{print} /^f/ && NR % 7 == 0 {print; print $1, $2, $4, $3; print $1, $2, $3, $3}
     END {print "v 5 5 5\nv 0 0 0"}' torus.obj >double.obj
 same "faces twice, faces without area, vertices that no face uses" double.obj
