@@ -38,7 +38,7 @@ cmp -s here.glb there.glb
 is "the same bytes by an older processor's sines" $? 0
 
 try dirfield plane.glb -o flat.glb
-is "a plane's lines follow from nothing, and that is said" "$status $(grep -c '100 % of the faces.*no direction of their own' .err)" "0 1"
+is "a plane has no direction, and that is said" "$status $(grep -c '100 % of the faces.*no direction of their own' .err)" "0 1"
 is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
 is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print ($1 < 1e-6)}')" 1
 

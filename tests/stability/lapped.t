@@ -37,7 +37,7 @@ draws() {
     is "$name: what was wrong is said" "${problem:+$problem$(cat said)}" ""
     figures "$name"
 }
-nowhere="follow from nothing"
+nowhere="no direction of their own"
 
 # A torus as OBJ, of size $1, moved by $2, of $3 by $4 squares
 torus() {
@@ -77,7 +77,7 @@ draws "crumbs beside it" crumbs.obj "" "$nowhere"
 awk '/^f/ && NR % 30 < 10 {next} {print}' torus.obj >open.obj
 draws "open borders" open.obj "" "90 vertices that no face uses"
 awk '/^v/ {print $1, $2, $3 * 1e-4, $4; next} {print}' torus.obj >flat.obj
-draws "slivers: pressed flat" flat.obj ""
+draws "slivers: pressed flat" flat.obj "" "$nowhere"
 awk '/^v/ {print $1, $2, $3 * 300, $4; next} {print}' torus.obj >long.obj
 draws "needles: drawn out" long.obj ""
 for scale in 1e-20 1e-3 1e20; do
