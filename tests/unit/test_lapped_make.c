@@ -1,0 +1,310 @@
+#include "fail_alloc.h"
+#include "lapped_make.h"
+#include "lapped/work.h"
+#include "mesh/edges.h"
+
+/* Along the first principal direction of a shape. */
+static struct field_case along_curvature(enum hatch_shape shape, uint32_t faces, float jitter)
+{
+    struct field_case of = case_of_shape(shape, faces, jitter);
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        double position[3], normal[3], curvature[2], *d = &of.direction[3 * p];
+        hatch_surface_position(&of.surface, p, position);
+        hatch_shape_curvature(shape, position, normal, d, curvature);
+        if (hatch_vec_length(d) < 0.5)
+            hatch_vec_copy(&of.frames.axis[3 * p], d);
+        of.confidence[p] = 1;
+    }
+    return of;
+}
+
+/* Coordinates that differ from a flattening's only by where they begin and by half a turn. */
+static void check_isometric(const struct lapped_case *of, void (*flatten)(const double *, double *))
+{
+    const struct hatch_lapped *lapped = &of->lapped;
+    for (uint32_t p = 0; p < lapped->patch_count; p++) {
+        const struct hatch_lapped_patch *patch = &lapped->patches[p];
+        double sign = 0;
+        for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
+            size_t corner = 3 * (size_t)patch->first_face + i, next = i % 3 == 2 ? corner - 2 : corner + 1;
+            const struct hatch_lapped_vertex *a = &lapped->vertices[patch->first_vertex + lapped->corners[corner]];
+            const struct hatch_lapped_vertex *b = &lapped->vertices[patch->first_vertex + lapped->corners[next]];
+            double from[3], to[3], u[2], v[2];
+            hatch_surface_position(&of->of.surface, a->point, from);
+            hatch_surface_position(&of->of.surface, b->point, to);
+            flatten(from, u);
+            flatten(to, v);
+            double dx = (double)b->hatch[0] - (double)a->hatch[0], dy = (double)b->hatch[1] - (double)a->hatch[1];
+            double wx = v[0] - u[0], wy = v[1] - u[1];
+            if (fabs(wx) > 3)
+                continue; /* over the seam of the flattening */
+            if (sign == 0)
+                sign = dx * wx + dy * wy > 0 ? 1 : -1;
+            ck_assert_double_eq_tol(dx, sign * wx, 2e-4);
+            ck_assert_double_eq_tol(dy, sign * wy, 2e-4);
+        }
+    }
+}
+
+static void flat_plane(const double *p, double *u)
+{
+    u[0] = p[0];
+    u[1] = -p[1];
+}
+
+START_TEST(a_plane_keeps_its_measures)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 3000, 1);
+    lay_field(&of, 1, 0, 0);
+    struct hatch_lapped_options options = LAPPED_PLAIN;
+    options.size = 0.2;
+    struct lapped_case plane = cover_all(of, &options);
+    ck_assert_uint_gt(plane.lapped.patch_count, 10);
+    ck_assert_uint_eq(plane.lapped.cut, 0);
+    check_patches(&plane, 3000);
+    check_isometric(&plane, flat_plane);
+}
+END_TEST
+
+/* Of a prism of n sides: each side is flat, u runs around, v down. */
+#define SIDES 64
+static void flat_prism(const double *p, double *u)
+{
+    double step = 2 * PI / SIDES, angle = atan2(p[0], p[2]);
+    double side = floor(angle / step), in = angle - (side + 0.5) * step;
+    /* Along the chord. */
+    u[0] = 2 * sin(step / 2) * side + cos(step / 2) * tan(in);
+    u[1] = -p[1];
+}
+
+START_TEST(a_cylinder_is_unrolled)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, SIDES * 11, SIDES * 20, &mesh, &err), &err);
+    for (uint32_t i = 0; i < SIDES; i++)
+        for (uint32_t j = 0; j < 11; j++) {
+            float *at = &mesh.attributes[0].data[3 * (i * 11 + j)];
+            at[0] = (float)sin(2 * PI * i / SIDES);
+            at[1] = (float)j * 0.1f;
+            at[2] = (float)cos(2 * PI * i / SIDES);
+            uint32_t a = i * 11 + j, b = (i + 1) % SIDES * 11 + j;
+            const uint32_t two[6] = {a, b, b + 1, a, b + 1, a + 1};
+            if (j < 10)
+                memcpy(&mesh.indices[6 * (i * 10 + j)], two, sizeof two);
+        }
+    struct field_case of = case_of(mesh);
+    lay_field(&of, 0, 1, 0);
+    struct lapped_case tube = cover_all(of, &LAPPED_PLAIN);
+    ck_assert_uint_gt(tube.lapped.patch_count, 3);
+    check_patches(&tube, 2000);
+    /* The field runs up, so that u does: exchange the axes. */
+    for (uint32_t v = 0; v < tube.lapped.vertex_count; v++) {
+        float *hatch = tube.lapped.vertices[v].hatch, u = hatch[0];
+        hatch[0] = -hatch[1];
+        hatch[1] = u;
+    }
+    check_isometric(&tube, flat_prism);
+}
+END_TEST
+
+START_TEST(a_torus_is_covered_within_the_bars)
+{
+    struct lapped_case torus = cover_all(along_curvature(HATCH_SHAPE_TORUS, 12000, 1), &LAPPED_PLAIN);
+    check_patches(&torus, 20000);
+    double overlap = (double)torus.lapped.face_count / torus.of.surface.face_count;
+    ck_assert_msg(overlap <= 1.5, "overlap %g", overlap);
+    ck_assert_uint_eq(torus.lapped.hidden, 0);
+}
+END_TEST
+
+/* No patch ends where it could be seen: on a side behind which it has no face, the surface ends, it has
+ * faded, or later patches lie over it. */
+START_TEST(where_a_patch_ends_it_is_faded_or_hidden)
+{
+    struct lapped_case torus = cover_all(along_curvature(HATCH_SHAPE_TORUS, 5000, 1), &LAPPED_PLAIN);
+    const struct hatch_lapped *lapped = &torus.lapped;
+    uint32_t *held = HATCH_NEW(&keep, uint32_t, torus.of.surface.face_count, &err);
+    uint32_t asked = 0;
+    ck_assert_uint_eq(lapped->cut, 0);
+    for (uint32_t p = 0; p < lapped->patch_count; p++) {
+        const struct hatch_lapped_patch *patch = &lapped->patches[p];
+        for (uint32_t e = patch->first_face; e < patch->first_face + patch->face_count; e++)
+            held[lapped->faces[e]] = p + 1;
+        for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
+            uint32_t e = patch->first_face + i / 3, c = i % 3;
+            uint32_t other = torus.of.surface.opposite[3 * lapped->faces[e] + c];
+            if (other == HATCH_NO_SIDE || held[other / 3] == p + 1)
+                continue;
+            for (int k = 1; k < 8; k++, asked++) {
+                double bary[3] = {0, 0, 0}, mask[2];
+                bary[c] = k / 8.0;
+                bary[(c + 1) % 3] = 1 - k / 8.0;
+                mask_in(lapped, p, e, bary, mask);
+                double shown = hatch_outline_opacity(&torus.outline, mask);
+                ck_assert_msg(shown < 1e-3 || opacity_over(&torus, lapped->faces[e], bary, p + 1) > 0.999,
+                              "patch %u ends with opacity %g", p, shown);
+            }
+        }
+    }
+    ck_assert_uint_gt(asked, 1000);
+}
+END_TEST
+
+/* The patches that hatch_patch_make makes, before any face is left out. */
+START_TEST(every_patch_is_a_disk)
+{
+    struct field_case of = along_curvature(HATCH_SHAPE_TORUS, 3000, 1);
+    struct hatch_outline outline;
+    struct hatch_ground ground;
+    struct hatch_growth growth;
+    struct hatch_solver solver = {.arena = &keep};
+    struct hatch_patch_notes done;
+    struct hatch_lapped_options options = LAPPED_PLAIN;
+    options.size = 0.6; /* more than the tube is around */
+    hatch_outline_make(3, 1, 0.05, &outline);
+    uint8_t *covered = HATCH_NEW(&keep, uint8_t, of.surface.face_count, &err);
+    HATCH_TEST_OK(hatch_ground_make(&of.surface, &of.frames, of.direction, &options, NULL, &keep, &scratch, &ground,
+                                    &err), &err);
+    HATCH_TEST_OK(hatch_growth_make(&ground, &outline, covered, &keep, &growth, &err), &err);
+    for (uint32_t seed = 0; seed < of.surface.face_count; seed += 97) {
+        HATCH_TEST_OK(hatch_patch_make(&growth, &solver, &options, seed, 0, &done, &err), &err);
+        const struct hatch_patch *patch = &growth.patch;
+        uint32_t inner = 0, outer = 0;
+        for (uint32_t f = 0; f < patch->face_count; f++)
+            for (uint32_t c = 0; c < 3; c++) {
+                if (hatch_growth_side(&growth, 3 * patch->faces[f] + c) == HATCH_SIDE_INSIDE)
+                    inner++;
+                else
+                    outer++;
+            }
+        ck_assert_int_eq((int)(patch->vertex_count + patch->face_count) - (int)(inner / 2 + outer), 1);
+        ck_assert_uint_eq(patch->faces[0], seed);
+        double mask[3][2];
+        for (uint32_t c = 0; c < 3; c++)
+            hatch_patch_mask(patch, &patch->place[2 * patch->corners[c]], mask[c]);
+        ck_assert(hatch_cover_holds(&outline, (const double(*)[2])mask));
+    }
+}
+END_TEST
+
+START_TEST(any_number_of_threads_and_any_power_of_two_give_the_same)
+{
+    struct field_case of = along_curvature(HATCH_SHAPE_ELLIPSOID, 6000, 1);
+    struct lapped_case one = cover_all(of, &LAPPED_PLAIN);
+    struct hatch_pool *pool;
+    struct hatch_lapped other;
+    HATCH_TEST_OK(hatch_pool_make(3, &keep, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_lapped_make(&of.surface, &of.frames, of.direction, of.confidence, &one.outline, &LAPPED_PLAIN,
+                                    pool, &keep, &scratch, &other, &err), &err);
+    hatch_pool_free(pool);
+    ck_assert_uint_eq(one.lapped.vertex_count, other.vertex_count);
+    ck_assert_mem_eq(one.lapped.vertices, other.vertices, other.vertex_count * sizeof *other.vertices);
+    ck_assert_mem_eq(one.lapped.faces, other.faces, other.face_count * sizeof *other.faces);
+
+    struct hatch_mesh large = of.mesh;
+    for (uint32_t i = 0; i < 3 * large.vertex_count; i++)
+        large.attributes[0].data[i] *= 1024;
+    struct field_case grown = case_of(large);
+    grown.direction = of.direction;
+    grown.confidence = of.confidence;
+    other = cover(&grown, &one.outline, &LAPPED_PLAIN);
+    ck_assert_uint_eq(one.lapped.vertex_count, other.vertex_count);
+    for (uint32_t v = 0; v < other.vertex_count; v++)
+        ck_assert_float_eq(one.lapped.vertices[v].hatch[0] * 1024, other.vertices[v].hatch[0]);
+}
+END_TEST
+
+START_TEST(turned_and_moved_it_is_covered_as_well)
+{
+    struct field_case of = along_curvature(HATCH_SHAPE_TORUS, 4000, 1);
+    struct lapped_case one = cover_all(of, &LAPPED_PLAIN);
+    struct hatch_mesh moved = of.mesh;
+    for (uint32_t v = 0; v < moved.vertex_count; v++) {
+        float *p = &moved.attributes[0].data[3 * v], x = p[0];
+        p[0] = 0.6f * x - 0.8f * p[1] + 100;
+        p[1] = 0.8f * x + 0.6f * p[1];
+    }
+    struct field_case turned = case_of(moved);
+    for (uint32_t p = 0; p < turned.surface.point_count; p++) {
+        const double *d = &of.direction[3 * p];
+        const double rotated[3] = {0.6 * d[0] - 0.8 * d[1], 0.8 * d[0] + 0.6 * d[1], d[2]};
+        hatch_vec_copy(rotated, &turned.direction[3 * p]);
+    }
+    struct lapped_case two = cover_all(turned, &LAPPED_PLAIN);
+    check_patches(&two, 5000);
+    ck_assert_double_eq_tol((double)two.lapped.face_count / one.lapped.face_count, 1, 0.1);
+}
+END_TEST
+
+START_TEST(a_patch_is_a_mesh_with_the_places_of_the_source)
+{
+    struct field_case of = along_curvature(HATCH_SHAPE_TORUS, 2000, 0);
+    struct lapped_case torus = cover_all(of, &LAPPED_PLAIN);
+    for (uint32_t p = 0; p < torus.lapped.patch_count; p++) {
+        const struct hatch_lapped_patch *patch = &torus.lapped.patches[p];
+        struct hatch_mesh mesh;
+        HATCH_TEST_OK(hatch_lapped_mesh(&of.surface, &of.mesh, &torus.lapped, p, of.direction, of.confidence, 0.25,
+                                        &keep, &scratch, &mesh, &err), &err);
+        HATCH_TEST_OK(hatch_mesh_check(&mesh, &err), &err);
+        ck_assert_uint_eq(mesh.face_count, patch->face_count);
+        const float *hatch = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), *mask = hatch_mesh_find(&mesh, "TEXCOORD_1", 2);
+        const float *field = hatch_mesh_find(&mesh, "_HATCH_DIR", 4), *at = hatch_mesh_find(&mesh, "POSITION", 3);
+        for (uint32_t i = 0; i < 3 * mesh.face_count; i++) {
+            uint32_t face = torus.lapped.faces[patch->first_face + i / 3], v = mesh.indices[i];
+            uint32_t local = torus.lapped.corners[3 * (size_t)patch->first_face + i];
+            const struct hatch_lapped_vertex *vertex = &torus.lapped.vertices[patch->first_vertex + local];
+            uint32_t source = of.mesh.indices[3 * of.surface.face_source[face] + i % 3];
+            ck_assert_mem_eq(&at[3 * v], &of.mesh.attributes[0].data[3 * source], 12);
+            ck_assert_float_eq(hatch[2 * v], vertex->hatch[0] * 4);
+            ck_assert_float_eq(mask[2 * v + 1], vertex->mask[1]);
+            ck_assert_float_eq(field[4 * v], (float)of.direction[3 * vertex->point]);
+            ck_assert_float_eq(field[4 * v + 3], 1);
+        }
+    }
+}
+END_TEST
+
+static enum hatch_status make_all(void *context, struct hatch_arena *result, struct hatch_arena *work,
+                                  struct hatch_err *error)
+{
+    struct lapped_case *of = context;
+    return hatch_lapped_make(&of->of.surface, &of->of.frames, of->of.direction, of->of.confidence, &of->outline,
+                             &LAPPED_PLAIN, NULL, result, work, &of->lapped, error);
+}
+
+static enum hatch_status make_mesh(void *context, struct hatch_arena *result, struct hatch_arena *work,
+                                   struct hatch_err *error)
+{
+    struct lapped_case *of = context;
+    struct hatch_mesh mesh;
+    return hatch_lapped_mesh(&of->of.surface, &of->of.mesh, &of->lapped, 0, of->of.direction, of->of.confidence, 1,
+                             result, work, &mesh, error);
+}
+
+START_TEST(every_failed_allocation_is_survived)
+{
+    struct lapped_case torus = cover_all(along_curvature(HATCH_SHAPE_TORUS, 300, 0), &LAPPED_PLAIN);
+    hatch_test_fail_alloc(make_all, &torus, &torus.lapped, sizeof torus.lapped);
+    torus.lapped = cover(&torus.of, &torus.outline, &LAPPED_PLAIN);
+    hatch_test_fail_alloc(make_mesh, &torus, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("lapped make");
+    TCase *tests = tcase_create("patches");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_plane_keeps_its_measures);
+    tcase_add_test(tests, a_cylinder_is_unrolled);
+    tcase_add_test(tests, a_torus_is_covered_within_the_bars);
+    tcase_add_test(tests, where_a_patch_ends_it_is_faded_or_hidden);
+    tcase_add_test(tests, every_patch_is_a_disk);
+    tcase_add_test(tests, any_number_of_threads_and_any_power_of_two_give_the_same);
+    tcase_add_test(tests, turned_and_moved_it_is_covered_as_well);
+    tcase_add_test(tests, a_patch_is_a_mesh_with_the_places_of_the_source);
+    tcase_add_test(tests, every_failed_allocation_is_survived);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

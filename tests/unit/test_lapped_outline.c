@@ -1,0 +1,134 @@
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "lapped/outline.h"
+#include "run.h"
+
+#include <math.h>
+
+static struct hatch_arena keep;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&keep);
+}
+
+static double random_in(uint64_t stream, uint64_t i, double low, double high)
+{
+    return low + (high - low) * (double)hatch_random_unit(11, stream, i);
+}
+
+START_TEST(a_circle_is_a_circle)
+{
+    struct hatch_outline outline;
+    hatch_outline_make(5, 0, 0.1, &outline);
+    ck_assert_double_eq_tol(outline.core_min + 0.1, outline.reach_max, 1e-9);
+    for (uint64_t i = 0; i < 1000; i++) {
+        double place[2] = {random_in(0, i, 0, 1), random_in(1, i, 0, 1)};
+        double away = hypot(place[0] - 0.5, place[1] - 0.5);
+        double want = fmin(1, fmax(0, 1 - (away - outline.core_min) / 0.1));
+        ck_assert_double_eq_tol(hatch_outline_opacity(&outline, place), want, 1e-9);
+        ck_assert_double_eq_tol(hatch_outline_depth(&outline, place), outline.core_min - away, 1e-9);
+    }
+}
+END_TEST
+
+/* No place nearer than the depth is out of the core, none nearer than the distance has ink. */
+START_TEST(bounds_hold_for_the_roughest)
+{
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        struct hatch_outline outline;
+        hatch_outline_make(seed, 1, 0.05, &outline);
+        ck_assert(outline.core_min > 0.2 && outline.reach_max < 0.5 && outline.steep >= 1);
+        for (uint64_t i = 0; i < 2000; i++) {
+            double place[2] = {random_in(2, i, 0, 1), random_in(3, i, 0, 1)};
+            double depth = hatch_outline_depth(&outline, place);
+            double gap = hatch_outline_distance(&outline, place);
+            double reach = fmax(depth, gap), angle = random_in(4, i, 0, 6.2831853);
+            double at[2] = {place[0] + reach * 0.999 * cos(angle), place[1] + reach * 0.999 * sin(angle)};
+            ck_assert(depth <= 0 || hatch_outline_opacity(&outline, at) == 1);
+            ck_assert(gap <= 0 || hatch_outline_opacity(&outline, at) == 0);
+            ck_assert((depth > 0) + (gap > 0) <= 1);
+            ck_assert(depth > 0 || hatch_outline_opacity(&outline, place) < 1 || depth > -1e-12);
+        }
+    }
+}
+END_TEST
+
+START_TEST(seeds_and_roughness_make_shapes)
+{
+    struct hatch_outline a, b, same;
+    hatch_outline_make(1, 1, 0.05, &a);
+    hatch_outline_make(2, 1, 0.05, &b);
+    hatch_outline_make(1, 1, 0.05, &same);
+    ck_assert_mem_eq(&a, &same, sizeof a);
+    ck_assert(a.wave[2][0] != b.wave[2][0]);
+    ck_assert(a.reach_max - a.feather - a.core_min > 0.05);
+}
+END_TEST
+
+/* What is drawn is opaque wherever the core is, read bilinearly on any of three levels. */
+START_TEST(the_picture_is_opaque_where_the_core_is)
+{
+    struct hatch_outline outline;
+    struct hatch_image mask;
+    hatch_outline_make(4, 1, 0.05, &outline);
+    HATCH_TEST_OK(hatch_outline_raster(&outline, 256, &keep, &mask, &err), &err);
+    for (uint32_t level = 0; level < 3; level++) {
+        uint32_t side = 256u >> level;
+        for (uint64_t i = 0; i < 4000; i++) {
+            double place[2] = {random_in(5, i, 0.05, 0.95), random_in(6, i, 0.05, 0.95)};
+            if (hatch_outline_depth(&outline, place) <= 0)
+                continue;
+            int x = (int)floor(place[0] * side - 0.5), y = (int)floor(place[1] * side - 0.5);
+            ck_assert_float_eq(mask.pixels[(size_t)y * side + (size_t)x], 1);
+            ck_assert_float_eq(mask.pixels[(size_t)(y + 1) * side + (size_t)x + 1], 1);
+        }
+        for (uint32_t i = 0; i < side; i++)
+            ck_assert(mask.pixels[i] == 0 && mask.pixels[(size_t)i * side] == 0 &&
+                      mask.pixels[(size_t)(side - 1) * side + i] == 0);
+        /* The next level: means of four. */
+        for (uint32_t y = 0; y < side / 2; y++)
+            for (uint32_t x = 0; x < side / 2; x++) {
+                const float *from = &mask.pixels[(size_t)2 * y * side + 2 * x];
+                mask.pixels[(size_t)y * (side / 2) + x] = (from[0] + from[1] + from[side] + from[side + 1]) / 4;
+            }
+    }
+}
+END_TEST
+
+static enum hatch_status raster(void *context, struct hatch_arena *result, struct hatch_arena *work,
+                                struct hatch_err *error)
+{
+    struct hatch_outline outline;
+    (void)work;
+    hatch_outline_make(4, 1, 0.05, &outline);
+    return hatch_outline_raster(&outline, 16, result, context, error);
+}
+
+START_TEST(every_failed_allocation_is_survived)
+{
+    struct hatch_image mask = {0};
+    hatch_test_fail_alloc(raster, &mask, &mask, sizeof mask);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("lapped outline");
+    TCase *tests = tcase_create("outline");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_circle_is_a_circle);
+    tcase_add_test(tests, bounds_hold_for_the_roughest);
+    tcase_add_test(tests, seeds_and_roughness_make_shapes);
+    tcase_add_test(tests, the_picture_is_opaque_where_the_core_is);
+    tcase_add_test(tests, every_failed_allocation_is_survived);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
