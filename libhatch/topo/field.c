@@ -24,10 +24,15 @@ struct work {
     struct hatch_field_progress progress;
 };
 
+static double length_of(const double z[2])
+{
+    return sqrt(z[0] * z[0] + z[1] * z[1]);
+}
+
 static void make_unit(double *z, uint32_t count)
 {
     for (size_t n = 0; n < count; n++) {
-        double length = hypot(z[2 * n], z[2 * n + 1]);
+        double length = length_of(&z[2 * n]);
         if (length > 0) {
             z[2 * n] /= length;
             z[2 * n + 1] /= length;
@@ -143,12 +148,12 @@ static double agreement(const struct work *w, const struct hatch_field_system *s
                         const double *applied, uint32_t n)
 {
     if (w->options->method == HATCH_FIELD_LINEAR)
-        return fmin(hypot(z[2 * (size_t)n], z[2 * (size_t)n + 1]), 1);
+        return fmin(length_of(&z[2 * (size_t)n]), 1);
     double pull[2];
     for (size_t i = 0; i < 2; i++)
         pull[i] = system->diagonal[n] * z[2 * (size_t)n + i] - applied[2 * (size_t)n + i] +
                   system->right[2 * (size_t)n + i];
-    return fmin(hypot(pull[0], pull[1]) / system->diagonal[n], 1);
+    return fmin(length_of(pull) / system->diagonal[n], 1);
 }
 
 static void give_out(const struct work *w, const struct hatch_field_system *system, const double *z,

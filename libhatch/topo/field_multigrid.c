@@ -14,6 +14,7 @@
 
 struct level {
     struct hatch_field_system system; /* of the finest: the caller's arrays */
+    uint32_t *middle;                 /* per node: its links before this one lead to earlier nodes, others to later */
     uint32_t *aggregate;              /* per node: its node on the next level; NULL on the last */
     double *phase;                    /* 2 a node: its z for 1 there */
     double *z, *right;                /* 2 a node; the finest has none */
@@ -198,6 +199,31 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count,
     return HATCH_OK;
 }
 
+/* A sweep that begins at zero then needs but the first part of each row, and its residual but the second. */
+static enum hatch_status part_links(struct level *level, struct hatch_arena *arena, struct hatch_err *err)
+{
+    const struct hatch_field_system *system = &level->system;
+    level->middle = HATCH_NEW(arena, uint32_t, system->count, err);
+    if (!level->middle)
+        return HATCH_LIMIT;
+    for (uint32_t n = 0; n < system->count; n++) {
+        uint32_t low = system->first[n];
+        for (uint32_t i = low; i < system->first[n + 1]; i++) {
+            if (system->to[i] > n)
+                continue;
+            double *here = &system->link[2 * (size_t)i], *there = &system->link[2 * (size_t)low];
+            const double link[2] = {here[0], here[1]};
+            uint32_t to = system->to[i];
+            memcpy(here, there, sizeof link);
+            memcpy(there, link, sizeof link);
+            system->to[i] = system->to[low];
+            system->to[low++] = to;
+        }
+        level->middle[n] = low;
+    }
+    return HATCH_OK;
+}
+
 static enum hatch_status add_level(struct hatch_field_levels *levels, struct hatch_arena *arena,
                                    bool *added, struct hatch_err *err)
 {
@@ -217,7 +243,8 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
     }
     HATCH_TRY(group(level, count, arena, &members, err));
     levels->count++;
-    return make_coarse(level, count, &members, arena, level + 1, err);
+    HATCH_TRY(make_coarse(level, count, &members, arena, level + 1, err));
+    return part_links(level + 1, arena, err);
 }
 
 enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, struct hatch_arena *arena,
@@ -231,6 +258,7 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
     made->level[0].residual = HATCH_NEW(arena, double, (size_t)system->count * 2, err);
     if (!made->level[0].residual)
         return HATCH_LIMIT;
+    HATCH_TRY(part_links(&made->level[0], arena, err));
     bool added = true;
     while (added && made->count < LEVELS_MAX && made->level[made->count - 1].system.count > COARSEST)
         HATCH_TRY(add_level(made, arena, &added, err));
@@ -238,24 +266,40 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
     return HATCH_OK;
 }
 
-/* z[n] = (right[n] + Σ link z) / diagonal. */
-static void relax(const struct hatch_field_system *system, const double *right, uint32_t n, double *z)
+/* sum += Σ link z over a part of a row. */
+static inline void add_links(const struct hatch_field_system *system, uint32_t from, uint32_t end,
+                             const double *z, double sum[2])
 {
-    double x = right[2 * (size_t)n], y = right[2 * (size_t)n + 1];
-    for (uint32_t i = system->first[n]; i < system->first[n + 1]; i++) {
+    double x = sum[0], y = sum[1];
+    for (uint32_t i = from; i < end; i++) {
         const double *link = &system->link[2 * (size_t)i], *far = &z[2 * (size_t)system->to[i]];
         x += link[0] * far[0] - link[1] * far[1];
         y += link[0] * far[1] + link[1] * far[0];
     }
-    double diagonal = system->diagonal[n];
-    z[2 * (size_t)n] = x / diagonal;
-    z[2 * (size_t)n + 1] = y / diagonal;
+    sum[0] = x;
+    sum[1] = y;
 }
 
-static void sweep(const struct hatch_field_system *system, const double *right, double *z, bool forward)
+/* z[n] = (right[n] + Σ link z) / diagonal, over all links or, z after n being zero, those to earlier nodes. */
+static inline void relax(const struct level *level, const double *right, uint32_t n, bool from_zero, double *z)
 {
-    for (uint32_t k = 0; k < system->count; k++)
-        relax(system, right, forward ? k : system->count - 1 - k, z);
+    const struct hatch_field_system *system = &level->system;
+    double sum[2] = {right[2 * (size_t)n], right[2 * (size_t)n + 1]}, diagonal = system->diagonal[n];
+    add_links(system, system->first[n], from_zero ? level->middle[n] : system->first[n + 1], z, sum);
+    z[2 * (size_t)n] = sum[0] / diagonal;
+    z[2 * (size_t)n + 1] = sum[1] / diagonal;
+}
+
+static void sweep_forward(const struct level *level, const double *right, bool from_zero, double *z)
+{
+    for (uint32_t n = 0; n < level->system.count; n++)
+        relax(level, right, n, from_zero, z);
+}
+
+static void sweep_backward(const struct level *level, const double *right, double *z)
+{
+    for (uint32_t n = level->system.count; n-- > 0;)
+        relax(level, right, n, false, z);
 }
 
 static void subtract_from(const double *right, double *residual, uint32_t count)
@@ -285,28 +329,44 @@ static void add_correction(const struct level *fine, const struct level *coarse,
     }
 }
 
-/* A W cycle, forward sweep before and backward sweep after: symmetric, so that conjugate gradients may use it. */
-static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const double *right, double *z)
+/* What a forward sweep from zero has left: each node was right when it was set, and later ones have moved since. */
+static void find_residual(const struct level *level, const double *right, bool from_zero, const double *z)
+{
+    const struct hatch_field_system *system = &level->system;
+    if (!from_zero) {
+        hatch_field_apply(system, z, level->residual);
+        subtract_from(right, level->residual, system->count);
+        return;
+    }
+    for (uint32_t n = 0; n < system->count; n++) {
+        double *left = &level->residual[2 * (size_t)n];
+        left[0] = left[1] = 0;
+        add_links(system, level->middle[n], system->first[n + 1], z, left);
+    }
+}
+
+/* A W cycle, forward sweep before and backward sweep after: symmetric, so that conjugate gradients may use it.
+ * from_zero: z begins as zero, whatever it holds. */
+static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const double *right, bool from_zero,
+                  double *z)
 {
     const struct level *fine = &levels->level[depth];
-    const struct hatch_field_system *system = &fine->system;
     if (!fine->aggregate) {
         for (int i = 0; i < SWEEPS_COARSEST; i++)
-            sweep(system, right, z, true);
+            sweep_forward(fine, right, from_zero && i == 0, z);
         for (int i = 0; i < SWEEPS_COARSEST; i++)
-            sweep(system, right, z, false);
+            sweep_backward(fine, right, z);
         return;
     }
     struct level coarse = levels->level[depth + 1];
-    sweep(system, right, z, true);
-    hatch_field_apply(system, z, fine->residual);
-    subtract_from(right, fine->residual, system->count);
+    sweep_forward(fine, right, from_zero, z);
+    find_residual(fine, right, from_zero, z);
     restrict_residual(fine, &coarse);
-    memset(coarse.z, 0, (size_t)coarse.system.count * 2 * sizeof *coarse.z);
-    for (int i = 0; i < (coarse.aggregate ? 2 : 1); i++)
-        cycle(levels, depth + 1, coarse.right, coarse.z);
+    cycle(levels, depth + 1, coarse.right, true, coarse.z);
+    if (coarse.aggregate)
+        cycle(levels, depth + 1, coarse.right, false, coarse.z);
     add_correction(fine, &coarse, z);
-    sweep(system, right, z, false);
+    sweep_backward(fine, right, z);
 }
 
 enum hatch_status hatch_field_iterate(const struct hatch_field_system *system,
@@ -323,14 +383,16 @@ enum hatch_status hatch_field_iterate(const struct hatch_field_system *system,
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    cycle(levels, 0, right, s);
-    double goal = tolerance * tolerance * hatch_field_dot(s, right, system->count);
-    hatch_field_apply(system, z, r);
-    subtract_from(right, r, system->count);
-    memset(s, 0, size * sizeof *s);
-    cycle(levels, 0, r, s);
+    cycle(levels, 0, right, true, s);
+    double rs = hatch_field_dot(s, right, system->count), goal = tolerance * tolerance * rs;
+    memcpy(r, right, size * sizeof *r);
+    if (hatch_field_dot(z, z, system->count) > 0) {
+        hatch_field_apply(system, z, r);
+        subtract_from(right, r, system->count);
+        cycle(levels, 0, r, true, s);
+        rs = hatch_field_dot(r, s, system->count);
+    }
     memcpy(p, s, size * sizeof *p);
-    double rs = hatch_field_dot(r, s, system->count);
     uint32_t done = 0;
     for (; done < iterations_max && rs > goal; done++) {
         hatch_field_apply(system, p, q);
@@ -339,8 +401,7 @@ enum hatch_status hatch_field_iterate(const struct hatch_field_system *system,
             z[i] += step * p[i];
             r[i] -= step * q[i];
         }
-        memset(s, 0, size * sizeof *s);
-        cycle(levels, 0, r, s);
+        cycle(levels, 0, r, true, s);
         double next = hatch_field_dot(r, s, system->count), keep = next / rs;
         for (size_t i = 0; i < size; i++)
             p[i] = s[i] + keep * p[i];

@@ -162,8 +162,10 @@ static void join_entries(const struct hatch_surface *surface, const struct corne
             uint32_t mate = find_mate(surface, frames, p, i);
             double here = frames->angle_rad[i], there = frames->angle_rad[mate];
             frames->mate[i] = mate;
-            frames->turn_rad[i] =
-                remainder(here + (surface->ring_turned[i] ? there : -there) + TURN / 2, TURN);
+            double turn = here + (surface->ring_turned[i] ? there : -there) + TURN / 2;
+            while (turn > TURN / 2)
+                turn -= TURN;
+            frames->turn_rad[i] = turn;
             frames->weight[i] = i < mate ? edge_weight(surface, of, p, i) : frames->weight[mate];
         }
 }
