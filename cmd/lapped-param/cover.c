@@ -1,6 +1,11 @@
+#include <string.h>
+
 #include "cmd_field.h"
 #include "cmd_scene.h"
 #include "lapped_param.h"
+#include "mesh/splits.h"
+
+#define ATLAS_MARGIN (1.0 / 256) /* two texels of a texture of 512 */
 
 /* What covering a mesh needs and nothing later does. */
 struct work {
@@ -69,6 +74,72 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
     return HATCH_OK;
 }
 
+/* class_of: per corner the first one at its vertex with its texture coordinates. */
+static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last,
+                         uint32_t *before, uint32_t *class_of)
+{
+    for (uint32_t c = 0; c < 3 * surface->face_count; c++) {
+        uint32_t vertex = surface->corner_vertex[c], found = last[vertex];
+        while (found > 0 && memcmp(&texcoords[2 * (size_t)(found - 1)], &texcoords[2 * (size_t)c],
+                                   2 * sizeof *texcoords) != 0)
+            found = before[found - 1];
+        if (found == 0) {
+            before[c] = last[vertex];
+            found = last[vertex] = c + 1;
+        }
+        class_of[c] = found - 1;
+    }
+}
+
+/* The mesh with its vertices given once for each place that they have in the atlas. */
+static enum hatch_status split(struct cmd_args *args, const struct work *work, const float *texcoords,
+                               struct hatch_scene_mesh *made, struct hatch_err *err)
+{
+    const struct hatch_surface *surface = &work->surface;
+    const struct hatch_mesh source = made->mesh;
+    struct hatch_arena *scratch = &args->scratch;
+    size_t corners = 3 * (size_t)surface->face_count;
+    struct hatch_splits splits;
+    float *uv;
+    uint32_t *last = HATCH_NEW(scratch, uint32_t, source.vertex_count, err);
+    uint32_t *before = last ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    uint32_t *class_of = before ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    uint32_t *vertex = class_of ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
+    if (!vertex)
+        return HATCH_LIMIT;
+    find_classes(surface, texcoords, last, before, class_of);
+    HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, vertex,
+                                &splits, err));
+    HATCH_TRY(hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep,
+                                &made->mesh, err));
+    HATCH_TRY(hatch_mesh_add(&args->keep, &made->mesh, "TEXCOORD_0", 2, &uv, err));
+    memcpy(made->mesh.indices, vertex, corners * sizeof *vertex);
+    for (size_t v = 0; v < splits.count; v++)
+        if (splits.class_at[v] != HATCH_NO_CLASS)
+            memcpy(&uv[2 * v], &texcoords[2 * (size_t)splits.class_at[v]], 2 * sizeof *uv);
+    return HATCH_OK;
+}
+
+static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_outline *outline,
+                                    const struct work *work, struct lapped_param_part *part,
+                                    struct hatch_err *err)
+{
+    double scale;
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    float *texcoords = HATCH_NEW(&args->scratch, float, 6 * (size_t)work->surface.face_count, err);
+    part->made = texcoords ? HATCH_NEW(&args->keep, struct hatch_scene_mesh, 1, err) : NULL;
+    if (!part->made)
+        return HATCH_LIMIT;
+    part->made[0] = *part->mesh;
+    part->made_count = 1;
+    HATCH_TRY(hatch_lapped_atlas(&work->surface, &work->lapped, outline, ATLAS_MARGIN, &args->scratch,
+                                 texcoords, &scale, err));
+    part->atlas_side = 1 / scale;
+    HATCH_TRY(split(args, work, texcoords, &part->made[0], err));
+    hatch_arena_rewind(&args->scratch, mark);
+    return HATCH_OK;
+}
+
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part)
 {
@@ -77,7 +148,9 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
     hatch_arena_init(&work.arena, args->max_memory);
     prepare(args, part);
     cmd_check(make_patches(args, options, outline, part, &work, &err), part->name, &err);
-    cmd_check(make_meshes(args, &work, part, &err), part->name, &err);
+    cmd_check(options->atlas ? make_atlas(args, outline, &work, part, &err)
+                             : make_meshes(args, &work, part, &err),
+              part->name, &err);
     part->patches = work.lapped.patch_count;
     part->patch_faces = work.lapped.face_count;
     part->faces = work.surface.face_count;

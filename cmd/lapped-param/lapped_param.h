@@ -11,6 +11,7 @@ struct lapped_param_options {
     double tile;         /* a tile's side in the scene's units; 0: a share of its diagonal */
     double roughness, feather;
     uint32_t mask_px;
+    bool atlas;
 };
 
 /* How large things are at rest, in the scene's units. */
@@ -28,6 +29,7 @@ struct lapped_param_part {
     struct hatch_scene_mesh *made;
     uint32_t made_count;
     uint32_t patches, faces, patch_faces, cut, enlarged, hidden; /* figures for --verbose */
+    double atlas_side;   /* length of a unit of texture coordinates on the mesh; 0: no atlas */
 };
 
 /* Memory: args->keep. Dies on failure, as all of these do. */
@@ -38,7 +40,7 @@ void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene
  * materials, about which it warns. Refuses a scene that is lapped. */
 void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene);
 
-/* Fills the part's made and figures: a mesh for each patch. */
+/* Fills the part's made and figures: a mesh for each patch, or one with an atlas. */
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part);
 

@@ -11,6 +11,7 @@
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 17, tile, roughness = 0.3, feather = 0.05;
 static int64_t mask_size = 256;
+static bool atlas, mask_given, tile_given;
 
 static const struct cmd_option options[] = {
     {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
@@ -22,19 +23,22 @@ static const struct cmd_option options[] = {
     {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 17)", &turn_deg,
      NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
-     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, NULL},
+     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL,
+     &tile_given},
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)",
      &roughness, NULL, NULL},
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.05)",
      &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 256)", &mask_size, NULL,
-     NULL},
+     &mask_given},
+    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "one ordinary layout of texture coordinates, without a mask", &atlas,
+     NULL, NULL},
     {0},
 };
 
 static const char *const examples[] = {
     "meshgen torus | dirfield | lapped-param -v -o torus.glb",
-    "lapped-param --size 0.3 --seed 3 model.glb -o lapped.glb",
+    "lapped-param --atlas model.glb -o atlas.glb",
     NULL,
 };
 
@@ -52,6 +56,8 @@ static const struct cmd_program program = {
 
 static void read_options(const struct cmd_args *args, struct lapped_param_options *how)
 {
+    if (atlas && (mask_given || tile_given))
+        cmd_usage("--%s does not go with --atlas", mask_given ? "mask-size" : "tile");
     *how = (struct lapped_param_options){
         .lapped = {.size = size,
                    .curved = curved,
@@ -62,6 +68,7 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
         .roughness = roughness,
         .feather = feather,
         .mask_px = (uint32_t)mask_size,
+        .atlas = atlas,
     };
 }
 
@@ -95,6 +102,7 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
             .name = cmd_input_name(input), .mesh = &scene->meshes[i], .surface = &surfaces[i]};
         set_sizes(how, &extent, i, part);
         lapped_param_cover(args, how, outline, part);
+        part->atlas_side *= extent.scale[i];
         cmd_progress("patches", (double)(i + 1) / scene->mesh_count);
     }
     return parts;
@@ -112,6 +120,8 @@ static void describe(const struct lapped_param_part *parts, uint32_t count)
         faces += parts[i].faces;
         patch_faces += parts[i].patch_faces;
     }
+    for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
+        cmd_note("mesh %u: the side of its texture is %g long in the scene", i, parts[i].atlas_side);
     cmd_note("%u patches, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face",
              patches, patch_faces / faces, hidden, cut, enlarged);
 }
@@ -135,13 +145,14 @@ int main(int argc, char **argv)
     struct lapped_param_part *parts = cover(&args, input, &how, &outline, &scene);
     describe(parts, scene.mesh_count);
     lapped_param_replace(&args, &scene, parts);
-    lapped_param_mask(&args, &outline, how.mask_px, &scene);
+    if (!how.atlas)
+        lapped_param_mask(&args, &outline, how.mask_px, &scene);
 
-    char comment[200];
+    char comment[256];
     snprintf(comment, sizeof comment,
-             "lapped-param --size %g --curved %g --stretch %g --turn %g --tile %g --roughness %g --feather %g "
+             "lapped-param --size %g --curved %g --stretch %g --turn %g --tile %g --roughness %g --feather %g%s "
              "--seed %llu",
-             size, curved, stretch, turn_deg, tile, roughness, feather,
+             size, curved, stretch, turn_deg, tile, roughness, feather, atlas ? " --atlas" : "",
              (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), name, &err);

@@ -69,6 +69,21 @@ lapped-param --tile 1 --size 0.3 torus.glb -o whole.glb
 numbers whole.glb >b
 ok "another tile is another" test "$(cksum <a)" != "$(cksum <b)"
 
+lapped-param --atlas torus.glb -o atlas.glb
+mesh_column() {
+    hatchstat mesh "$2" | awk -F'\t' -v name="$1" \
+        'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i} NR == 2 {print $at}'
+}
+is "an atlas is of the whole mesh, none of it mirrored or without a place" \
+    "$(for name in faces points uv uv_mirrored uv_degenerate; do mesh_column $name atlas.glb; done | xargs)" \
+    "$(mesh_column faces torus.glb) $(mesh_column points torus.glb) 1 0 0"
+try lapped-param atlas.glb -o /dev/null
+is "an atlas can be lapped" $status 0
+try lapped-param --atlas --mask-size 64 torus.glb
+refused "an atlas has no mask" 2 2
+try lapped-param --atlas --tile 1 torus.glb
+refused "nor a tile" 2 2
+
 ok "hatchstat lapped reads standard input" sh -c 'hatchstat lapped <alone.glb >figures.tsv'
 column() {
     hatchstat lapped "$2" | awk -F'\t' -v name="$1" \

@@ -39,5 +39,7 @@ for shape in teapot plane ellipsoid; do
     validated $shape.field.glb
     lapped-param -q $shape.field.glb -o $shape.lapped.glb
     validated $shape.lapped.glb
+    lapped-param -q --atlas $shape.field.glb -o $shape.atlas.glb
+    validated $shape.atlas.glb
 done
 finish
