@@ -63,7 +63,7 @@ void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point
     for (uint32_t k = 0; k < 2; k++)
         out->value[at * 2 + k] = principal.value[k];
     out->deviation_rad[at] = hatch_bend_deviation(&principal, variance);
-    out->confidence[at] = hatch_bend_confidence(&principal, out->deviation_rad[at]);
+    out->confidence[at] = hatch_bend_confidence(&principal, variance);
 }
 
 struct share {

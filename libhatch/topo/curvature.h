@@ -12,21 +12,27 @@
 
 /* Per point. Curvatures are in 1 / unit of the surface (the mean edge), positive where the surface
  * bends away from the normal (sphere: both positive). The first is that of larger absolute value
- * (so that a valley is hatched like a ridge, and no side matters); confidence falls where that
+ * (so that a valley is hatched like a ridge, and no side matters); the deviation grows where that
  * order is a tie: a sphere, and also a saddle of equal and opposite curvatures. */
 struct hatch_curvature {
     double *direction;  /* 3: unit, tangent, 180° symmetric: of the first curvature; any where confidence is 0 */
     double *value;      /* 2: first, second */
-    double *confidence; /* 0 .. 1: 0 where the surface has no direction (plane, sphere) or the fit has failed */
-    double *deviation_rad; /* the standard error expected of the direction, 0 .. π/4 */
+    double *confidence; /* 0 .. 1: its odds c / (1 - c) are (0.005 / e)², an inverse variance, with e the standard
+                           error of the principal axes in radians; they fall to half where the curvatures' absolute
+                           values differ by .005 of their sum, and to 0 at e = 0.5, where the surface has no
+                           direction (plane, sphere) or the fit has failed. That the axes may be swapped (a saddle
+                           of equal and opposite curvatures) counts little: neighbours know no better */
+    double *deviation_rad; /* the standard error expected of the direction, 0 .. π/4, the danger that the axes are
+                              swapped included */
     double *radius;     /* of the support that was used, in mean edges */
     double *normal;     /* 3: unit; of the fit, on the side of the frames': where points are noisy, nearer to
                            the surface's than any mean of faces' */
 };
 
 struct hatch_curvature_options {
-    double radius;  /* 0: adaptive; else a fixed support in mean edges, 0.5 .. 100 */
-    uint32_t degree; /* 0: chosen with the support; else 2 .. 4 */
+    double radius;  /* 0: adaptive; else a fixed support in mean edges, 0.5 .. 100, larger where it holds too
+                       few points for the degree */
+    uint32_t degree; /* 0: chosen with the support (4 for a fixed one); else 2 .. 4 */
 };
 
 enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,

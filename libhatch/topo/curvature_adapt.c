@@ -25,6 +25,8 @@
 #define NEARLY_RAD 0.01    /* a fit of its own is worth it */
 #define WORSE 4.0          /* than the least expected error so far: no larger support is tried */
 #define DEGREE_LEAST 3u
+#define SIGNIFICANT 16.0   /* differences of degrees, in variances */
+#define STIFFNESS 0.1      /* squared bias of a quartic, as a share of the largest that its residual allows */
 
 /* What is known of a point: sums over the fits that serve it, weighed; and the least expected error, of all
  * levels and of this one. */
@@ -82,6 +84,13 @@ static struct hatch_bend_variance difference(const double a[HATCH_JET_TERMS], co
     return (struct hatch_bend_variance){(skew * skew + across * across) / 2, mean * mean};
 }
 
+/* The squared bias in a squared difference that noise alone would make this large on average. One difference is
+ * a rough measure: what noise makes now and then is not taken for bias, or the choice would follow the noise. */
+static double bias(double squared, double by_noise)
+{
+    return squared > SIGNIFICANT * by_noise ? squared - by_noise : 0;
+}
+
 /* The expected error of each degree is its variance and its bias. Least squares of nested degrees differ by the
  * bias and by a variance that is the difference of their variances. The highest degree's bias shows in a residual
  * that is beyond the noise and its own scatter. */
@@ -103,13 +112,13 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
         hatch_jet_solve(system, d, coefficients);
         hatch_bend_variance_of_jet(&fit->frame, system, d, &own);
         struct hatch_bend_variance error = {noise * own.across, noise * own.mean};
-        struct hatch_bend_variance bias = difference(coefficients, highest);
+        struct hatch_bend_variance apart = difference(coefficients, highest);
         if (d < top) {
-            error.across += fmax(0, bias.across * unit - noise * (widest.across - own.across));
-            error.mean += fmax(0, bias.mean * unit - noise * (widest.mean - own.mean));
+            error.across += bias(apart.across * unit, noise * (widest.across - own.across));
+            error.mean += bias(apart.mean * unit, noise * (widest.mean - own.mean));
         } else {
-            error.across += fmax(0, excess) * system->count * own.across;
-            error.mean += fmax(0, excess) * system->count * own.mean;
+            error.across += STIFFNESS * fmax(0, excess) * system->count * own.across;
+            error.mean += STIFFNESS * fmax(0, excess) * system->count * own.mean;
         }
         if (fit->degree == 0 || sum_of(&error) < sum_of(&fit->variance)) {
             fit->degree = d;
@@ -188,6 +197,13 @@ static void measure_noise(struct work *w, uint32_t count, double *scratch)
     }
 }
 
+/* More than inverse variance: errors of fits that share points are alike, and the better ones should speak nearly
+ * alone. */
+static double weight_of(double error)
+{
+    return 1 / (error * sqrt(error));
+}
+
 static void add_bend(struct place *place, double weight, double side, const struct hatch_bend *bend)
 {
     for (int i = 0; i < 6; i++)
@@ -197,8 +213,7 @@ static void add_bend(struct place *place, double weight, double side, const stru
     place->weight += weight;
 }
 
-/* Gives what a fit says to the points that it serves. The middle of its support weighs most; squares of expected
- * errors let the better fits speak nearly alone. */
+/* Gives what a fit says to the points that it serves. The middle of its support weighs most. */
 static void serve(struct work *w, const struct fit *fit, uint32_t center)
 {
     struct hatch_support *support = &w->run->supports[0];
@@ -210,7 +225,7 @@ static void serve(struct work *w, const struct fit *fit, uint32_t center)
         double away = hatch_vec_dot(offset, offset) / (reach * reach);
         if (!(away < 1))
             continue;
-        double weight = (1 - away) * (1 - away) / (error * error);
+        double weight = (1 - away) * (1 - away) * weight_of(error);
         double x = hatch_vec_dot(offset, fit->frame.axes[0]) / fit->frame.radius;
         double y = hatch_vec_dot(offset, fit->frame.axes[1]) / fit->frame.radius;
         struct hatch_bend bend;
@@ -271,7 +286,7 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     hatch_bend_variance_of_jet(&frame, &system, system.degree, &variance);
     variance.across *= w->squares[p];
     variance.mean *= w->squares[p];
-    double error = sum_of(&variance), weight = 1 / (error * error);
+    double error = sum_of(&variance), weight = weight_of(error);
     *place = (struct place){.least = error, .now = error, .open = true};
     add_bend(place, weight, 1, &bend);
     place->variance.across = weight * variance.across;

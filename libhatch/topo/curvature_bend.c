@@ -80,8 +80,9 @@ void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
     variance->mean = unit * hatch_jet_variance(system, degree, functional);
 }
 
-double hatch_bend_deviation(const struct hatch_principal *principal,
-                            const struct hatch_bend_variance *variance)
+/* share: how much of the danger to take the second axis for the first counts. */
+static double deviation(const struct hatch_principal *principal,
+                        const struct hatch_bend_variance *variance, double share)
 {
     double spread = fabs(principal->value[0] - principal->value[1]);
     double mean = fabs(principal->value[0] + principal->value[1]) / 2;
@@ -89,25 +90,36 @@ double hatch_bend_deviation(const struct hatch_principal *principal,
         return PI / 4;
     double own = variance->across / (spread * spread);
     double wrong = variance->mean > 0 ? erfc(mean / sqrt(2 * variance->mean)) / 2 : 0;
-    double both = sqrt(own + wrong * PI * PI / 4);
+    double both = sqrt(own + share * wrong * PI * PI / 4);
     return both < PI / 4 ? both : PI / 4;
 }
 
+double hatch_bend_deviation(const struct hatch_principal *principal,
+                            const struct hatch_bend_variance *variance)
+{
+    return deviation(principal, variance, 1);
+}
+
 /* A direction known to this many radians has even odds. */
-#define DEVIATION_EVEN 0.008
+#define DEVIATION_EVEN 0.005
 /* One known no better than this says nothing. */
 #define DEVIATION_NONE 0.5
 /* The anisotropy at which the odds are half of what they would be at a larger one. */
-#define ANISOTROPY_HALF 0.02
+#define ANISOTROPY_HALF 0.005
+/* How much it takes from the confidence that the axes may be swapped. Little: beside the line on which a saddle's
+ * curvatures are equal and opposite, neighbours on both sides say opposite things and know no better. */
+#define SWAP_SHARE 0.004
 
-double hatch_bend_confidence(const struct hatch_principal *principal, double deviation_rad)
+double hatch_bend_confidence(const struct hatch_principal *principal,
+                             const struct hatch_bend_variance *variance)
 {
+    double deviation_rad = deviation(principal, variance, SWAP_SHARE);
     double first = fabs(principal->value[0]), second = fabs(principal->value[1]);
     if (!(first > second) || !(deviation_rad < DEVIATION_NONE))
         return 0;
     double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
-    double deviation = deviation_rad / DEVIATION_EVEN, rest = deviation_rad / DEVIATION_NONE;
+    double error = deviation_rad / DEVIATION_EVEN, rest = deviation_rad / DEVIATION_NONE;
     anisotropy *= anisotropy;
     double odds = anisotropy / (1 + anisotropy) * (1 - rest * rest);
-    return odds / (odds + deviation * deviation);
+    return odds / (odds + error * error);
 }

@@ -40,6 +40,7 @@ double hatch_bend_deviation(const struct hatch_principal *principal,
                             const struct hatch_bend_variance *variance);
 
 /* 0 .. 1: see hatch_curvature. */
-double hatch_bend_confidence(const struct hatch_principal *principal, double deviation_rad);
+double hatch_bend_confidence(const struct hatch_principal *principal,
+                             const struct hatch_bend_variance *variance);
 
 #endif

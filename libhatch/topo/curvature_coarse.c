@@ -98,7 +98,7 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
     variance.across *= square * frame.radius * frame.radius;
     variance.mean *= square * frame.radius * frame.radius;
     sample->deviation_rad = hatch_bend_deviation(&sample->principal, &variance);
-    sample->confidence = hatch_bend_confidence(&sample->principal, sample->deviation_rad);
+    sample->confidence = hatch_bend_confidence(&sample->principal, &variance);
     for (int k = 0; k < 2; k++)
         sample->principal.value[k] /= component->scale;
 }
