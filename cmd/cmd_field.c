@@ -58,7 +58,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     HATCH_TRY(hatch_frames_make(surface, work, &args->scratch, &frames, err));
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
                                        &curvature, err));
-    hatch_curvature_doubt_creases(surface, CMD_CREASE_RAD, &curvature);
+    hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
     hatch_frames_lean(surface, curvature.normal, &frames);
     hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL};

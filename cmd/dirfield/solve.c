@@ -101,7 +101,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
 
     begun_ms = cmd_elapsed_ms();
     check(part, estimate(args, options, part, &curvature, &err), &err);
-    hatch_curvature_doubt_creases(part->surface, CMD_CREASE_RAD, &curvature);
+    hatch_curvature_doubt_creases(part->surface, CMD_FIELD_HARD_RAD, &curvature);
     hatch_frames_lean(part->surface, curvature.normal, &part->frames);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
     hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);

@@ -10,6 +10,7 @@ fixture() {
     case $1 in
     mesh.glb) meshgen torus --faces 60 ;;
     field.glb) meshgen torus --faces 60 --field ;;
+    torus.glb) meshgen torus --faces 600 ;;
     lapped.glb) meshgen torus --faces 60 | lapped-param ;;
     map.exr) tamgen --size 64 --tones 3 --levels 2 ;;
     four.seeds) seedgen -n 4096 --layers 4 --candidates 1 ;;

@@ -101,7 +101,7 @@ f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >cube.obj
 draws "a cube" cube.obj "" "$nowhere"
 draws "a cube with faces larger than a patch" cube.obj "--size 0.05" "$nowhere"
 torus 1 0 9 5 >coarse.obj
-draws "a torus with faces larger than a patch" coarse.obj "--size 0.02" "$nowhere"
+draws "a torus with faces larger than a patch" coarse.obj "--size 0.02"
 draws "patches as large as the torus" torus.obj "--size 1 --curved 0 --stretch 10 --turn 90"
 awk 'BEGIN {for (i = 0; i <= 40; i++) for (j = 0; j < 6; j++)
         printf "v %g %g %g\n", .03 * cos(j * 1.0471975512), i / 20, .03 * sin(j * 1.0471975512)
