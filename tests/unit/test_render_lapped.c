@@ -47,6 +47,22 @@ START_TEST(patches_lie_over_one_another)
 }
 END_TEST
 
+START_TEST(what_is_lit_stays_paper)
+{
+    static const char *const names[] = {"tam", "tam-flat", "tam-face", "tam-gouraud", "tam-triple", "tam-threshold"};
+    struct hatch_image image;
+    begin();
+    round_mask();
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    begin_lapped(&sphere, &caps);
+    frame.renderer.style.curve.high = 0;
+    draw_in_tiles(names[_i], 160, 1, &image);
+    for (size_t i = 0; i < 3u * 160 * 160; i++)
+        ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
 START_TEST(patches_of_two_materials_too)
 {
     ck_assert_double_le(worst_against_composite("tam", 2), 1.0 / 255);
@@ -174,6 +190,7 @@ static Suite *suite(void)
     Suite *made = suite_create("render lapped");
     TCase *tests = tcase_create("lapped");
     tcase_add_loop_test(tests, patches_lie_over_one_another, 0, 5);
+    tcase_add_loop_test(tests, what_is_lit_stays_paper, 0, 6);
     tcase_add_test(tests, patches_of_two_materials_too);
     tcase_add_loop_test(tests, one_patch_is_ordinary_texture_coordinates, 0, 7);
     tcase_add_loop_test(tests, both_ways_to_blend_agree, 1, 3);

@@ -20,7 +20,7 @@ out vec4 o_color;
 float finish(float coverage)
 {
 #ifdef THRESHOLD
-    return 1.0 - clamp(8.0 * (1.0 - coverage) - 3.5, 0.0, opacity);
+    return 1.0 - clamp(8.0 * (1.0 - coverage) - 3.5, 0.0, 1.0);
 #else
     return coverage;
 #endif
