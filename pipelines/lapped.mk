@@ -20,7 +20,8 @@ SHOW      ?=
 SEED      ?= 1
 OUT       ?= .
 FIELD     ?=
-LAPPED    ?=
+# Borders softer than lapped-param's own: more of the patches overlap, and strokes end as by hand.
+LAPPED    ?= --feather .12
 OPTIONS   ?=
 
 SHELL := /bin/bash
