@@ -7,12 +7,13 @@
 /* How much more a turning of the strokes costs than a stretch along or between them. */
 #define TURN_WEIGHT 2.0
 /* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
- * that cannot be flattened, then cost neither angle nor shape. How much of that a face's scale takes
- * on, within which bounds, and in how many rounds. */
-#define SCALE_FREE 1.0
+ * that cannot be flattened, then cost neither angle nor shape. Within which bounds, and in how many
+ * rounds. */
 #define SCALE_MIN 0.6
 #define SCALE_MAX 1.6
 #define SCALE_ROUNDS 6
+/* Other orders are tried where the envelope is larger than this times vertices to the power of 1.5. */
+#define ENVELOPE_FAIR 1.5
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
 
@@ -24,9 +25,15 @@ static int compare(const void *a, const void *b)
     return x->id < y->id ? -1 : x->id > y->id;
 }
 
-static enum hatch_status make_room(struct hatch_solver *of, uint32_t count, struct hatch_err *err)
+static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_patch *patch,
+                                   struct hatch_err *err)
 {
-    void *array = of->order;
+    uint32_t count = patch->vertex_count;
+    void *array = of->gradients;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->gradient_room, 7 * patch->face_count,
+                                 sizeof *of->gradients, err));
+    of->gradients = array;
+    array = of->order;
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->order_room, count, sizeof *of->order, err));
     of->order = array;
     array = of->rank;
@@ -44,6 +51,18 @@ static enum hatch_status make_room(struct hatch_solver *of, uint32_t count, stru
         of->right[i] = array;
     }
     return HATCH_OK;
+}
+
+static uint32_t longer_axis(const struct hatch_patch *patch)
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (uint32_t v = 0; v < patch->vertex_count; v++) {
+        for (uint32_t i = 0; i < 2; i++) {
+            low[i] = fmin(low[i], patch->place[2 * v + i]);
+            high[i] = fmax(high[i], patch->place[2 * v + i]);
+        }
+    }
+    return high[1] - low[1] > high[0] - low[0];
 }
 
 /* Numbers the vertices by a sweep along an axis of the plane: the envelope is then about as wide as
@@ -80,17 +99,22 @@ static uint64_t find_envelope(struct hatch_solver *of, const struct hatch_patch 
 static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
                                         struct hatch_err *err)
 {
-    uint64_t least = UINT64_MAX;
-    uint32_t best = 2;
-    for (uint32_t axis = 0; axis < 3; axis++) {
-        number(of, patch, axis);
+    uint32_t axis = longer_axis(patch), best = axis;
+    double count = patch->vertex_count;
+    number(of, patch, axis);
+    uint64_t least = find_envelope(of, patch);
+    for (uint32_t other = 0; other < 3 && (double)least > ENVELOPE_FAIR * count * sqrt(count); other++) {
+        if (other == axis)
+            continue;
+        number(of, patch, other);
         uint64_t found = find_envelope(of, patch);
         if (found < least) {
             least = found;
-            best = axis;
+            best = other;
         }
+        axis = other;
     }
-    if (best < 2) {
+    if (best != axis) {
         number(of, patch, best);
         find_envelope(of, patch);
     }
@@ -122,22 +146,23 @@ static double hat_gradients(const struct hatch_ground *ground, uint32_t face, in
     return doubled / 2;
 }
 
-static double weighed_gradients(const struct hatch_ground *ground, const struct hatch_patch *patch,
-                                uint32_t local, double gradient[3][2])
+static void find_gradients(struct hatch_solver *of, const struct hatch_ground *ground,
+                           const struct hatch_patch *patch)
 {
-    uint32_t face = patch->faces[local];
-    double area = hat_gradients(ground, face, patch->sign[local], gradient);
-    return ground->singular[face] ? FREE_WEIGHT * area : area;
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        uint32_t face = patch->faces[f];
+        double *to = &of->gradients[7 * f];
+        double area = hat_gradients(ground, face, patch->sign[f], (double(*)[2])to);
+        to[6] = ground->singular[face] ? FREE_WEIGHT * area : area;
+    }
 }
 
 /* Adds a face's part of the normal equations. The first vertex stays where it is, at the origin: its
  * row and column are left out. */
-static void add_matrix(struct hatch_solver *of, const struct hatch_ground *ground,
-                       const struct hatch_patch *patch, uint32_t local)
+static void add_matrix(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    double gradient[3][2];
-    double weight = weighed_gradients(ground, patch, local, gradient);
+    const double *gradient = &of->gradients[7 * local], weight = gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
@@ -146,25 +171,35 @@ static void add_matrix(struct hatch_solver *of, const struct hatch_ground *groun
             uint32_t column = of->rank[corner[b]];
             if (corner[b] == 0 || column > row)
                 continue;
-            double along = weight * gradient[a][0] * gradient[b][0];
-            double over = weight * gradient[a][1] * gradient[b][1];
+            double along = weight * gradient[2 * a] * gradient[2 * b];
+            double over = weight * gradient[2 * a + 1] * gradient[2 * b + 1];
             of->matrix[0][of->start[row] + column] += along + TURN_WEIGHT * over;
             of->matrix[1][of->start[row] + column] += TURN_WEIGHT * along + over;
         }
     }
 }
 
-static void add_right(struct hatch_solver *of, const struct hatch_ground *ground,
-                      const struct hatch_patch *patch, uint32_t local, double scale)
+/* How much larger a face lies in the plane than it is. */
+static double scale_of(const struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
+{
+    const double *gradient = &of->gradients[7 * local];
+    double sum = 0;
+    for (uint32_t c = 0; c < 3; c++) {
+        const double *at = &patch->place[2 * patch->corners[3 * local + c]];
+        sum += at[0] * gradient[2 * c] + at[1] * gradient[2 * c + 1];
+    }
+    return sum / 2;
+}
+
+static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local, double scale)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    double gradient[3][2];
-    double weight = scale * weighed_gradients(ground, patch, local, gradient);
+    const double *gradient = &of->gradients[7 * local], weight = scale * gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
-        of->right[0][of->rank[corner[a]]] += weight * gradient[a][0];
-        of->right[1][of->rank[corner[a]]] += weight * gradient[a][1];
+        of->right[0][of->rank[corner[a]]] += weight * gradient[2 * a];
+        of->right[1][of->rank[corner[a]]] += weight * gradient[2 * a + 1];
     }
 }
 
@@ -220,16 +255,12 @@ static void substitute(const struct hatch_solver *of, uint32_t count, double *ma
 }
 
 /* Places the vertices for the scales that the faces have now; the first time for 1. */
-static void place(struct hatch_solver *of, const struct hatch_ground *ground, struct hatch_patch *patch, bool first)
+static void place(struct hatch_solver *of, struct hatch_patch *patch, bool first)
 {
     for (int i = 0; i < 2; i++)
         memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
-    for (uint32_t f = 0; f < patch->face_count; f++) {
-        struct hatch_fit fit = {.scale = 1};
-        if (!first)
-            hatch_patch_fit(ground, patch, f, &fit);
-        add_right(of, ground, patch, f, fmin(SCALE_MAX, fmax(SCALE_MIN, 1 + SCALE_FREE * (fit.scale - 1))));
-    }
+    for (uint32_t f = 0; f < patch->face_count; f++)
+        add_right(of, patch, f, first ? 1 : fmin(SCALE_MAX, fmax(SCALE_MIN, scale_of(of, patch, f))));
     for (uint32_t i = 0; i < 2; i++) {
         substitute(of, patch->vertex_count, of->matrix[i], of->right[i]);
         for (uint32_t v = 0; v < patch->vertex_count; v++)
@@ -240,17 +271,18 @@ static void place(struct hatch_solver *of, const struct hatch_ground *ground, st
 enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch_ground *ground,
                                      struct hatch_patch *patch, struct hatch_err *err)
 {
-    HATCH_TRY(make_room(of, patch->vertex_count, err));
+    HATCH_TRY(make_room(of, patch, err));
     HATCH_TRY(shape_envelope(of, patch, err));
+    find_gradients(of, ground, patch);
     for (uint32_t f = 0; f < patch->face_count; f++)
-        add_matrix(of, ground, patch, f);
+        add_matrix(of, patch, f);
     uint32_t fixed = of->rank[0];
     for (uint32_t i = 0; i < 2; i++) {
         of->matrix[i][of->start[fixed] + fixed] = 1;
         factor(of, patch->vertex_count, of->matrix[i]);
     }
     for (int round = 0; round < SCALE_ROUNDS; round++)
-        place(of, ground, patch, round == 0);
+        place(of, patch, round == 0);
     return HATCH_OK;
 }
 
@@ -267,7 +299,6 @@ void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch
     }
     double half = (jacobian[0][0] * jacobian[0][0] + jacobian[0][1] * jacobian[0][1] +
                    jacobian[1][0] * jacobian[1][0] + jacobian[1][1] * jacobian[1][1]) / 2;
-    fit->scale = (jacobian[0][0] + jacobian[1][1]) / 2;
     fit->determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
     double squared = half * half - fit->determinant * fit->determinant;
     fit->stretch = fit->determinant > 0 ? (half + sqrt(fmax(0, squared))) / fit->determinant : HUGE_VAL;

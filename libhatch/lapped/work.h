@@ -105,8 +105,9 @@ struct hatch_solver {
     uint32_t *rank;         /* of each vertex in it */
     uint32_t *first;        /* per row: the envelope's first column */
     uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
+    double *gradients;      /* 7 a face: of its corners' hat functions, 2 each, and its weight */
     double *matrix[2], *right[2]; /* of x and of y */
-    uint32_t order_room, rank_room, first_room, start_room, matrix_room[2], right_room[2];
+    uint32_t order_room, rank_room, first_room, start_room, gradient_room, matrix_room[2], right_room[2];
 };
 
 /* Places the patch's vertices anew. */
@@ -114,10 +115,9 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct h
                                      struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
 
 /* How one face lies in the plane: its determinant, its larger singular value over the smaller, and
- * the tangent of the angle between line and strokes; infinite where it is turned over; and how
- * much larger it is than the face, measured along the line and at a right angle. */
+ * the tangent of the angle between line and strokes; infinite where it is turned over. */
 struct hatch_fit {
-    double determinant, stretch, turn, scale;
+    double determinant, stretch, turn;
 };
 void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
                      struct hatch_fit *fit);
