@@ -48,7 +48,7 @@ struct hatch_field {
     double residual;     /* relative, at the end */
     double energy[2];    /* E of the unit field, its two sums: smoothness, data */
     double solved;       /* E of z as solved (linear; hz: of the unit field) */
-    uint32_t undirected; /* components without data (confidence of root mean square under 0.01, and nothing by
+    uint32_t undirected; /* components without data (confidence of root mean square under 0.001, and nothing by
                             hand): their field is the smoothest there is, otherwise arbitrary */
 };
 

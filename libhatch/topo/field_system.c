@@ -27,7 +27,7 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
 /* Data so strong that nothing moves it, in sums of edge weights; and the confidence under whose root mean square a
  * component has none: what noise leaves on a sphere or a plane. */
 #define MASS_MAX 1e6
-#define CONFIDENCE_MIN 0.01
+#define CONFIDENCE_MIN 0.001
 #define LENGTH_SHARE 0.0115 /* of the root of the component's area, at smooth 0.5 */
 
 static double edge_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
