@@ -258,7 +258,7 @@ static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_ar
         return HATCH_LIMIT;
     for (uint32_t patch = 0; patch < patches->patch_count; patch++)
         for (uint32_t v = patches->first_vertex[patch]; v < patches->first_vertex[patch + 1]; v++)
-            tones[v] = 0.75f * hatch_random_unit(1, 0, patch);
+            tones[v] = 1.0f - powf(0.3f + 0.7f * hatch_random_unit(1, 0, patch), 2.2f); /* even to the eye */
     glCreateBuffers(1, &mesh->patch_tones);
     glNamedBufferStorage(mesh->patch_tones, (GLsizeiptr)(sizeof *tones * (count + 1u)), tones, 0);
     hatch_arena_rewind(scratch, mark);
