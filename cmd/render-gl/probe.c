@@ -107,11 +107,17 @@ static void report_map(struct cmd_report *report, const struct hatch_tam *map,
 static void report_all(struct cmd_report *report, const struct job *job, const struct probe *probe)
 {
     const struct gpu_scene *gpu = &job->gpu;
-    double faces = 0;
-    for (uint32_t i = 0; i < gpu->item_count; i++)
-        faces += gpu->meshes[gpu->items[i].mesh].index_count / 3;
+    double faces = 0, patches = 0, patch_faces = 0;
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        const struct gpu_mesh *mesh = &gpu->meshes[gpu->items[i].mesh];
+        faces += mesh->surface->face_count;
+        patches += mesh->patches ? mesh->patches->patch_count : 0;
+        patch_faces += mesh->patches ? mesh->index_count / 3 : 0;
+    }
     report_row(report, "items", 0, gpu->item_count, "");
     report_row(report, "faces", 0, faces, "");
+    report_row(report, "patches", 0, patches, "");
+    report_row(report, "patch-faces", 0, patch_faces, "");
     report_row(report, "lights", 0, job->renderer.block.counts[0], "");
     report_row(report, "drawn", 0, (double)probe->drawn / (double)probe->pixels, "of the picture's pixels");
     report_map(report, &job->map, probe);
