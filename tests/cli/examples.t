@@ -33,7 +33,9 @@ run_examples() {
     sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share|$BUILD/share|" .lines >lines
     while IFS= read -r line; do
         (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
-        is "$1: $line" "$? $(grep -v ': warning: ' .err)" "0 "
+        status=$?
+        case $line in *' -v '*) : >.err ;; esac # it asked for words
+        is "$1: $line" "$status $(grep -v ': warning: ' .err)" "0 "
     done <lines
 }
 for manual in "$TOP"/man/man[17]/*; do
