@@ -12,7 +12,10 @@
  * 2013 §4, aligned). hz keeps |z| = 1: then E is, but for a constant, the paper's sum of −cos
  * 2(θ_p − turned θ_q) and −cos 2(θ_p − data), non-linear, started from the data (Hertzmann &
  * Zorin, "Illustrating smooth surfaces", SIGGRAPH 2000, §5.2, with the 90° made 180°; Real-Time
- * Hatching §6). So linear's minimum is never above hz's. */
+ * Hatching §6). So linear's minimum is never above hz's. The
+ * unit field of that minimum may be: where data disagrees z is short there and costs little, so
+ * that what is certain stays as it is, and what noise has made goes; descent from it would lower E
+ * and lose both. */
 #ifndef HATCH_TOPO_FIELD_H
 #define HATCH_TOPO_FIELD_H
 
