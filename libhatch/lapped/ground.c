@@ -17,6 +17,10 @@
  * chosen the wish for faces may make a patch. */
 #define FACES_MOST 1000.0
 #define SIZE_MOST 8.0
+/* Where growth ends for the size that is chosen and for one that is given: a patch that comes from
+ * large faces into small ones would take them all, and time and memory of its matrix with them. */
+#define FACES_CHOSEN_MAX 4000u
+#define FACES_GIVEN_MAX 20000u
 /* The disk that a patch shows, over its square's radius. */
 #define SHOWN 0.75
 /* How strongly `curved` counts, and the smallest share of its size that it leaves a patch. */
@@ -155,6 +159,7 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
 {
     uint32_t count = surface->face_count;
     struct hatch_ground made = {.surface = surface};
+    made.faces_max = options->size > 0 ? FACES_GIVEN_MAX : FACES_CHOSEN_MAX;
     made.flat = HATCH_NEW(arena, double, (size_t)count * 4, err);
     made.rough = made.flat ? HATCH_NEW(arena, double, count, err) : NULL;
     made.wish = made.rough ? HATCH_NEW(arena, double, count, err) : NULL;

@@ -8,8 +8,6 @@
 #define COHERENT 0.5
 /* How many faces deep a patch grows into covered ground. */
 #define STEPS_MAX 1
-/* Faces of one patch: bounds the memory of its matrices. */
-#define FACES_MAX 65536u
 
 enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
                                     const uint8_t *covered, struct hatch_arena *arena,
@@ -271,7 +269,7 @@ void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed)
     patch->seed = seed;
     patch->face_count = 0;
     patch->offset[0] = patch->offset[1] = 0;
-    patch->faces_max = FACES_MAX;
+    patch->faces_max = growth->ground->faces_max;
 }
 
 static enum hatch_status plant(struct hatch_growth *growth, struct hatch_err *err)

@@ -16,6 +16,7 @@ struct hatch_ground {
     double *wish;       /* per face: radius wanted of a patch that begins there */
     double *grain;      /* per face: the length of an edge around it */
     uint8_t *singular;  /* per face: the field has an index */
+    uint32_t faces_max; /* of a patch */
 };
 
 enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,

@@ -119,11 +119,10 @@ END_TEST
 
 /* No patch ends where it could be seen: on a side behind which it has no face, the surface ends, it has
  * faded, or later patches lie over it. */
-START_TEST(where_a_patch_ends_it_is_faded_or_hidden)
+static void check_ends(const struct lapped_case *of)
 {
-    struct lapped_case torus = cover_all(along_curvature(HATCH_SHAPE_TORUS, 5000, 1), &LAPPED_PLAIN);
-    const struct hatch_lapped *lapped = &torus.lapped;
-    uint32_t *held = HATCH_NEW(&keep, uint32_t, torus.of.surface.face_count, &err);
+    const struct hatch_lapped *lapped = &of->lapped;
+    uint32_t *held = HATCH_NEW(&keep, uint32_t, of->of.surface.face_count, &err);
     uint32_t asked = 0;
     ck_assert_uint_eq(lapped->cut, 0);
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
@@ -132,7 +131,7 @@ START_TEST(where_a_patch_ends_it_is_faded_or_hidden)
             held[lapped->faces[e]] = p + 1;
         for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
             uint32_t e = patch->first_face + i / 3, c = i % 3;
-            uint32_t other = torus.of.surface.opposite[3 * lapped->faces[e] + c];
+            uint32_t other = of->of.surface.opposite[3 * lapped->faces[e] + c];
             if (other == HATCH_NO_SIDE || held[other / 3] == p + 1)
                 continue;
             for (int k = 1; k < 8; k++, asked++) {
@@ -140,13 +139,30 @@ START_TEST(where_a_patch_ends_it_is_faded_or_hidden)
                 bary[c] = k / 8.0;
                 bary[(c + 1) % 3] = 1 - k / 8.0;
                 mask_in(lapped, p, e, bary, mask);
-                double shown = hatch_outline_opacity(&torus.outline, mask);
-                ck_assert_msg(shown < 1e-3 || opacity_over(&torus, lapped->faces[e], bary, p + 1) > 0.999,
+                double shown = hatch_outline_opacity(&of->outline, mask);
+                ck_assert_msg(shown < 1e-3 || opacity_over(of, lapped->faces[e], bary, p + 1) > 0.999,
                               "patch %u ends with opacity %g", p, shown);
             }
         }
     }
     ck_assert_uint_gt(asked, 1000);
+}
+
+START_TEST(where_a_patch_ends_it_is_faded_or_hidden)
+{
+    struct lapped_case torus = cover_all(along_curvature(HATCH_SHAPE_TORUS, 5000, 1), &LAPPED_PLAIN);
+    check_ends(&torus);
+    /* A tube around which patches would meet themselves. */
+    struct hatch_mesh tube = case_of_shape(HATCH_SHAPE_CYLINDER, 3000, 0).mesh;
+    for (uint32_t v = 0; v < tube.vertex_count; v++)
+        tube.attributes[0].data[3 * v + 1] *= 4;
+    struct field_case along = case_of(tube);
+    lay_field(&along, 0, 1, 0);
+    struct hatch_lapped_options options = LAPPED_PLAIN;
+    options.size = 1;
+    options.curved = 0;
+    struct lapped_case wrapped = cover_all(along, &options);
+    check_ends(&wrapped);
 }
 END_TEST
 
