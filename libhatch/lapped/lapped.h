@@ -6,7 +6,11 @@
  * that face: a step of growth after which it would not, or that turns a face over or passes a
  * limit, is undone. A face is covered when it lies in the union of the cores of patches that hold
  * it, decided conservatively. So each patch covers a face more, and there are never more patches
- * than faces. */
+ * than faces.
+ *
+ * Patches are made from the smoothest place on, each beside what is covered, and each lies under those
+ * made before it: so a face is left out of a patch as soon as earlier ones cover it, gaps cost no more
+ * than their own faces, and what is cut short near an index lies lowest. */
 #ifndef HATCH_LAPPED_LAPPED_H
 #define HATCH_LAPPED_LAPPED_H
 
@@ -15,8 +19,8 @@
 #include "topo/field.h"
 
 struct hatch_lapped_options {
-    double size;        /* 0: chosen; else diameter of a patch on a flat part, as a share of the diagonal of the box
-                           around the whole mesh, 0.001 .. 1 */
+    double size;        /* diameter of a patch on a flat part, as a share of the diagonal of the box around the
+                           whole mesh, 0.001 .. 1; 0: chosen: a tenth, but 250 to 1000 faces */
     double curved;      /* 0 .. 1: how far patches shrink where the surface is curved; 0: all are alike */
     double stretch_max; /* the larger over the smaller singular value at which growth ends, 1.01 .. 10 */
     double turn_max_rad; /* angle between coordinates and field at which growth ends, 0.01 .. π/2 */
@@ -25,8 +29,9 @@ struct hatch_lapped_options {
 
 /* Coordinates of a patch: hatch u runs along the field (either way), v is at a right angle, so
  * that seen from outside with u to the right v rises downwards, as in mesh/shapes.h; both in the
- * mesh's units, so that a tile of hatching has one size on all patches; shifted at random from
- * patch to patch. Mask coordinates lie in the outline's square where the outline is; the outline
+ * mesh's units, so that a tile of hatching has one size on all patches, but that within one it may
+ * grow or shrink by a factor of 1.6 where strokes run apart or the surface cannot be flattened;
+ * shifted at random from patch to patch. Mask coordinates lie in the outline's square where the outline is; the outline
  * is turned at random against the hatching, and slid and shrunk so that it stays inside the faces
  * that the patch has, but at borders of the surface: where that cannot be, the patch is counted in
  * `cut`. */
@@ -49,7 +54,8 @@ struct hatch_lapped {
     uint32_t *faces;                 /* the surface's face of each patch's face */
     uint32_t *corners;               /* 3 a face: vertices, counted from the patch's first; in the
                                         order of the surface's corners */
-    uint32_t hidden, hidden_faces;   /* patches, and faces of others, left out because later cores hide them */
+    uint32_t hidden, hidden_faces;   /* patches (none is made that is), and faces of others, left out because later
+                                        cores hide them */
     uint32_t cut;                    /* patches whose faces end inside their outline */
     uint32_t enlarged;               /* patches made larger than asked, to hold a large face */
 };
