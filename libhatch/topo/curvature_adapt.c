@@ -15,7 +15,7 @@
 
 #define RADIUS_STEP 1.7
 #define RADIUS_MAX 24.0
-#define SPACING 0.3        /* between fits, in radii */
+#define SPACING 0.36       /* between fits, in radii */
 #define SPACING_FIRST 0.5
 #define SERVED 0.5         /* how far a fit reaches, in radii */
 #define LEAN_COSINE 0.5    /* from the second level on: a polynomial over a plane cannot follow steeper slopes */
