@@ -23,7 +23,7 @@
 #define NOISE_ROUNDS 3     /* of averaging with neighbours: one fit's residual has few degrees of freedom */
 #define CERTAIN_RAD 0.0017 /* no larger support is tried */
 #define NEARLY_RAD 0.01    /* a fit of its own is worth it */
-#define WORSE 4.0          /* than the least expected error so far: no larger support is tried */
+#define WORSE 2.0          /* than the least expected error so far: no larger support is tried */
 #define DEGREE_LEAST 3u
 #define SIGNIFICANT 16.0   /* differences of degrees, in variances */
 #define STIFFNESS 0.1      /* squared bias of a quartic, as a share of the largest that its residual allows */
