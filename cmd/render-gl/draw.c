@@ -74,11 +74,14 @@ static void set_usual(void)
     glDepthMask(GL_TRUE);
 }
 
-/* Paper where patches will be, at the depth that their faces have: they are drawn on equal depth. */
-static void draw_below_patches(const struct renderer *renderer, uint32_t technique)
+/* Paper where patches will be, at the depth that their faces have: they are drawn on equal depth.
+ * alone: nothing else has been drawn, so that paper is there already. */
+static void draw_below_patches(const struct renderer *renderer, uint32_t technique, bool alone)
 {
     const struct gpu_scene *scene = renderer->scene;
+    const GLboolean colors = alone ? GL_FALSE : GL_TRUE;
     set_usual();
+    glColorMask(colors, colors, colors, colors);
     for (uint32_t i = 0; i < scene->item_count; i++) {
         const struct gpu_item *item = &scene->items[i];
         if (!shows_patches(renderer, technique, item))
@@ -91,6 +94,7 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
         draw_part(part);
         glEnable(GL_CULL_FACE);
     }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
 }
@@ -171,7 +175,7 @@ void draw_items(const struct renderer *renderer, uint32_t technique)
             clock_end_pass(renderer->clock, chosen->pass_names[pass]);
     }
     if (ordinary < renderer->scene->item_count) {
-        draw_below_patches(renderer, technique);
+        draw_below_patches(renderer, technique, ordinary == 0);
         clock_end_pass(renderer->clock, "surface");
         draw_patches(renderer, technique);
         clock_end_pass(renderer->clock, "patches");

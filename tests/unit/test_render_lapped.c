@@ -63,6 +63,36 @@ START_TEST(what_is_lit_stays_paper)
 }
 END_TEST
 
+/* A black plane behind patches whose outline is empty. */
+START_TEST(bare_surfaces_hide_what_lies_behind)
+{
+    const struct cut cut = {.count = 2, .materials = 1, .place = place_shifted};
+    struct hatch_image image;
+    begin();
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50), behind = shape_of(HATCH_SHAPE_PLANE, 50);
+    for (uint32_t v = 0; v < behind.vertex_count; v++)
+        behind.attributes[0].data[3 * v + 2] = -0.5f;
+    make_scene(&plane, &cut);
+    struct hatch_scene *scene = &frame.scene;
+    struct hatch_scene_mesh *meshes = HATCH_NEW(&frame.arena, struct hatch_scene_mesh, 3, &frame.err);
+    memcpy(meshes, scene->meshes, 2 * sizeof *meshes);
+    meshes[2] = (struct hatch_scene_mesh){.mesh = behind, .material = HATCH_NONE};
+    scene->meshes = meshes;
+    scene->mesh_count = scene->nodes[0].mesh_count = 3;
+    HATCH_TEST_OK(patches_join(scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
+    frame_begin_scene(patches, &frame_unit, &map, &frame);
+    ck_assert_uint_eq(frame.gpu.item_count, 2);
+    lend_outline();
+    frame.gpu.items[1].base_texture = 0;
+    black_map();
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    frame_draw(&frame, _i ? "tam-triple" : "tam", &map_facing, SIZE, SIZE, 1, &image);
+    for (size_t i = 0; i < 3u * SIZE * SIZE; i++)
+        ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
 START_TEST(patches_of_two_materials_too)
 {
     ck_assert_double_le(worst_against_composite("tam", 2), 1.0 / 255);
@@ -191,6 +221,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("lapped");
     tcase_add_loop_test(tests, patches_lie_over_one_another, 0, 5);
     tcase_add_loop_test(tests, what_is_lit_stays_paper, 0, 6);
+    tcase_add_loop_test(tests, bare_surfaces_hide_what_lies_behind, 0, 2);
     tcase_add_test(tests, patches_of_two_materials_too);
     tcase_add_loop_test(tests, one_patch_is_ordinary_texture_coordinates, 0, 7);
     tcase_add_loop_test(tests, both_ways_to_blend_agree, 1, 3);
