@@ -101,12 +101,14 @@ is "the title shows technique and milliseconds" $? 0
 xdotool key t
 shot shot9
 ok "t shows the next technique" changed shot8 shot9
-xdotool key l
+xdotool key 1
 shot shot10
-ok "l hides the lines" changed shot9 shot10
 xdotool key l
 shot shot11
-ok "and shows them again" cmp shot9.png shot11.png
+ok "l hides the lines" changed shot10 shot11
+xdotool key l
+shot shot12
+ok "and shows them again" cmp shot10.png shot12.png
 xdotool key question key q
 wait $window
 is "q closes" $? 0
