@@ -7,11 +7,12 @@
 /* How much more a turning of the strokes costs than a stretch along or between them. */
 #define TURN_WEIGHT 2.0
 /* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
- * that cannot be flattened, then cost neither angle nor shape. Within which bounds, and in how many
- * rounds. */
+ * that cannot be flattened, then cost neither angle nor shape. Within which bounds, in how many
+ * rounds, and by how much of what is wanted in each. */
 #define SCALE_MIN 0.6
 #define SCALE_MAX 1.6
-#define SCALE_ROUNDS 6
+#define SCALE_ROUNDS 4
+#define SCALE_STEP 1.7
 /* Other orders are tried where the envelope is larger than this times vertices to the power of 1.5. */
 #define ENVELOPE_FAIR 1.5
 /* Weight of a face that is not asked to follow the field. */
@@ -30,7 +31,7 @@ static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_p
 {
     uint32_t count = patch->vertex_count;
     void *array = of->gradients;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->gradient_room, 7 * patch->face_count,
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->gradient_room, 8 * patch->face_count,
                                  sizeof *of->gradients, err));
     of->gradients = array;
     array = of->order;
@@ -151,9 +152,10 @@ static void find_gradients(struct hatch_solver *of, const struct hatch_ground *g
 {
     for (uint32_t f = 0; f < patch->face_count; f++) {
         uint32_t face = patch->faces[f];
-        double *to = &of->gradients[7 * f];
+        double *to = &of->gradients[8 * f];
         double area = hat_gradients(ground, face, patch->sign[f], (double(*)[2])to);
         to[6] = ground->singular[face] ? FREE_WEIGHT * area : area;
+        to[7] = 1;
     }
 }
 
@@ -162,7 +164,7 @@ static void find_gradients(struct hatch_solver *of, const struct hatch_ground *g
 static void add_matrix(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    const double *gradient = &of->gradients[7 * local], weight = gradient[6];
+    const double *gradient = &of->gradients[8 * local], weight = gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
@@ -182,7 +184,7 @@ static void add_matrix(struct hatch_solver *of, const struct hatch_patch *patch,
 /* How much larger a face lies in the plane than it is. */
 static double scale_of(const struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
 {
-    const double *gradient = &of->gradients[7 * local];
+    const double *gradient = &of->gradients[8 * local];
     double sum = 0;
     for (uint32_t c = 0; c < 3; c++) {
         const double *at = &patch->place[2 * patch->corners[3 * local + c]];
@@ -191,10 +193,10 @@ static double scale_of(const struct hatch_solver *of, const struct hatch_patch *
     return sum / 2;
 }
 
-static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local, double scale)
+static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    const double *gradient = &of->gradients[7 * local], weight = scale * gradient[6];
+    const double *gradient = &of->gradients[8 * local], weight = gradient[7] * gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
@@ -259,8 +261,12 @@ static void place(struct hatch_solver *of, struct hatch_patch *patch, bool first
 {
     for (int i = 0; i < 2; i++)
         memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
-    for (uint32_t f = 0; f < patch->face_count; f++)
-        add_right(of, patch, f, first ? 1 : fmin(SCALE_MAX, fmax(SCALE_MIN, scale_of(of, patch, f))));
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        double *scale = &of->gradients[8 * f + 7];
+        if (!first)
+            *scale = fmin(SCALE_MAX, fmax(SCALE_MIN, *scale + SCALE_STEP * (scale_of(of, patch, f) - *scale)));
+        add_right(of, patch, f);
+    }
     for (uint32_t i = 0; i < 2; i++) {
         substitute(of, patch->vertex_count, of->matrix[i], of->right[i]);
         for (uint32_t v = 0; v < patch->vertex_count; v++)

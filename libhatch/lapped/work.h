@@ -106,7 +106,7 @@ struct hatch_solver {
     uint32_t *rank;         /* of each vertex in it */
     uint32_t *first;        /* per row: the envelope's first column */
     uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
-    double *gradients;      /* 7 a face: of its corners' hat functions, 2 each, and its weight */
+    double *gradients;      /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
     double *matrix[2], *right[2]; /* of x and of y */
     uint32_t order_room, rank_room, first_room, start_room, gradient_room, matrix_room[2], right_room[2];
 };
