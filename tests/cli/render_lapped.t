@@ -1,0 +1,31 @@
+# Any mesh to strokes in one pipe, and pipelines/lapped.mk: the picture has ink, on the shape alone.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --levels 2 -o ink.tam.exr
+meshgen torus --faces 800 | dirfield -q | lapped-param -q -o torus.lapped.glb
+printf 'v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n' >'an edge.obj'
+
+# row FILE THING: a figure of --probe
+row() {
+    render-gl "$1" --tam ink.tam.exr --size 96x72 --probe | awk -F'\t' -v thing="$2" '$1 == thing {print $3}'
+}
+is "the patches are one item" "$(row torus.lapped.glb items)" 1
+is "the surface's faces are counted once" "$(row torus.lapped.glb faces)" \
+    "$(meshgen torus --faces 800 | hatchstat mesh - | awk 'NR == 2 {print $2}')"
+is "patches overlap" "$(echo "$(row torus.lapped.glb patch-faces) $(row torus.lapped.glb faces)" |
+    awk '{print ($1 > $2)}')" 1
+for technique in tam tam-flat tam-face tam-gouraud tam-triple tam-threshold gouraud rptam; do
+    ok "$technique draws them" render-gl torus.lapped.glb --tam ink.tam.exr -t "$technique" --size 64x48 -o t.png
+done
+for what in patches field; do
+    ok "--show $what" render-gl torus.lapped.glb --show "$what" --size 64x48 -o "$what.png"
+done
+ok "in one pipe, from a name with a space" make -s -f "$TOP/pipelines/lapped.mk" \
+    MESH="an edge.obj" SIZE=64x48 OPTIONS='--samples 1'
+is "its picture" "$(ls "an edge.png")" "an edge.png"
+meshgen sphere --faces 200 -o ball.glb
+meshgen plane --faces 50 -o plane.glb
+ok "several in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
+ok "a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
+is "its pictures" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
+finish
