@@ -32,7 +32,7 @@ build() {
     rm -f objects/*
     (cd "$TOP" && ls cmd/tamgen/*.c cmd/cmd*.c libhatch/base/*.c libhatch/image/*.c libhatch/filter/*.c \
         libhatch/stroke/*.c libhatch/tam/*.c libhatch/io/exr*.c libhatch/io/png*.c libhatch/io/foreign*.c) |
-        grep -v cmd_scene >files
+        grep -vE 'cmd_(scene|surface|field)' >files
     TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
         -I"$TOP"/cmd -ffp-contract=off -pthread -w -c "$TOP"/{} -o objects/$(echo {} | tr / _).o' \
         "$1" "$2" <files &&
