@@ -1,5 +1,7 @@
 #include "topo/curvature_support.h"
 
+#include <string.h>
+
 #include "math/vector.h"
 
 #define LEAN_COSINE 0.2
@@ -26,44 +28,47 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
     return HATCH_OK;
 }
 
-static void push(struct hatch_support *support, uint32_t point, int side, const double offset[3])
-{
-    support->points[support->count] = point;
-    support->sides[support->count] = (int8_t)side;
-    hatch_vec_copy(offset, &support->offsets[(size_t)support->count * 3]);
-    support->count++;
-}
-
+/* The walk's state stands in locals: through the struct every write would make the compiler read all its
+ * pointers again. */
 bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
                           double radius)
 {
     const struct hatch_surface *surface = support->surface;
-    const double *origin = &surface->points[(size_t)middle * 3];
-    double square = radius * radius;
-    double most = POINTS_LEAST + POINTS_PER_SQUARE * square;
-    uint32_t walk = ++support->walk;
-    support->count = 0;
-    support->seen[middle] = walk;
-    push(support, middle, 1, (const double[3]){0, 0, 0});
-    for (uint32_t next = 0; next < support->count && support->count < most; next++) {
-        uint32_t p = support->points[next], end = surface->ring_first[p + 1];
-        uint32_t stride = 1 + (end - surface->ring_first[p]) / RING_MAX;
-        for (uint32_t i = surface->ring_first[p]; i < end; i += stride) {
-            uint32_t q = surface->ring_point[i];
-            if (support->seen[q] == walk)
+    const uint32_t *ring_first = surface->ring_first, *ring_point = surface->ring_point;
+    const double *positions = surface->points, *normals = support->normals;
+    const double origin[3] = {positions[(size_t)middle * 3], positions[(size_t)middle * 3 + 1],
+                              positions[(size_t)middle * 3 + 2]};
+    const double up[3] = {normal[0], normal[1], normal[2]}, lean_cosine = support->lean_cosine;
+    const double square = radius * radius, most = POINTS_LEAST + POINTS_PER_SQUARE * square;
+    uint32_t *restrict seen = support->seen, *restrict points = support->points;
+    int8_t *restrict sides = support->sides;
+    double *restrict offsets = support->offsets;
+    uint32_t walk = ++support->walk, count = 1;
+    seen[middle] = walk;
+    points[0] = middle;
+    sides[0] = 1;
+    memset(offsets, 0, 3 * sizeof *offsets);
+    for (uint32_t next = 0; next < count && count < most; next++) {
+        uint32_t p = points[next], end = ring_first[p + 1];
+        uint32_t stride = 1 + (end - ring_first[p]) / RING_MAX;
+        for (uint32_t i = ring_first[p]; i < end; i += stride) {
+            uint32_t q = ring_point[i];
+            if (seen[q] == walk)
                 continue;
-            support->seen[q] = walk;
-            double offset[3];
-            hatch_vec_sub(&surface->points[(size_t)q * 3], origin, offset);
+            seen[q] = walk;
+            double *offset = &offsets[(size_t)count * 3];
+            hatch_vec_sub(&positions[(size_t)q * 3], origin, offset);
             if (hatch_vec_dot(offset, offset) > square)
                 continue;
-            int side = surface->ring_turned[i] ? -support->sides[next] : support->sides[next];
-            if (hatch_vec_dot(&support->normals[(size_t)q * 3], normal) * side < support->lean_cosine)
+            int side = surface->ring_turned[i] ? -sides[next] : sides[next];
+            if (hatch_vec_dot(&normals[(size_t)q * 3], up) * side < lean_cosine)
                 continue;
-            push(support, q, side, offset);
+            points[count] = q;
+            sides[count++] = (int8_t)side;
         }
     }
-    return support->count >= most;
+    support->count = count;
+    return count >= most;
 }
 
 #define BLOCK 32u
