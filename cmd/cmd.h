@@ -38,7 +38,8 @@ struct cmd_option {
     enum cmd_type type;
     double minimum, maximum;  /* INT, REAL, SIZE, PAIR */
     const char *metavariable; /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
-    const char *help;         /* one line, with the default */
+    const char *help;         /* one line, with the default; where it begins with '+', --help only names the
+                                 option, after the others: it is to fit a screen */
     void *value;              /* holds the default on entry; see enum cmd_type */
     const char *const *choices; /* CHOICE: NULL-terminated */
     bool *given;              /* may be NULL: set when the option stood on the command line */

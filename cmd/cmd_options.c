@@ -219,20 +219,44 @@ static void print_usage(const struct cmd_program *program)
     } while (*form++);
 }
 
+/* Names side by side, within this many columns. */
+#define NAMES_COLUMNS 96
+
+struct names_line {
+    size_t used;
+};
+
+static void print_beside(struct names_line *line, const struct cmd_option *option)
+{
+    char names[64];
+    print_names(option, names, sizeof names);
+    const char *text = names + (option->letter ? 0 : 4);
+    const char *gap = line->used == 0 ? "  " : line->used + 3 + strlen(text) > NAMES_COLUMNS ? "\n  " : "   ";
+    line->used = (gap[0] == '\n' ? 0 : line->used) + strlen(gap) + strlen(text);
+    printf("%s%s", gap, text);
+}
+
+static void print_seldom(const struct table *table)
+{
+    struct names_line line = {0};
+    for (size_t i = 0; i < table->own; i++)
+        if (table->options[i].help[0] == '+')
+            print_beside(&line, &table->options[i]);
+    if (line.used)
+        printf("\n");
+}
+
 /* Those that every command has but for -o and -s, several on a line and without words: they are in
  * hatch(7), and --help is to fit a screen. */
 static void print_shared(const struct table *table, bool flags)
 {
-    const char *gap = "  ";
+    struct names_line line = {0};
     for (size_t i = table->own; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
-        char names[64];
-        print_names(option, names, sizeof names);
         if (option->value == &common.output || option->value == &common.seed ||
             option->value == &common.options_table || (option->type == CMD_FLAG) != flags)
             continue;
-        printf("%s%s", gap, names + (option->letter ? 0 : 4));
-        gap = "   ";
+        print_beside(&line, option);
     }
     printf("\n");
 }
@@ -243,9 +267,11 @@ static void print_options(const struct table *table)
         const struct cmd_option *option = &table->options[i];
         char names[64];
         print_names(option, names, sizeof names);
-        if (i < table->own || option->value == &common.output || option->value == &common.seed)
+        bool own = i < table->own && option->help[0] != '+';
+        if (own || option->value == &common.output || option->value == &common.seed)
             printf("  %-28s %s\n", names, option->help);
     }
+    print_seldom(table);
     print_shared(table, false);
     print_shared(table, true);
 }
@@ -273,7 +299,7 @@ static noreturn void print_table(const struct table *table)
                option->minimum, option->maximum, option->metavariable ? option->metavariable : "");
         for (int c = 0; option->type == CMD_CHOICE && option->choices[c]; c++)
             printf("%s%s", c ? "," : "", option->choices[c]);
-        printf("\t%s\t%s\n", i < table->own ? "own" : "common", option->help);
+        printf("\t%s\t%s\n", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
     }
     cmd_close_stdout();
     exit(HATCH_OK);

@@ -51,6 +51,8 @@ enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *
     for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
         if (line.length == 0 || line.at[0] == '#')
             continue;
+        if (line.at + line.length == (const char *)file.data + file.size)
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u does not end: the file is cut", number);
         if (found.layer_count == HATCH_SEED_LAYERS_MAX)
             return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number,
                               HATCH_SEED_LAYERS_MAX);

@@ -70,6 +70,7 @@ START_TEST(what_is_no_seed_set_is_named_by_its_line)
                {"# a\n2\n", "line 2: a cycle of 1 crumbs, want 2 to 16777216"},
                {"# a\n", "no seed set in it"},
                {"", "no seed set in it"},
+               {"0123\n3210", "line 2 does not end: the file is cut"},
                {"01 2\n", "line 1, column 3: not a crumb, which is 0, 1, 2 or 3"}};
     struct hatch_seeds seeds;
     struct hatch_err err;
