@@ -132,6 +132,9 @@ void job_prepare(struct job *job)
         cmd_check(job_make_lines(job, options->lines.kinds, &err), NULL, &err);
     if (options->map_path && !options->high_given)
         job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
+    /* Tones beyond what all layers of strokes reach together would be one flat dark. */
+    if (job->renderer.rptam && techniques[options->technique]->seeds && !options->high_given)
+        job->renderer.style.curve.high = job->rptam.layers[job->rptam.layer_count - 1].darkness[HATCH_RPTAM_STEPS - 1];
     struct view view;
     job_set_frame(job, 0, &view);
     if (!(options->style.curve.exposure > 0))
