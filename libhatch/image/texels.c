@@ -1,6 +1,7 @@
 #include "image/texels.h"
 
 #include <assert.h>
+#include <string.h>
 
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level)
 {
@@ -34,4 +35,12 @@ enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texe
     }
     *texture = made;
     return HATCH_OK;
+}
+
+const char *hatch_texels_value(const char *const *key_values, const char *key)
+{
+    for (; key_values && key_values[0]; key_values += 2)
+        if (strcmp(key_values[0], key) == 0)
+            return key_values[1];
+    return NULL;
 }

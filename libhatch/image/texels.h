@@ -1,9 +1,16 @@
-/* Textures as a GPU takes them: 8 bits a channel, mip-mapped, of two dimensions, in layers, or of
- * three. */
+/* Textures as a GPU takes them: 8 bits a channel, or packed in blocks, or whole numbers; mip-mapped, of
+ * two dimensions, in layers, or of three. */
 #ifndef HATCH_IMAGE_TEXELS_H
 #define HATCH_IMAGE_TEXELS_H
 
 #include "image/image.h"
+
+enum hatch_texels_code {
+    HATCH_TEXELS_PLAIN, /* UNORM, 8 bits a channel */
+    HATCH_TEXELS_BC4,   /* one channel in blocks of 4x4 texels, 8 bytes each: image/blocks.h */
+    HATCH_TEXELS_BC7,   /* three or four channels, 16 bytes a block */
+    HATCH_TEXELS_R32UI  /* one whole number of 32 bits, little-endian */
+};
 
 /* 2D (depth and layers 0), 2D array (layers > 0) or 3D (depth > 0), with its mip chain.
  * texels[level]: layer after layer (or slice after slice), row after row from the top, channels
@@ -12,9 +19,10 @@ struct hatch_texels {
     uint32_t width, height;
     uint32_t depth;    /* 0: not 3D */
     uint32_t layers;   /* 0: not an array */
-    uint32_t channels; /* 1 R8, 2 RG8, 3 RGB8, 4 RGBA8 */
+    uint32_t channels; /* 1 R8, 2 RG8, 3 RGB8, 4 RGBA8; 1 with BC4 and R32UI, 4 with BC7 */
     uint32_t level_count;
     uint8_t *texels[HATCH_MIP_LEVELS_MAX];
+    enum hatch_texels_code code;
 };
 
 /* Bytes of one level: all layers or slices. */
@@ -26,5 +34,9 @@ uint32_t hatch_texels_chain_length(const struct hatch_texels *texture);
 /* Gives every level its zeroed bytes in arena; the other fields are set. */
 enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texels *texture,
                                     struct hatch_err *err) HATCH_MUST_USE;
+
+/* The value of a key in what a file says of its texture, or NULL. key_values: keys and values alternate, a
+ * NULL ends them; NULL is an empty list. */
+const char *hatch_texels_value(const char *const *key_values, const char *key);
 
 #endif
