@@ -1,5 +1,5 @@
-/* A stroke: a straight line segment with round ends on the unit torus (the tile), drawn at one pixel
- * width on every level of a tonal art map (Praun et al. 2001, §3). */
+/* A stroke: a line, an arc or a drawn path on the unit torus (the tile), drawn at one pixel width on every
+ * level of a tonal art map (Praun et al. 2001, §3). */
 #ifndef HATCH_STROKE_STROKE_H
 #define HATCH_STROKE_STROKE_H
 
@@ -7,10 +7,17 @@
 
 #include "base/arena.h"
 
+#define HATCH_STROKE_LEVELS_MAX 8u
+#define HATCH_STROKE_BEND_MAX 6.25f /* nearly a full turn */
+
+struct hatch_path;
+
 struct hatch_stroke {
-    float x, y;        /* centre, fractions of the tile, [0, 1); y downwards */
-    float length;      /* fraction of the tile, >= 0; 0 is a dot */
-    float angle_rad;   /* from +x towards +y */
+    float x, y;        /* its middle, fractions of the tile, [0, 1); y downwards */
+    float length;      /* along it, fraction of the tile, >= 0; 0 is a dot */
+    float angle_rad;   /* from +x towards +y, in its middle; of a path, of its chord */
+    float bend_rad;    /* how far it turns from start to end, towards +y where it runs along +x; 0 is straight;
+                          -HATCH_STROKE_BEND_MAX .. HATCH_STROKE_BEND_MAX, with path NULL */
     float width_px;    /* > 0 */
     float tone;        /* 0 .. 1: how dark the ink is; scales the brush's alpha */
     float rgb[3];      /* linear colour of the ink, 0 .. 1; black is the default */
@@ -18,6 +25,9 @@ struct hatch_stroke {
     uint32_t column;   /* first tone column that holds it, 0 the lightest */
     uint32_t level;    /* coarsest level that holds it, counted from the finest (0) upwards */
     uint32_t texture_seed; /* varies the brush's grain from stroke to stroke */
+    uint8_t delay[HATCH_STROKE_LEVELS_MAX]; /* columns by which a level holds it later than `column`; does not
+                                               fall with the level; 0 beyond `level` */
+    const struct hatch_path *path; /* around (x, y), or NULL; not owned */
 };
 
 /* A growing list in an arena, in drawing order. */
