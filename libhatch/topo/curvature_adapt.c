@@ -221,7 +221,7 @@ static void serve(struct work *w, const struct fit *fit, uint32_t center)
     hatch_support_gather(support, center, fit->frame.axes[2], reach);
     for (uint32_t i = 0; i < support->count; i++) {
         struct place *place = &w->places[support->points[i]];
-        const double *offset = &support->offsets[(size_t)i * 3];
+        const double offset[3] = {support->offsets[0][i], support->offsets[1][i], support->offsets[2][i]};
         double away = hatch_vec_dot(offset, offset) / (reach * reach);
         if (!(away < 1))
             continue;

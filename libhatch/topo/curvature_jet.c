@@ -16,57 +16,83 @@ static uint32_t place(uint32_t i, uint32_t k)
     return (i + k) * (i + k + 1) / 2 + k;
 }
 
-#define LANES 4u
+/* Sums are taken in two lanes, side by side, and added at the end: the same on every processor. */
+#define LANES 2u
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
 
-/* Four partial sums, added in one order: the compiler may run them side by side. */
-static double dot(const double *a, const double *b, uint32_t count)
-{
-    double sum[LANES] = {0, 0, 0, 0};
-    for (uint32_t n = 0; n < count; n += LANES)
-        for (uint32_t l = 0; l < LANES; l++)
-            sum[l] += a[n + l] * b[n + l];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
-#define BLOCK 32u
+#define BLOCK 16u /* of lanes */
 #define POWERS (2 * HATCH_JET_DEGREE_MAX + 1)
 
-/* Adds at most BLOCK points: powers first, then one dot product a moment. */
-static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double *x,
-                      const double *y, const double *z)
+struct block {
+    lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK];
+    uint32_t count; /* of lanes */
+};
+
+/* sums[k] = Σ a y^k for k = 0 .. most: with `most` known where this is inlined, all sums stay in registers. */
+static inline __attribute__((always_inline)) void sum_row(const struct block *block, const lanes *a, uint32_t i,
+                                                          uint32_t most, double *sums)
 {
-    double px[POWERS][BLOCK], py[POWERS][BLOCK], heights[BLOCK], scaled[BLOCK];
-    uint32_t padded = (count + LANES - 1) / LANES * LANES;
-    for (uint32_t n = 0; n < padded; n++) {
+    lanes sum[POWERS] = {{0}};
+    for (uint32_t n = 0; n < block->count; n++) {
+        sum[0] += a[n];
+        for (uint32_t k = 1; k <= most; k++)
+            sum[k] += a[n] * block->y[k][n];
+    }
+    for (uint32_t k = 0; k <= most; k++)
+        sums[place(i, k)] += sum[k][0] + sum[k][1];
+}
+
+static void fill_block(struct block *block, uint32_t count, const double *x, const double *y, const double *z)
+{
+    block->count = (count + LANES - 1) / LANES;
+    for (uint32_t n = 0; n < LANES * block->count; n++) {
         bool real = n < count;
-        px[0][n] = py[0][n] = real ? 1 : 0;
-        px[1][n] = real ? x[n] : 0;
-        py[1][n] = real ? y[n] : 0;
-        heights[n] = real ? z[n] : 0;
+        block->x[0][n / LANES][n % LANES] = real ? 1 : 0;
+        block->x[1][n / LANES][n % LANES] = real ? x[n] : 0;
+        block->y[1][n / LANES][n % LANES] = real ? y[n] : 0;
+        block->z[n / LANES][n % LANES] = real ? z[n] : 0;
     }
     for (uint32_t i = 2; i < POWERS; i++)
-        for (uint32_t n = 0; n < padded; n++) {
-            px[i][n] = px[i - 1][n] * px[1][n];
-            py[i][n] = py[i - 1][n] * py[1][n];
+        for (uint32_t n = 0; n < block->count; n++) {
+            block->x[i][n] = block->x[i - 1][n] * block->x[1][n];
+            block->y[i][n] = block->y[i - 1][n] * block->y[1][n];
         }
-    for (uint32_t i = 0; i < POWERS; i++)
-        for (uint32_t k = 0; i + k < POWERS; k++)
-            sums->moments[place(i, k)] += dot(px[i], py[k], padded);
-    for (uint32_t i = 0; i <= HATCH_JET_DEGREE_MAX; i++) {
-        for (uint32_t n = 0; n < padded; n++)
-            scaled[n] = px[i][n] * heights[n];
-        for (uint32_t k = 0; i + k <= HATCH_JET_DEGREE_MAX; k++)
-            sums->products[place(i, k)] += dot(scaled, py[k], padded);
-    }
-    sums->squares += dot(heights, heights, padded);
+}
+
+static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
+                      const double *z)
+{
+    struct block block;
+    lanes square = {0}, scaled[HATCH_JET_DEGREE_MAX + 1][BLOCK];
+    fill_block(&block, count, x, y, z);
+    sum_row(&block, block.x[0], 0, 8, sums->moments);
+    sum_row(&block, block.x[1], 1, 7, sums->moments);
+    sum_row(&block, block.x[2], 2, 6, sums->moments);
+    sum_row(&block, block.x[3], 3, 5, sums->moments);
+    sum_row(&block, block.x[4], 4, 4, sums->moments);
+    sum_row(&block, block.x[5], 5, 3, sums->moments);
+    sum_row(&block, block.x[6], 6, 2, sums->moments);
+    sum_row(&block, block.x[7], 7, 1, sums->moments);
+    sum_row(&block, block.x[8], 8, 0, sums->moments);
+    for (uint32_t i = 0; i <= HATCH_JET_DEGREE_MAX; i++)
+        for (uint32_t n = 0; n < block.count; n++)
+            scaled[i][n] = block.x[i][n] * block.z[n];
+    sum_row(&block, scaled[0], 0, 4, sums->products);
+    sum_row(&block, scaled[1], 1, 3, sums->products);
+    sum_row(&block, scaled[2], 2, 2, sums->products);
+    sum_row(&block, scaled[3], 3, 1, sums->products);
+    sum_row(&block, scaled[4], 4, 0, sums->products);
+    for (uint32_t n = 0; n < block.count; n++)
+        square += block.z[n] * block.z[n];
+    sums->squares += square[0] + square[1];
     sums->count += count;
 }
 
 void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
                    const double *z)
 {
-    for (uint32_t n = 0; n < count; n += BLOCK)
-        add_block(sums, count - n < BLOCK ? count - n : BLOCK, &x[n], &y[n], &z[n]);
+    for (uint32_t n = 0; n < count; n += LANES * BLOCK)
+        add_block(sums, count - n < LANES * BLOCK ? count - n : LANES * BLOCK, &x[n], &y[n], &z[n]);
 }
 
 /* powers[t]: i and k of term t. */

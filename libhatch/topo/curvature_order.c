@@ -1,26 +1,56 @@
 #include "math/vector.h"
 #include "topo/curvature_work.h"
 
-/* Numbers points as a walk from neighbour to neighbour meets them (Cuthill & McKee, "Reducing the bandwidth of
- * sparse symmetric matrices", 1969). made[p]: the new number of p, plus one. */
-static void number_points(const struct hatch_surface *surface, uint32_t *order, uint32_t *made)
+#define PATCH 256u
+#define WAITING UINT32_MAX
+
+struct numbering {
+    const struct hatch_surface *surface;
+    uint32_t count, *order; /* points numbered, by their new numbers */
+    uint32_t *made;         /* per point: the new number plus one, WAITING, or 0: not met */
+    uint32_t *waiting;      /* points that patches may begin at */
+    uint32_t wait_count;
+};
+
+static void number_point(struct numbering *n, uint32_t point)
 {
-    uint32_t count = 0;
-    for (uint32_t start = 0; start < surface->point_count; start++) {
-        uint32_t next = count;
-        if (!made[start]) {
-            order[count++] = start;
-            made[start] = count;
-        }
-        for (; next < count; next++) {
-            uint32_t p = order[next];
-            for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
-                uint32_t q = surface->ring_point[i];
-                if (!made[q]) {
-                    order[count++] = q;
-                    made[q] = count;
-                }
+    n->order[n->count++] = point;
+    n->made[point] = n->count;
+}
+
+/* A walk from neighbour to neighbour numbers what it meets until the patch is full, and leaves the rest to others. */
+static void number_patch(struct numbering *n, uint32_t seed)
+{
+    const uint32_t *ring_first = n->surface->ring_first;
+    uint32_t first = n->count;
+    number_point(n, seed);
+    for (uint32_t next = first; next < n->count; next++)
+        for (uint32_t p = n->order[next], i = ring_first[p]; i < ring_first[p + 1]; i++) {
+            uint32_t q = n->surface->ring_point[i];
+            if (n->made[q] != 0 && n->made[q] != WAITING)
+                continue;
+            if (n->count - first < PATCH) {
+                number_point(n, q);
+            } else if (n->made[q] == 0) {
+                n->made[q] = WAITING;
+                n->waiting[n->wait_count++] = q;
             }
+        }
+}
+
+/* Patch by patch: one walk over all (Cuthill & McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969)
+ * puts a whole front between neighbours. */
+static void number_points(struct numbering *n)
+{
+    for (uint32_t start = 0; start < n->surface->point_count; start++) {
+        if (n->made[start] != 0)
+            continue;
+        n->waiting[0] = start;
+        n->wait_count = 1;
+        for (uint32_t next = 0; next < n->wait_count; next++) {
+            uint32_t seed = n->waiting[next];
+            if (n->made[seed] == 0 || n->made[seed] == WAITING)
+                number_patch(n, seed);
         }
     }
 }
@@ -49,10 +79,13 @@ enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
 {
     HATCH_TRY(allocate(surface, arena, terrain, err));
     struct hatch_surface *out = &terrain->surface;
-    uint32_t *made = HATCH_NEW(arena, uint32_t, surface->point_count, err), entry = 0;
-    if (!made)
+    struct numbering numbering = {.surface = surface, .order = terrain->order};
+    numbering.made = HATCH_NEW(arena, uint32_t, surface->point_count, err);
+    numbering.waiting = numbering.made ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
+    if (!numbering.waiting)
         return HATCH_LIMIT;
-    number_points(surface, terrain->order, made);
+    number_points(&numbering);
+    uint32_t entry = 0;
     for (uint32_t p = 0; p < surface->point_count; p++) {
         uint32_t old = terrain->order[p];
         hatch_vec_copy(&surface->points[(size_t)old * 3], &out->points[(size_t)p * 3]);
@@ -60,7 +93,7 @@ enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
         out->point_component[p] = surface->point_component[old];
         out->ring_first[p] = entry;
         for (uint32_t i = surface->ring_first[old]; i < surface->ring_first[old + 1]; i++, entry++) {
-            out->ring_point[entry] = made[surface->ring_point[i]] - 1;
+            out->ring_point[entry] = numbering.made[surface->ring_point[i]] - 1;
             out->ring_turned[entry] = surface->ring_turned[i];
         }
     }

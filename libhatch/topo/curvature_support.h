@@ -14,9 +14,9 @@ struct hatch_support {
     uint32_t *seen;   /* per point: the number of the last walk that met it */
     uint32_t walk;
     uint32_t count;
-    uint32_t *points; /* those met, nearest rings first; the first is the middle */
+    uint32_t *points; /* those taken, nearest rings first; the first is the middle */
     int8_t *sides;    /* 1, or -1 where the point's outside is not that of the middle */
-    double *offsets;  /* 3 each: from the middle */
+    double *offsets[3]; /* x, y, z: from the middle */
 };
 
 /* surface and normals stay the caller's. */
