@@ -1,5 +1,7 @@
 #include "render-gl/seeds.h"
 
+#include <string.h>
+
 /* std140, as in shaders/seeds.glsl */
 struct layer_block {
     float turn[4];       /* cosine, sine of the strokes' direction; offset of their ranks */
@@ -20,7 +22,7 @@ static void put_seed(const struct hatch_rptam_layer *layer, uint32_t seed, float
 {
     to[0] = (float)((double)layer->places[seed].u * 0x1p-64);
     to[1] = (float)((double)layer->places[seed].v * 0x1p-64);
-    to[2] = (float)hatch_rptam_tone_rank(seed, layer->count);
+    to[2] = (float)layer->tone_rank[seed];
     to[3] = (float)(4 * seed + layer->stays_in[seed]);
 }
 
@@ -34,6 +36,7 @@ struct packed {
 
 static void pack_layer(const struct hatch_rptam_layer *layer, struct packed *packed, struct layer_block *to)
 {
+    const float *own = packed->seeds + 4 * packed->seed_count;
     const struct hatch_coverage *coverage = &layer->coverage;
     size_t texels = (size_t)coverage->side * coverage->side;
     *to = (struct layer_block){
@@ -47,7 +50,7 @@ static void pack_layer(const struct hatch_rptam_layer *layer, struct packed *pac
     for (size_t t = 0; t < texels; t++) {
         packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
         for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++)
-            put_seed(layer, coverage->ids[i], packed->seeds + 4 * packed->seed_count++);
+            memcpy(packed->seeds + 4 * packed->seed_count++, own + 4 * (size_t)coverage->ids[i], 4 * sizeof *own);
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
     }
 }

@@ -20,6 +20,11 @@ struct hatch_coverage_stroke {
     double length, width, cosine, sine;
 };
 
+/* Where a row at v across from a stroke's middle may be within `reach` of the stroke: span[0] .. span[1]
+ * along u, both within -limit .. limit. False where nowhere. */
+bool hatch_coverage_span(const struct hatch_coverage_stroke *stroke, double v, double reach, double limit,
+                         double span[2]);
+
 enum hatch_status hatch_coverage_make(const struct hatch_seed_place *places, uint32_t count,
                                       const struct hatch_coverage_stroke *stroke, uint32_t side,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,

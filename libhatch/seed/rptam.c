@@ -1,27 +1,27 @@
-#include "seed/rptam.h"
+#include "seed/rptam_parts.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #define COVERAGE_SIDE 64u
-#define TONE_SIDE 128u /* samples along the tile's side, for the tone tables */
 
-/* A stride of about the golden section through the seeds. */
-double hatch_rptam_tone_rank(uint32_t seed, uint32_t count)
+/* Each seed's rank among those that fade with tone: a stride of about the golden section through them. */
+static void rank_by_tone(struct hatch_rptam_layer *layer)
 {
-    uint64_t stride = (uint64_t)(0.6180339887498949 * count) | 1u;
-    for (uint64_t a = count, b = stride; b;) {
+    uint64_t stride = (uint64_t)(0.6180339887498949 * layer->count) | 1u;
+    for (uint64_t a = layer->count, b = stride; b;) {
         uint64_t rest = a % b;
         a = b;
         b = rest;
         if (!b && a != 1) { /* they share a divisor: the stride would not reach all */
             stride += 2;
-            a = count;
+            a = layer->count;
             b = stride;
         }
     }
-    return ((double)(seed * stride % count) + 0.5) / count;
+    for (uint64_t i = 0; i < layer->count; i++)
+        layer->tone_rank[i] = ((double)(i * stride % layer->count) + 0.5) / layer->count;
 }
 
 static double bilinear(const struct hatch_image *image, double x, double y)
@@ -44,20 +44,29 @@ static double stroke_alpha(const struct hatch_rptam *rptam, double along_px, dou
     return bilinear(image, x, y);
 }
 
-/* What of a stroke's ink is left. d: the place less the seed, in tiles; tile: which tile of four. */
-static double seed_alpha(const struct hatch_rptam *rptam, const struct hatch_rptam_layer *layer,
-                         uint32_t seed, const double d[2], uint8_t tile, double m, double amount)
+double hatch_rptam_depth_weight(const struct hatch_rptam *rptam, const struct hatch_rptam_layer *layer,
+                                uint32_t seed, uint8_t tile, double m)
 {
     const struct hatch_rptam_style *style = &rptam->style;
-    double weight = 1, px = style->tile_px / exp2(m);
-    if (layer->stays_in[seed] != tile)
-        weight = hatch_fade_weight(hatch_fade_share(style->law, m),
-                                   (seed + (tile + layer->rank_offset) / 4) / layer->count, style->overlap);
-    weight *= hatch_fade_weight(amount, hatch_rptam_tone_rank(seed, layer->count), style->tone_overlap);
+    if (layer->stays_in[seed] == tile)
+        return 1;
+    return hatch_fade_weight(hatch_fade_share(style->law, m),
+                             (seed + (tile + layer->rank_offset) / 4) / layer->count, style->overlap);
+}
+
+double hatch_rptam_tone_weight(const struct hatch_rptam *rptam, const struct hatch_rptam_layer *layer,
+                               uint32_t seed, double amount)
+{
+    return hatch_fade_weight(amount, layer->tone_rank[seed], rptam->style.tone_overlap);
+}
+
+double hatch_rptam_stroke_ink(const struct hatch_rptam *rptam, const struct hatch_rptam_layer *layer,
+                              const double d[2], double tile_px, double weight)
+{
+    const struct hatch_rptam_style *style = &rptam->style;
     if (!(weight > 0))
         return 0;
-    if (style->fade_size)
-        px /= sqrt(weight);
+    double px = style->fade_size && weight < 1 ? tile_px / sqrt(weight) : tile_px;
     double along = (layer->cosine * d[0] + layer->sine * d[1]) * px;
     double across = (layer->cosine * d[1] - layer->sine * d[0]) * px;
     return style->ink * stroke_alpha(rptam, along, across) * (style->fade_size ? 1 : weight);
@@ -68,7 +77,7 @@ double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer_ind
 {
     const struct hatch_rptam_layer *layer = &rptam->layers[layer_index];
     const struct hatch_coverage *coverage = &layer->coverage;
-    double whole = floor(depth), m = depth - whole, paper = 1;
+    double whole = floor(depth), m = depth - whole, paper = 1, tile_px = rptam->style.tile_px / exp2(m);
     double at[2] = {ldexp(uv[0], -(int)whole), ldexp(uv[1], -(int)whole)};
     double u = at[0] - floor(at[0]), v = at[1] - floor(at[1]);
     uint32_t side = coverage->side, column = (uint32_t)(u * side), row = (uint32_t)(v * side);
@@ -82,7 +91,9 @@ double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer_ind
         double tile_u = floor(du + 0.5), tile_v = floor(dv + 0.5);
         const double d[2] = {du - tile_u, dv - tile_v};
         uint8_t tile = (uint8_t)(2 * (fmod(tile_v, 2) != 0) + (fmod(tile_u, 2) != 0));
-        paper *= 1 - seed_alpha(rptam, layer, seed, d, tile, m, amount);
+        double weight = hatch_rptam_depth_weight(rptam, layer, seed, tile, m) *
+                        hatch_rptam_tone_weight(rptam, layer, seed, amount);
+        paper *= 1 - hatch_rptam_stroke_ink(rptam, layer, d, tile_px, weight);
     }
     return 1 - paper;
 }
@@ -146,9 +157,11 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
         .rank_offset = (index + 0.5) / HATCH_RPTAM_LAYERS_MAX};
     layer->places = HATCH_NEW(arena, struct hatch_seed_place, set->count, err);
     layer->stays_in = layer->places ? HATCH_NEW(arena, uint8_t, set->count, err) : NULL;
-    if (!layer->stays_in)
+    layer->tone_rank = layer->stays_in ? HATCH_NEW(arena, double, set->count, err) : NULL;
+    if (!layer->tone_rank)
         return HATCH_LIMIT;
     hatch_seed_places(set, layer->places);
+    rank_by_tone(layer);
     for (uint32_t i = 0; i < set->count; i++)
         layer->stays_in[i] = set->crumbs[(i + set->count - 1) % set->count];
     const struct hatch_coverage_stroke largest = {2 * (style->length_px + 1) / style->tile_px,
@@ -156,26 +169,6 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
                                                   layer->cosine, layer->sine};
     return hatch_coverage_make(layer->places, set->count, &largest, COVERAGE_SIDE, arena, scratch,
                                &layer->coverage, err);
-}
-
-/* Darkness of the layers so far over samples of a tile at depth 0, for each amount of the next. */
-static void measure_tone(struct hatch_rptam *rptam, uint32_t index, double *paper)
-{
-    struct hatch_rptam_layer *layer = &rptam->layers[index];
-    for (uint32_t step = 0; step < HATCH_RPTAM_STEPS; step++) {
-        double amount = step / (HATCH_RPTAM_STEPS - 1.0), sum = 0;
-        bool last = step + 1 == HATCH_RPTAM_STEPS;
-        for (uint32_t i = 0; i < TONE_SIDE * TONE_SIDE; i++) {
-            const double uv[2] = {(i % TONE_SIDE + 0.5) / TONE_SIDE, (i / TONE_SIDE + 0.5) / TONE_SIDE};
-            double left = paper[i];
-            if (step)
-                left *= 1 - hatch_rptam_layer_ink(rptam, index, uv, 0, amount, false);
-            sum += 1 - left;
-            if (last)
-                paper[i] = left;
-        }
-        layer->darkness[step] = sum / (TONE_SIDE * TONE_SIDE);
-    }
 }
 
 enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
@@ -196,15 +189,7 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
                               seeds->layers[i].count, HATCH_RPTAM_SEEDS_MAX);
         HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made.layers[i], err));
     }
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *paper = HATCH_NEW(scratch, double, TONE_SIDE * TONE_SIDE, err);
-    if (!paper)
-        return HATCH_LIMIT;
-    for (uint32_t i = 0; i < TONE_SIDE * TONE_SIDE; i++)
-        paper[i] = 1;
-    for (uint32_t i = 0; i < made.layer_count; i++)
-        measure_tone(&made, i, paper);
-    hatch_arena_rewind(scratch, mark);
+    HATCH_TRY(hatch_rptam_measure(&made, scratch, err));
     *rptam = made;
     return HATCH_OK;
 }

@@ -27,6 +27,7 @@ struct hatch_rptam_layer {
     uint32_t count;
     struct hatch_seed_place *places;
     uint8_t *stays_in;  /* per seed: which of four tiles shows it at the sparse level, 2 v + u */
+    double *tone_rank;  /* per seed, 0 .. 1, among those that fade with tone: another order than with depth */
     struct hatch_coverage coverage;
     double cosine, sine;
     double rank_offset; /* 0 .. 1: strokes of different tiles and layers go at different depths */
@@ -48,9 +49,6 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
                                    const struct hatch_image *stroke, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_rptam *rptam,
                                    struct hatch_err *err) HATCH_MUST_USE;
-
-/* A seed's rank, 0 .. 1, among those that fade with tone: another order than that of fading with depth. */
-double hatch_rptam_tone_rank(uint32_t seed, uint32_t count);
 
 /* How much of each layer, 0 .. 1, a darkness asks for: layers come one after the other. amounts:
  * layer_count entries. */
