@@ -24,8 +24,11 @@ enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const str
     made.point_local = made.point_round ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
     made.place_number = made.point_local ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
     made.known = made.place_number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 2, err) : NULL;
-    if (!made.known)
+    made.budget = made.known ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    if (!made.budget)
         return HATCH_LIMIT;
+    for (uint32_t f = 0; f < surface->face_count; f++)
+        made.budget[f] = ground->faces_max;
     *growth = made;
     return HATCH_OK;
 }
@@ -166,11 +169,10 @@ static enum hatch_status add_vertex(struct hatch_growth *growth, uint32_t point,
     patch->points[local] = point;
     growth->point_round[point] = growth->round;
     growth->point_local[point] = local;
-    if (growth->place_number[point] != growth->number) {
-        growth->place_number[point] = growth->number;
-        memcpy(&growth->known[(size_t)point * 2], place, 2 * sizeof *place);
-    }
-    memcpy(&patch->place[(size_t)local * 2], &growth->known[(size_t)point * 2], 2 * sizeof *place);
+    bool solved = growth->place_number[point] == growth->number;
+    growth->unfolded += !solved;
+    memcpy(&patch->place[(size_t)local * 2], solved ? &growth->known[(size_t)point * 2] : place,
+           2 * sizeof *place);
     return HATCH_OK;
 }
 
@@ -257,9 +259,12 @@ bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side)
 void hatch_growth_keep(struct hatch_growth *growth)
 {
     const struct hatch_patch *patch = &growth->patch;
-    for (uint32_t v = 0; v < patch->vertex_count; v++)
+    for (uint32_t v = 0; v < patch->vertex_count; v++) {
+        growth->place_number[patch->points[v]] = growth->number;
         memcpy(&growth->known[(size_t)patch->points[v] * 2], &patch->place[(size_t)v * 2],
                2 * sizeof *patch->place);
+    }
+    growth->unfolded = 0;
 }
 
 void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed)
@@ -269,14 +274,14 @@ void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed)
     patch->seed = seed;
     patch->face_count = 0;
     patch->offset[0] = patch->offset[1] = 0;
-    patch->faces_max = growth->ground->faces_max;
+    patch->faces_max = growth->budget[seed];
 }
 
 static enum hatch_status plant(struct hatch_growth *growth, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *corner = &growth->ground->surface->corners[(size_t)patch->seed * 3];
-    patch->face_count = patch->vertex_count = growth->heap.count = 0;
+    patch->face_count = patch->vertex_count = growth->heap.count = growth->unfolded = 0;
     growth->round++;
     for (uint32_t c = 0; c < 3; c++) {
         double place[2];

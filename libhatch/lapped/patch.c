@@ -1,4 +1,5 @@
 #include <math.h>
+#include <string.h>
 
 #include "base/random.h"
 #include "lapped/work.h"
@@ -8,14 +9,23 @@
 #define ROUNDS_MAX 24
 /* A determinant below this counts as turned over: floats must still show the face's side. */
 #define DETERMINANT_MIN 0.05
+/* Nor may a face that shows be so small a part, or so many times, of what it should be. */
+#define AREA_MIN 0.25
+#define AREA_MAX 4.0
 /* How deep a way is halved before it counts as touched. */
 #define HALVINGS 4
 /* What the outline shrinks by each time that something was wrong. */
 #define SHRINK 0.97
 /* The least that is left of it. */
 #define STEP_MIN 0.7
-/* One part in so many faces may be added without placing all anew. */
+/* One part in so many vertices may be added without placing all anew, and how small a share of the faces
+ * for which places were found may be left. */
 #define FEW 12
+#define LEFT_MIN 0.8
+/* After a patch of so many faces the next one around begins with so many times as many, but no fewer
+ * than these, and goes on so as long as all is right. */
+#define BUDGET_MORE 4
+#define BUDGET_MIN 16u
 /* An outline does not shrink below this many edges: what it then cannot leave outside is cut. */
 #define FLOOR_GRAINS 5.0
 /* The core is so much larger than the circle around the first face, so that a few cuts show that it holds it. */
@@ -95,6 +105,15 @@ struct verdict {
     bool open;          /* the outline touches a side behind which there is nothing */
 };
 
+/* How a patch comes about. */
+struct trial {
+    struct verdict verdict;
+    uint32_t solved;    /* faces that places were last found for */
+    bool due, placed;   /* places must be found; were found this time */
+    bool shrinking;     /* it will not be asked to become larger */
+    bool halved;        /* its first face was wrong */
+};
+
 static enum hatch_status judge_sides(const struct hatch_growth *growth, uint32_t local,
                                      struct hatch_obstacles *obstacles, struct verdict *verdict,
                                      struct hatch_err *err)
@@ -128,7 +147,7 @@ static bool past_limits(const struct hatch_growth *growth, const struct hatch_la
         return true;
     if (growth->covered[face])
         return false;
-    return !(fit.stretch <= options->stretch_max) ||
+    return !(fit.stretch <= options->stretch_max && fit.determinant >= AREA_MIN && fit.determinant <= AREA_MAX) ||
            (!growth->ground->singular[face] && !(fit.turn <= tan(options->turn_max_rad)));
 }
 
@@ -171,23 +190,26 @@ static void turn_at_random(struct hatch_patch *patch, uint64_t seed)
 /* Slides and shrinks the outline so that it leaves out what was wrong. Where it is as small as it may
  * be, bars the faces that were; false when there is nothing more to be done. */
 static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *obstacles,
-                    const struct hatch_lapped_options *options, const struct verdict *verdict)
+                    const struct hatch_lapped_options *options, struct trial *trial)
 {
+    const struct verdict *verdict = &trial->verdict;
     struct hatch_patch *patch = &growth->patch;
     double middle[2] = {patch->center[0] - patch->offset[0], patch->center[1] - patch->offset[1]};
     double floor = fmin(FLOOR_GRAINS * growth->ground->grain[patch->seed], growth->ground->wish[patch->seed]);
     bool small = patch->offset[0] == 0 && patch->offset[1] == 0 &&
                  patch->radius <= fmax(floor, hatch_patch_least(patch, growth->outline));
     if (!small) {
-        double large = STEP_MIN * patch->radius;
+        double large = verdict->bad == UINT32_MAX ? 0 : STEP_MIN * patch->radius;
         patch->radius *= SHRINK;
         hatch_patch_slide(patch, growth->outline, obstacles, fmax(large, floor));
         for (int i = 0; i < 2; i++)
             patch->center[i] = middle[i] + patch->offset[i];
         return true;
     }
-    if (verdict->bad == 0)
+    if (verdict->bad == 0) {
         patch->faces_max = (patch->face_count + 1) / 2;
+        trial->halved = true;
+    }
     for (uint32_t f = verdict->bad; f < patch->face_count; f++)
         if (past_limits(growth, options, f))
             growth->barred[patch->faces[f]] = growth->number;
@@ -214,34 +236,91 @@ static void begin(struct hatch_growth *growth, const struct hatch_lapped_options
     *notes = (struct hatch_patch_notes){.enlarged = patch->radius > growth->ground->wish[seed]};
 }
 
+/* Notes what the patch tried to take, for those that begin there later. */
+static enum hatch_status note_tried(struct hatch_growth *growth, struct hatch_err *err)
+{
+    const struct hatch_patch *patch = &growth->patch;
+    void *array = growth->tried;
+    HATCH_TRY(hatch_heap_reserve(growth->arena, &array, &growth->tried_room, patch->face_count,
+                                 sizeof *growth->tried, err));
+    growth->tried = array;
+    growth->tried_count = patch->face_count;
+    memcpy(growth->tried, patch->faces, patch->face_count * sizeof *patch->faces);
+    return HATCH_OK;
+}
+
+/* Where little came of much, the patches around are likely to come to no more: without this a crumpled
+ * place costs each of its faces a patch of full size. */
+static void set_budgets(struct hatch_growth *growth)
+{
+    uint32_t most = growth->ground->faces_max, count = growth->patch.face_count;
+    uint32_t budget = count > most / BUDGET_MORE ? most : BUDGET_MORE * count;
+    for (uint32_t i = 0; i < growth->tried_count; i++)
+        growth->budget[growth->tried[i]] = budget > BUDGET_MIN ? budget : BUDGET_MIN;
+}
+
+/* One more time round: grows, places if that is due, and looks what is wrong. */
+static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solver *solver,
+                                 const struct hatch_lapped_options *options, struct trial *trial,
+                                 struct hatch_err *err)
+{
+    struct hatch_patch *patch = &growth->patch;
+    HATCH_TRY(hatch_growth_grow(growth, err));
+    trial->placed = trial->due || growth->unfolded * FEW > patch->vertex_count ||
+                    patch->face_count < LEFT_MIN * trial->solved;
+    if (trial->placed) {
+        HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
+        hatch_growth_keep(growth);
+        center_on_seed(growth);
+        trial->solved = patch->face_count;
+    }
+    return judge(growth, options, &growth->obstacles, &trial->verdict, err);
+}
+
+/* What to do about it; false when nothing is left to be done. */
+static bool go_on(struct hatch_growth *growth, const struct hatch_lapped_options *options, struct trial *trial)
+{
+    struct hatch_patch *patch = &growth->patch;
+    const struct verdict *verdict = &trial->verdict;
+    bool right = verdict->bad == UINT32_MAX && !verdict->open;
+    trial->due = false;
+    if ((right && !verdict->more) || patch->faces_max == 1)
+        return false;
+    if (right)
+        return true;
+    if (!trial->placed && growth->unfolded > 0) {
+        trial->due = true;
+        return true;
+    }
+    if (verdict->bad == UINT32_MAX && !trial->shrinking && patch->face_count == patch->faces_max &&
+        patch->faces_max < growth->ground->faces_max) {
+        uint32_t most = growth->ground->faces_max;
+        patch->faces_max = patch->faces_max > most / BUDGET_MORE ? most : BUDGET_MORE * patch->faces_max;
+        return true;
+    }
+    trial->shrinking = true;
+    return retreat(growth, &growth->obstacles, options, trial);
+}
+
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
                                    const struct hatch_lapped_options *options, uint32_t seed, double least,
                                    struct hatch_patch_notes *notes, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
-    struct verdict verdict = {0};
-    uint32_t solved = 0; /* faces that the places are the solution for; 0 when they are none's */
+    struct trial trial = {.solved = 0};
     begin(growth, options, seed, notes);
-    uint32_t faces_max = patch->faces_max;
     for (int round = 0; round <= ROUNDS_MAX && !notes->given_up; round++) {
         if (round == ROUNDS_MAX)
             cut_back(growth);
-        HATCH_TRY(hatch_growth_grow(growth, err));
-        bool few = patch->face_count >= solved && patch->face_count - solved <= solved / FEW;
-        if (!few) {
-            HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
-            hatch_growth_keep(growth);
-            center_on_seed(growth);
-        }
-        HATCH_TRY(judge(growth, options, &growth->obstacles, &verdict, err));
-        bool right = verdict.bad == UINT32_MAX && !verdict.open;
-        if ((right && !verdict.more) || patch->faces_max == 1)
+        HATCH_TRY(attempt(growth, solver, options, &trial, err));
+        if (round == 0)
+            HATCH_TRY(note_tried(growth, err));
+        if (!go_on(growth, options, &trial))
             break;
-        solved = right ? patch->face_count : 0;
-        if (!right && !few && !retreat(growth, &growth->obstacles, options, &verdict))
-            break;
-        notes->given_up = patch->radius < least || (least > 0 && patch->faces_max < faces_max);
+        notes->given_up = patch->radius < least || (least > 0 && trial.halved);
     }
-    notes->cut = verdict.open;
+    if (!notes->given_up)
+        set_budgets(growth);
+    notes->cut = trial.verdict.open;
     return HATCH_OK;
 }

@@ -37,7 +37,8 @@ static double radius_at(const struct hatch_patch *patch, const struct hatch_outl
     double limit = 2 * outline->reach_max * patch->radius, squared = limit * limit;
     for (uint32_t i = 0; i < obstacles->count; i++) {
         double x = obstacles->at[2 * i] - center[0], y = obstacles->at[2 * i + 1] - center[1];
-        squared = fmin(squared, x * x + y * y);
+        double away = x * x + y * y;
+        squared = away < squared ? away : squared;
     }
     return sqrt(squared) / (2 * outline->reach_max);
 }

@@ -46,11 +46,9 @@ static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_p
     array = of->start;
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->start_room, count, sizeof *of->start, err));
     of->start = array;
-    for (int i = 0; i < 2; i++) {
-        array = of->right[i];
-        HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->right_room[i], count, sizeof *of->right[i], err));
-        of->right[i] = array;
-    }
+    array = of->right;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->right_room, count, sizeof *of->right, err));
+    of->right = array;
     return HATCH_OK;
 }
 
@@ -124,12 +122,10 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
         of->start[i] = size - of->first[i];
         size += i - of->first[i] + 1;
     }
-    for (int i = 0; i < 2; i++) {
-        void *array = of->matrix[i];
-        HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->matrix_room[i], size, sizeof *of->matrix[i], err));
-        of->matrix[i] = array;
-        memset(of->matrix[i], 0, size * sizeof *of->matrix[i]);
-    }
+    void *array = of->matrix;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->matrix_room, size, sizeof *of->matrix, err));
+    of->matrix = array;
+    memset(of->matrix, 0, size * sizeof *of->matrix);
     return HATCH_OK;
 }
 
@@ -175,8 +171,9 @@ static void add_matrix(struct hatch_solver *of, const struct hatch_patch *patch,
                 continue;
             double along = weight * gradient[2 * a] * gradient[2 * b];
             double over = weight * gradient[2 * a + 1] * gradient[2 * b + 1];
-            of->matrix[0][of->start[row] + column] += along + TURN_WEIGHT * over;
-            of->matrix[1][of->start[row] + column] += TURN_WEIGHT * along + over;
+            double *entry = of->matrix[(uint32_t)(of->start[row] + column)];
+            entry[0] += along + TURN_WEIGHT * over;
+            entry[1] += TURN_WEIGHT * along + over;
         }
     }
 }
@@ -200,78 +197,93 @@ static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, 
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
-        of->right[0][of->rank[corner[a]]] += weight * gradient[2 * a];
-        of->right[1][of->rank[corner[a]]] += weight * gradient[2 * a + 1];
+        double *right = of->right[of->rank[corner[a]]];
+        right[0] += weight * gradient[2 * a];
+        right[1] += weight * gradient[2 * a + 1];
     }
 }
 
-/* Four sums side by side: a fixed order that the compiler may still do at once. */
-static double dot(const double *a, const double *b, uint32_t count)
+/* What is left of a value without the sum of products, for x and y side by side; in two chains, a fixed
+ * order in which the processor need not wait for each sum. */
+static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double left[2])
 {
-    double sum[4] = {0, 0, 0, 0};
+    double even[2] = {0, 0}, odd[2] = {0, 0};
     uint32_t i = 0;
-    for (; i + 4 <= count; i += 4)
-        for (uint32_t j = 0; j < 4; j++)
-            sum[j] += a[i + j] * b[i + j];
-    for (; i < count; i++)
-        sum[0] += a[i] * b[i];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    for (; i + 2 <= count; i += 2) {
+        even[0] += a[i][0] * b[i][0];
+        even[1] += a[i][1] * b[i][1];
+        odd[0] += a[i + 1][0] * b[i + 1][0];
+        odd[1] += a[i + 1][1] * b[i + 1][1];
+    }
+    if (i < count) {
+        even[0] += a[i][0] * b[i][0];
+        even[1] += a[i][1] * b[i][1];
+    }
+    left[0] -= even[0] + odd[0];
+    left[1] -= even[1] + odd[1];
 }
 
-static double *row_of(const struct hatch_solver *of, double *matrix, uint32_t row)
+static double (*row_of(const struct hatch_solver *of, uint32_t row))[2]
 {
-    return &matrix[(uint32_t)(of->start[row] + of->first[row])];
+    return &of->matrix[(uint32_t)(of->start[row] + of->first[row])];
 }
 
-/* Cholesky's factor in place of the matrix. */
-static void factor(const struct hatch_solver *of, uint32_t count, double *matrix)
+/* Cholesky's factors in place of the matrices; on the diagonal stands its inverse. */
+static void factor(const struct hatch_solver *of, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        double *row = row_of(of, matrix, i);
         uint32_t low = of->first[i];
+        double (*row)[2] = row_of(of, i);
         for (uint32_t j = low; j < i; j++) {
             uint32_t from = of->first[j] > low ? of->first[j] : low;
-            const double *other = &row_of(of, matrix, j)[from - of->first[j]];
-            double value = row[j - low] - dot(&row[from - low], other, j - from);
-            row[j - low] = value / other[j - from];
+            double (*other)[2] = &row_of(of, j)[from - of->first[j]];
+            double value[2] = {row[j - low][0], row[j - low][1]};
+            subtract_dot(&row[from - low], other, j - from, value);
+            row[j - low][0] = value[0] * other[j - from][0];
+            row[j - low][1] = value[1] * other[j - from][1];
         }
-        row[i - low] = sqrt(row[i - low] - dot(row, row, i - low));
+        double *pivot = row[i - low];
+        subtract_dot(row, row, i - low, pivot);
+        pivot[0] = 1 / sqrt(pivot[0]);
+        pivot[1] = 1 / sqrt(pivot[1]);
     }
 }
 
-/* Solution in place of the right side. */
-static void substitute(const struct hatch_solver *of, uint32_t count, double *matrix, double *right)
+/* Solutions in place of the right sides. */
+static void substitute(const struct hatch_solver *of, uint32_t count)
 {
+    double (*restrict right)[2] = of->right;
     for (uint32_t i = 0; i < count; i++) {
-        const double *row = row_of(of, matrix, i);
         uint32_t low = of->first[i];
-        right[i] = (right[i] - dot(row, &right[low], i - low)) / row[i - low];
+        double (*row)[2] = row_of(of, i);
+        subtract_dot(row, &right[low], i - low, right[i]);
+        right[i][0] *= row[i - low][0];
+        right[i][1] *= row[i - low][1];
     }
     for (uint32_t i = count; i-- > 0;) {
-        const double *row = row_of(of, matrix, i);
         uint32_t low = of->first[i];
-        right[i] /= row[i - low];
-        for (uint32_t j = low; j < i; j++)
-            right[j] -= row[j - low] * right[i];
+        double (*restrict row)[2] = row_of(of, i);
+        double x = right[i][0] *= row[i - low][0], y = right[i][1] *= row[i - low][1];
+        for (uint32_t j = low; j < i; j++) {
+            right[j][0] -= row[j - low][0] * x;
+            right[j][1] -= row[j - low][1] * y;
+        }
     }
 }
 
 /* Places the vertices for the scales that the faces have now; the first time for 1. */
 static void place(struct hatch_solver *of, struct hatch_patch *patch, bool first)
 {
-    for (int i = 0; i < 2; i++)
-        memset(of->right[i], 0, patch->vertex_count * sizeof *of->right[i]);
+    memset(of->right, 0, patch->vertex_count * sizeof *of->right);
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double *scale = &of->gradients[8 * f + 7];
         if (!first)
             *scale = fmin(SCALE_MAX, fmax(SCALE_MIN, *scale + SCALE_STEP * (scale_of(of, patch, f) - *scale)));
         add_right(of, patch, f);
     }
-    for (uint32_t i = 0; i < 2; i++) {
-        substitute(of, patch->vertex_count, of->matrix[i], of->right[i]);
-        for (uint32_t v = 0; v < patch->vertex_count; v++)
-            patch->place[2 * v + i] = of->right[i][of->rank[v]];
-    }
+    substitute(of, patch->vertex_count);
+    for (uint32_t v = 0; v < patch->vertex_count; v++)
+        memcpy(&patch->place[2 * v], of->right[of->rank[v]], sizeof *of->right);
 }
 
 enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch_ground *ground,
@@ -283,10 +295,9 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch
     for (uint32_t f = 0; f < patch->face_count; f++)
         add_matrix(of, patch, f);
     uint32_t fixed = of->rank[0];
-    for (uint32_t i = 0; i < 2; i++) {
-        of->matrix[i][of->start[fixed] + fixed] = 1;
-        factor(of, patch->vertex_count, of->matrix[i]);
-    }
+    double *pivot = of->matrix[(uint32_t)(of->start[fixed] + fixed)];
+    pivot[0] = pivot[1] = 1;
+    factor(of, patch->vertex_count);
     for (int round = 0; round < SCALE_ROUNDS; round++)
         place(of, patch, round == 0);
     return HATCH_OK;

@@ -72,8 +72,11 @@ struct hatch_growth {
     uint32_t *face_round, *face_local;    /* per face */
     uint32_t *barred;                     /* per face: the patch that must not hold it */
     uint32_t *point_round, *point_local;  /* per point */
-    uint32_t *place_number;               /* per point: the patch that last placed it */
+    uint32_t *place_number;               /* per point: the patch that a solution last placed it for */
     double *known;                        /* 2 a point: where that was */
+    uint32_t unfolded;                    /* vertices of the patch that no solution has placed */
+    uint32_t *budget;                     /* per face: faces that a patch that begins here begins with */
+    uint32_t *tried, tried_count, tried_room; /* faces of the patch as it first was */
 };
 
 enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
@@ -84,7 +87,7 @@ enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const str
 void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed);
 
 /* Grows anew from the seed over all faces that the outline touches, as far as the patch stays what
- * lapped.h promises; points placed before keep their places, others are unfolded. */
+ * lapped.h promises; points that a solution placed keep their places, others are unfolded. */
 enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
 
 /* A place of the patch's plane in mask coordinates. */
@@ -107,8 +110,8 @@ struct hatch_solver {
     uint32_t *first;        /* per row: the envelope's first column */
     uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
     double *gradients;      /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
-    double *matrix[2], *right[2]; /* of x and of y */
-    uint32_t order_room, rank_room, first_room, start_room, gradient_room, matrix_room[2], right_room[2];
+    double (*matrix)[2], (*right)[2]; /* of x and of y side by side */
+    uint32_t order_room, rank_room, first_room, start_room, gradient_room, matrix_room, right_room;
 };
 
 /* Places the patch's vertices anew. */
