@@ -1,5 +1,6 @@
 /* render-gl: draws a 3D scene with strokes. */
 #include "render-gl/job.h"
+#include "render-gl/words.h"
 
 /* Opened before the work, so that a folder that is missing or may not be written fails at once. */
 static void open_outputs(struct job *job)
@@ -16,7 +17,7 @@ static void open_outputs(struct job *job)
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < count; frame++) {
         char name[4096];
-        options_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
+        words_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
         job->outputs[frame] = cmd_open_output(name, !report);
     }
 }

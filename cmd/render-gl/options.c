@@ -1,11 +1,10 @@
 #include "render-gl/options.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
-#include "render-gl/color.h"
+#include "render-gl/words.h"
 
 #define RADIANS (3.14159265358979324 / 180)
 #define LAYER_TURN 25 /* degrees between layers of strokes that have one direction */
@@ -138,37 +137,6 @@ static const struct cmd_program program = {
     .binary = true,
 };
 
-static void read_color(const char *option, struct hatch_text text, float rgb[3])
-{
-    if (!color_parse(text, rgb))
-        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
-                  (int)text.length, text.at);
-}
-
-static bool read_whole(const char *text, uint32_t most, uint32_t *value)
-{
-    uint64_t number = 0;
-    for (const char *at = text; *at; at++) {
-        if (*at < '0' || *at > '9' || number > most)
-            return false;
-        number = 10 * number + (uint64_t)(*at - '0');
-    }
-    *value = (uint32_t)number;
-    return *text && number <= most;
-}
-
-/* --camera X,Y,Z[:X,Y,Z]: the eye, and what it looks at. */
-static bool read_place(struct view_choice *view)
-{
-    size_t length = strcspn(camera, ":");
-    view->kind = VIEW_EYE;
-    view->has_target = camera[length] == ':';
-    const char *target = camera + length + 1;
-    return vector_parse((struct hatch_text){camera, length}, view->eye) &&
-           (!view->has_target ||
-            vector_parse((struct hatch_text){target, strlen(target)}, view->target));
-}
-
 static void read_view(struct view_choice *view)
 {
     *view = (struct view_choice){.kind = VIEW_FIRST_CAMERA,
@@ -177,7 +145,7 @@ static void read_view(struct view_choice *view)
                                  .fov_rad = fov * RADIANS,
                                  .turns = turntable};
     bool frame = camera && strcmp(camera, "frame") == 0;
-    if (camera && !frame && (from_given || !(read_whole(camera, 65535, &view->index) || read_place(view))))
+    if (camera && !frame && (from_given || !(words_whole(camera, 65535, &view->index) || words_place(camera, view))))
         cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from",
                   camera);
     if (frame || from_given || (fov_given && !camera))
@@ -204,10 +172,10 @@ static void read_style(struct style *style)
                             .hatch_scale = hatch_scale,
                             .base_tone = base_tone};
     size_t first = strcspn(ink, ",");
-    read_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
-    read_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
+    words_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
+    words_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
     if (style->inks.two)
-        read_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)},
+        words_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)},
                    style->inks.light_ink);
     if (specular_given && specular[0] > 10)
         cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
@@ -228,44 +196,16 @@ static void read_seed_choice(struct seed_choice *choice)
                                    .all = seed_loop == 1};
 }
 
-/* A list of kinds with commas between. */
-static uint32_t read_line_kinds(const char *list)
-{
-    static const struct {
-        const char *name;
-        uint32_t kinds;
-    } words[] = {{"none", LINES_NONE},
-                 {"silhouettes", LINES_SILHOUETTES},
-                 {"creases", LINES_CREASES},
-                 {"boundaries", LINES_BOUNDARIES},
-                 {"all", LINES_ALL}};
-    uint32_t kinds = LINES_NONE;
-    for (const char *at = list; *at; at += *at == ',') {
-        size_t size_bytes = strcspn(at, ","), i = 0;
-        while (i < 5 && (strlen(words[i].name) != size_bytes ||
-                         strncmp(at, words[i].name, size_bytes) != 0))
-            i++;
-        if (i == 5 || strcmp(at + size_bytes, ",") == 0)
-            break;
-        kinds |= words[i].kinds;
-        at += size_bytes;
-        if (!*at)
-            return kinds;
-    }
-    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between",
-              list);
-}
-
 static void read_lines(struct line_style *style)
 {
-    *style = (struct line_style){.kinds = read_line_kinds(lines ? lines : "all"),
+    *style = (struct line_style){.kinds = words_line_kinds(lines ? lines : "all"),
                                  .asked = lines != NULL,
                                  .width_px = line_width,
                                  .crease_rad = crease * RADIANS};
     if (line_color)
-        read_color("line-color", (struct hatch_text){line_color, strlen(line_color)}, style->color);
+        words_color("line-color", (struct hatch_text){line_color, strlen(line_color)}, style->color);
     else
-        read_color("ink", (struct hatch_text){ink, strcspn(ink, ",")}, style->color);
+        words_color("ink", (struct hatch_text){ink, strcspn(ink, ",")}, style->color);
 }
 
 static double read_uv_scale(void)
@@ -279,45 +219,11 @@ static double read_uv_scale(void)
     return value;
 }
 
-/* Frames need one place for their number: %d, %3d or %03d. */
-static const char *number_place(const char *pattern, int *width)
-{
-    const char *at = pattern ? strchr(pattern, '%') : NULL;
-    if (!at)
-        return NULL;
-    const char *end = at + 1 + strspn(at + 1, "0123456789");
-    *width = atoi(at + 1);
-    return *end == 'd' && end - at <= 3 && !strchr(end, '%') ? at : NULL;
-}
-
-void options_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes)
-{
-    int width = 0;
-    const char *at = number_place(pattern, &width);
-    char digits[32];
-    size_t count = 0, used = 0;
-    for (uint32_t rest = number; rest || !count; rest /= 10)
-        digits[count++] = (char)('0' + rest % 10);
-    while ((int)count < width && count < sizeof digits)
-        digits[count++] = '0';
-    for (const char *c = pattern; *c && used + 1 < size_bytes; c++) {
-        if (c != at) {
-            name[used++] = *c;
-            continue;
-        }
-        while (count && used + 1 < size_bytes)
-            name[used++] = digits[--count];
-        c = strchr(c, 'd');
-    }
-    name[used] = '\0';
-}
-
 static void check_frames(const struct cmd_args *args)
 {
-    int width;
     if (turntable && !frames_given)
         cmd_usage("--turntable needs --frames");
-    if (frames_given && !window && !timed_frames && !probe && !number_place(args->output, &width))
+    if (frames_given && !window && !timed_frames && !probe && !words_have_place(args->output))
         cmd_usage("--frames needs -o with one place for the number, like -o name%%03d.png");
     if (args->json && !timed_frames && !probe)
         cmd_usage("--json is for --time and --probe");

@@ -40,7 +40,4 @@ struct options {
 /* Parses, checks and prints help as cmd_begin does; dies with two lines on what is wrong. */
 void options_read(int argc, char **argv, struct cmd_args *args, struct options *options);
 
-/* The name of a frame's file: `pattern` with its %0Nd replaced by the number. */
-void options_frame_name(const char *pattern, uint32_t number, char *name, size_t size);
-
 #endif

@@ -10,6 +10,7 @@
 #include "render-gl/job.h"
 #include "render-gl/orbit.h"
 #include "render-gl/picture.h"
+#include "render-gl/words.h"
 
 #define TITLE_EVERY_S 0.5
 #define STEP_RAD 0.1
@@ -259,7 +260,7 @@ static void save(struct window *window, const struct view *view)
     struct hatch_image image;
     struct hatch_err err;
     char name[4096];
-    options_frame_name(pattern, window->saved + 1, name, sizeof name);
+    words_frame_name(pattern, window->saved + 1, name, sizeof name);
     if (!can_save(name))
         return;
     window->saved++;

@@ -1,0 +1,101 @@
+#include "render-gl/words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "render-gl/color.h"
+
+void words_color(const char *option, struct hatch_text text, float rgb[3])
+{
+    if (!color_parse(text, rgb))
+        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
+                  (int)text.length, text.at);
+}
+
+bool words_whole(const char *text, uint32_t most, uint32_t *value)
+{
+    uint64_t number = 0;
+    for (const char *at = text; *at; at++) {
+        if (*at < '0' || *at > '9' || number > most)
+            return false;
+        number = 10 * number + (uint64_t)(*at - '0');
+    }
+    *value = (uint32_t)number;
+    return *text && number <= most;
+}
+
+bool words_place(const char *text, struct view_choice *view)
+{
+    size_t length = strcspn(text, ":");
+    view->kind = VIEW_EYE;
+    view->has_target = text[length] == ':';
+    const char *target = text + length + 1;
+    return vector_parse((struct hatch_text){text, length}, view->eye) &&
+           (!view->has_target ||
+            vector_parse((struct hatch_text){target, strlen(target)}, view->target));
+}
+
+uint32_t words_line_kinds(const char *list)
+{
+    static const struct {
+        const char *name;
+        uint32_t kinds;
+    } words[] = {{"none", LINES_NONE},
+                 {"silhouettes", LINES_SILHOUETTES},
+                 {"creases", LINES_CREASES},
+                 {"boundaries", LINES_BOUNDARIES},
+                 {"all", LINES_ALL}};
+    uint32_t kinds = LINES_NONE;
+    for (const char *at = list; *at; at += *at == ',') {
+        size_t size_bytes = strcspn(at, ","), i = 0;
+        while (i < 5 && (strlen(words[i].name) != size_bytes ||
+                         strncmp(at, words[i].name, size_bytes) != 0))
+            i++;
+        if (i == 5 || strcmp(at + size_bytes, ",") == 0)
+            break;
+        kinds |= words[i].kinds;
+        at += size_bytes;
+        if (!*at)
+            return kinds;
+    }
+    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between",
+              list);
+}
+
+static const char *find_place(const char *pattern, int *width)
+{
+    const char *at = pattern ? strchr(pattern, '%') : NULL;
+    if (!at)
+        return NULL;
+    const char *end = at + 1 + strspn(at + 1, "0123456789");
+    *width = atoi(at + 1);
+    return *end == 'd' && end - at <= 3 && !strchr(end, '%') ? at : NULL;
+}
+
+bool words_have_place(const char *pattern)
+{
+    int width;
+    return find_place(pattern, &width) != NULL;
+}
+
+void words_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes)
+{
+    int width = 0;
+    const char *at = find_place(pattern, &width);
+    char digits[32];
+    size_t count = 0, used = 0;
+    for (uint32_t rest = number; rest || !count; rest /= 10)
+        digits[count++] = (char)('0' + rest % 10);
+    while ((int)count < width && count < sizeof digits)
+        digits[count++] = '0';
+    for (const char *c = pattern; *c && used + 1 < size_bytes; c++) {
+        if (c != at) {
+            name[used++] = *c;
+            continue;
+        }
+        while (count && used + 1 < size_bytes)
+            name[used++] = digits[--count];
+        c = strchr(c, 'd');
+    }
+    name[used] = '\0';
+}
