@@ -3,7 +3,9 @@
 /* What is drawn of an item at once. */
 struct part {
     GLuint vertex_array;
-    uint32_t first, count; /* indices */
+    uint32_t first, count;      /* indices */
+    const struct near_cut *cut; /* not NULL: its ranges of indices instead; or, with */
+    bool pieces;                /* this, its pieces */
 };
 
 uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item)
@@ -35,8 +37,14 @@ static void use_item(const struct renderer *renderer, const struct gpu_item *ite
 static void draw_part(struct part part)
 {
     glBindVertexArray(part.vertex_array);
-    glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
-                   (const void *)(sizeof(uint32_t) * part.first));
+    if (part.pieces)
+        glDrawArrays(GL_TRIANGLES, part.cut->first, part.cut->count);
+    else if (part.cut)
+        glMultiDrawElements(GL_TRIANGLES, part.cut->counts, GL_UNSIGNED_INT, part.cut->offsets,
+                            (GLsizei)part.cut->range_count);
+    else
+        glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
+                       (const void *)(sizeof(uint32_t) * part.first));
 }
 
 /* Faces that may be seen from behind are drawn once for each side, because the light is per vertex
@@ -51,9 +59,19 @@ static void draw_sides(const struct gpu_item *item, struct part part, uint32_t p
     }
 }
 
-static GLuint program_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item)
+static GLuint program_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item,
+                         uint32_t more)
 {
-    return renderer->programs[technique][draw_variant_of(renderer, technique, item)];
+    return renderer->programs[technique][draw_variant_of(renderer, technique, item) | more];
+}
+
+/* Makes ready to draw an item's pieces with a program. */
+static struct part use_pieces(const struct renderer *renderer, const struct gpu_item *item,
+                              const struct near_cut *cut, GLuint program)
+{
+    use_item(renderer, item, program);
+    near_use(&renderer->near, renderer->scene, item);
+    return (struct part){.vertex_array = renderer->near.array, .cut = cut, .pieces = true};
 }
 
 static bool shows_patches(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item)
@@ -61,10 +79,12 @@ static bool shows_patches(const struct renderer *renderer, uint32_t technique, c
     return draw_variant_of(renderer, technique, item) == DRAW_OUTLINE;
 }
 
-static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item *item)
+static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item *item,
+                              const struct near_item *near)
 {
-    return (struct part){mesh->patches ? item->surface_array : item->vertex_array, 0,
-                         3 * mesh->surface->face_count};
+    return (struct part){.vertex_array = mesh->patches ? item->surface_array : item->vertex_array,
+                         .count = 3 * mesh->surface->face_count,
+                         .cut = near ? &near->surface : NULL};
 }
 
 static void set_usual(void)
@@ -86,12 +106,14 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
         const struct gpu_item *item = &scene->items[i];
         if (!shows_patches(renderer, technique, item))
             continue;
-        struct part part = surface_of(&scene->meshes[item->mesh], item);
+        const struct near_item *near = near_find(&renderer->near, i);
         use_item(renderer, item, renderer->below_patches[techniques[technique]->stages.geometry != NULL]);
         glCullFace(GL_BACK);
         if (item->double_sided)
             glDisable(GL_CULL_FACE);
-        draw_part(part);
+        draw_part(surface_of(&scene->meshes[item->mesh], item, near));
+        if (near)
+            draw_part(use_pieces(renderer, item, &near->surface, renderer->pieces_below));
         glEnable(GL_CULL_FACE);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -102,12 +124,12 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
 /* The outline read by a texture unit in the technique's own pass: all patches at once, each blended over
  * those before it, since OpenGL keeps the order of faces. */
 static void draw_patches_at_once(const struct gpu_mesh *mesh, const struct gpu_item *item,
-                                 enum technique_patches way)
+                                 enum technique_patches way, const struct near_cut *cut)
 {
     if (way == PATCHES_BLEND)
         glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_sides(item, (struct part){item->vertex_array, 0, mesh->index_count}, 0);
+    draw_sides(item, (struct part){.vertex_array = item->vertex_array, .count = mesh->index_count, .cut = cut}, 0);
 }
 
 /* Real-time hatching §6: the outline goes into the destination's alpha; then each pass adds its share under
@@ -125,7 +147,8 @@ static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu
             else
                 glBlendFuncSeparate(GL_DST_ALPHA, pass == 1 ? GL_ONE_MINUS_DST_ALPHA : GL_ONE, GL_ZERO,
                                     GL_ONE);
-            draw_sides(item, (struct part){item->vertex_array, begin, end - begin}, pass);
+            draw_sides(item, (struct part){.vertex_array = item->vertex_array, .first = begin, .count = end - begin},
+                       pass);
         }
         begin = end;
     }
@@ -139,11 +162,15 @@ static void draw_patches(const struct renderer *renderer, uint32_t technique)
         const struct gpu_mesh *mesh = &renderer->scene->meshes[item->mesh];
         if (!shows_patches(renderer, technique, item))
             continue;
-        use_item(renderer, item, program_of(renderer, technique, item));
+        const struct near_item *near = near_find(&renderer->near, i);
+        use_item(renderer, item, program_of(renderer, technique, item, 0));
         if (chosen->pass_count == 1)
-            draw_patches_at_once(mesh, item, chosen->patches);
+            draw_patches_at_once(mesh, item, chosen->patches, near ? &near->patches : NULL);
         else
             draw_patches_in_passes(mesh, item, chosen->pass_count);
+        if (near)
+            draw_sides(item, use_pieces(renderer, item, &near->patches,
+                                        program_of(renderer, technique, item, DRAW_PIECES)), 0);
     }
 }
 
@@ -155,8 +182,12 @@ static uint32_t draw_ordinary(const struct renderer *renderer, uint32_t techniqu
         const struct gpu_item *item = &scene->items[i];
         if (shows_patches(renderer, technique, item))
             continue;
-        use_item(renderer, item, program_of(renderer, technique, item));
-        draw_sides(item, surface_of(&scene->meshes[item->mesh], item), pass);
+        const struct near_item *near = near_find(&renderer->near, i);
+        use_item(renderer, item, program_of(renderer, technique, item, 0));
+        draw_sides(item, surface_of(&scene->meshes[item->mesh], item, near), pass);
+        if (near)
+            draw_sides(item, use_pieces(renderer, item, &near->surface,
+                                        program_of(renderer, technique, item, DRAW_PIECES)), pass);
         drawn++;
     }
     return drawn;

@@ -62,7 +62,8 @@ static void measure(struct job *job, struct probe *probe)
         struct tile tile = {0, 0, target.width, target.height, job->options.width,
                             job->options.height};
         job_set_frame(job, frame, &view);
-        renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target);
+        cmd_check(renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target, &err),
+                  NULL, &err);
         target_read_samples(&target, rgba);
         for (size_t i = 0; i < count; i++)
             count_pixel(&job->map, rgba + 4 * i, probe);

@@ -7,24 +7,27 @@
 
 #include "render-gl/draw.h"
 
+#define PIECES "#define PIECES 1\n"
+
 /* Compiles what draws the surface below a technique's patches. */
-static enum hatch_status compile_below(const struct renderer *renderer, bool geometry, GLuint *program,
-                                       struct hatch_err *err)
+static enum hatch_status compile_below(const struct renderer *renderer, bool geometry, const char *defines,
+                                       GLuint *program, struct hatch_err *err)
 {
     const struct shader_stages stages = {.vertex = "surface.vert",
                                          .geometry = geometry ? "surface.geom" : NULL,
                                          .fragment = "paper.frag"};
-    return shader_program(&renderer->shaders, &stages, "", program, err);
+    return shader_program(&renderer->shaders, &stages, defines, program, err);
 }
 
 static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
     char defines[256];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s", technique->defines,
              renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
-             variant ? "#define BASE_TEXTURE 1\n" : "",
+             variant & DRAW_PIECES ? PIECES : "",
+             variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",
              variant & DRAW_TONE ? "#define BASE_TONE 1\n" : "",
              variant & DRAW_HOLES ? "#define BASE_HOLES 1\n" : "",
              variant & DRAW_OUTLINE ? "#define OUTLINE 1\n" : "");
@@ -64,19 +67,50 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
             HATCH_TRY(compile(renderer, chosen, variant, program, err));
         bool geometry = chosen->stages.geometry != NULL;
         if (variant == DRAW_OUTLINE && !renderer->below_patches[geometry])
-            HATCH_TRY(compile_below(renderer, geometry, &renderer->below_patches[geometry], err));
+            HATCH_TRY(compile_below(renderer, geometry, "", &renderer->below_patches[geometry], err));
     }
     return HATCH_OK;
 }
 
-static void draw_surfaces(struct renderer *renderer, uint32_t technique, const float background[3],
-                          const struct view *view, const struct tile *tile,
-                          const struct target *target)
+/* The programs that draw what is near: most pictures need none. */
+static enum hatch_status prepare_pieces(struct renderer *renderer, uint32_t technique, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
+        uint32_t variant = draw_variant_of(renderer, technique, &renderer->scene->items[i]) | DRAW_PIECES;
+        GLuint *program = &renderer->programs[technique][variant];
+        if (!near_find(&renderer->near, i))
+            continue;
+        if (!*program)
+            HATCH_TRY(compile(renderer, techniques[technique], variant, program, err));
+        if (variant == (DRAW_OUTLINE | DRAW_PIECES) && !renderer->pieces_below)
+            HATCH_TRY(compile_below(renderer, false, PIECES, &renderer->pieces_below, err));
+    }
+    return HATCH_OK;
+}
+
+/* Moves the view's near plane. */
+static enum hatch_status find_near(struct renderer *renderer, uint32_t technique, struct view *view,
+                                   const struct tile *tile, struct hatch_err *err)
+{
+    const float *hatch = renderer->block.hatch;
+    const struct near_wish wish = {.pieces = techniques[technique]->seeds && !renderer->floats_alone,
+                                   .hatch = {(double)hatch[0], (double)hatch[1]},
+                                   .tile = tile};
+    HATCH_TRY(near_begin(&renderer->near, renderer->scene, &wish, view, renderer->shaders.scratch->limit_bytes,
+                         err));
+    return prepare_pieces(renderer, technique, err);
+}
+
+static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t technique,
+                                       const float background[3], struct view *view,
+                                       const struct tile *tile, const struct target *target,
+                                       struct hatch_err *err)
 {
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
     frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
     frame_set_hatch(&renderer->block, style->hatch_turn_rad, style->hatch_scale);
+    HATCH_TRY(find_near(renderer, technique, view, tile, err));
     frame_set_view(&renderer->block, view, tile, target->side);
     frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
                      &style->light, style->curve.exposure);
@@ -98,15 +132,19 @@ static void draw_surfaces(struct renderer *renderer, uint32_t technique, const f
         field_draw(renderer->field, target);
     target_resolve(target);
     clock_end_pass(renderer->clock, "resolve");
+    return HATCH_OK;
 }
 
-void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
-                        const struct view *view, const struct tile *tile,
-                        const struct target *target)
+enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
+                                     const float background[3], const struct view *view,
+                                     const struct tile *tile, const struct target *target,
+                                     struct hatch_err *err)
 {
-    draw_surfaces(renderer, technique, background, view, tile, target);
+    struct view shown = *view;
+    HATCH_TRY(draw_surfaces(renderer, technique, background, &shown, tile, target, err));
     if (renderer->clock)
         clock_end_frame(renderer->clock);
+    return HATCH_OK;
 }
 
 enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
@@ -114,10 +152,11 @@ enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
                                 const struct target *target, struct hatch_err *err)
 {
     bool strokes = technique_draws_strokes(techniques[technique]);
+    struct view shown = *view;
+    HATCH_TRY(draw_surfaces(renderer, technique, renderer->style.inks.paper, &shown, tile, target, err));
     enum hatch_status status = HATCH_OK;
-    draw_surfaces(renderer, technique, renderer->style.inks.paper, view, tile, target);
     if (renderer->lines && (strokes || renderer->lines->style.asked)) {
-        status = lines_draw(renderer->lines, view, tile, target, err);
+        status = lines_draw(renderer->lines, &shown, tile, target, err);
         clock_end_pass(renderer->clock, "lines");
     }
     if (renderer->clock)
@@ -140,9 +179,15 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
         GLuint *program = &renderer->below_patches[geometry], fresh;
         if (!*program)
             continue;
-        HATCH_TRY(compile_below(renderer, geometry, &fresh, err));
+        HATCH_TRY(compile_below(renderer, geometry, "", &fresh, err));
         glDeleteProgram(*program);
         *program = fresh;
+    }
+    if (renderer->pieces_below) {
+        GLuint fresh;
+        HATCH_TRY(compile_below(renderer, false, PIECES, &fresh, err));
+        glDeleteProgram(renderer->pieces_below);
+        renderer->pieces_below = fresh;
     }
     if (renderer->lines)
         HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
@@ -156,6 +201,8 @@ void renderer_free(struct renderer *renderer)
             glDeleteProgram(renderer->programs[technique][variant]);
     for (int geometry = 0; geometry < 2; geometry++)
         glDeleteProgram(renderer->below_patches[geometry]);
+    glDeleteProgram(renderer->pieces_below);
+    near_free(&renderer->near);
     for (uint32_t form = 0; form < 3; form++)
         columns_free(&renderer->columns[form]);
     seeds_free(&renderer->seeds);

@@ -6,12 +6,13 @@
 #include "render-gl/field.h"
 #include "render-gl/frame.h"
 #include "render-gl/lines.h"
+#include "render-gl/near.h"
 #include "render-gl/scene.h"
 #include "render-gl/seeds.h"
 #include "render-gl/target.h"
 #include "render-gl/technique.h"
 
-#define VARIANTS 5u /* of a program: sums of enum draw_variant */
+#define VARIANTS 13u /* of a program: sums of enum draw_variant */
 
 /* What a user chose, apart from the view. */
 struct style {
@@ -35,6 +36,9 @@ struct renderer {
     struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
     GLuint programs[TECHNIQUE_COUNT][VARIANTS];
     GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
+    GLuint pieces_below;     /* its pieces */
+    struct near near;        /* what seeds' techniques draw as pieces */
+    bool floats_alone;       /* nothing is drawn as pieces: to see what that is good for */
     GLuint block_buffer;
     struct frame_block block;
     struct lines *lines; /* NULL: none */
@@ -56,9 +60,10 @@ enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
 
 /* The same over another background than paper and without lines; for measurements that are no
  * picture. */
-void renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
-                        const struct view *view, const struct tile *tile,
-                        const struct target *target);
+enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
+                                     const float background[3], const struct view *view,
+                                     const struct tile *tile, const struct target *target,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Compiles anew what has been compiled, when shaders are read from a folder that somebody edits. The
  * old programs stay when the new ones have an error. */

@@ -6,12 +6,14 @@
 
 #include "base/random.h"
 
-static void middle_of(const struct hatch_mesh *mesh, double middle[3])
+static void find_middle(const struct hatch_mesh *mesh, double middle[3], double half[3])
 {
     float low[3], high[3];
     bool any = hatch_mesh_bounds(mesh, low, high);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         middle[k] = any ? 0.5 * (double)low[k] + 0.5 * (double)high[k] : 0.0;
+        half[k] = any ? 0.5 * (double)high[k] - 0.5 * (double)low[k] : 0.0;
+    }
 }
 
 static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
@@ -64,7 +66,7 @@ static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t i
 {
     const struct hatch_mesh *mesh = &scene->meshes[index].mesh;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    middle_of(mesh, gpu->origin);
+    find_middle(mesh, gpu->origin, gpu->half);
     struct vertex *vertices = make_vertices(scene, index, gpu->origin, scratch, err);
     if (!vertices)
         return HATCH_LIMIT;
@@ -166,6 +168,19 @@ enum hatch_status scene_upload(const struct hatch_scene *scene, const struct pat
     return HATCH_OK;
 }
 
+/* The box around the mesh's box, moved. */
+static void box_item(const struct gpu_scene *gpu, struct gpu_item *item)
+{
+    const double *half = gpu->meshes[item->mesh].half;
+    for (int r = 0; r < 3; r++) {
+        double reach = 0;
+        for (int c = 0; c < 3; c++)
+            reach += fabs((double)item->to_unit[4 * c + r]) * half[c];
+        item->low[r] = (double)item->to_unit[12 + r] - reach;
+        item->high[r] = (double)item->to_unit[12 + r] + reach;
+    }
+}
+
 /* The vertices of the buffer are relative to the mesh's origin, the picture is of the unit scene:
  * both shifts join in doubles, where they cancel without loss. */
 static void place_item(const struct gpu_scene *gpu, struct gpu_item *item)
@@ -189,6 +204,7 @@ static void place_item(const struct gpu_scene *gpu, struct gpu_item *item)
         item->to_unit[4 * r + 3] = 0.0f;
     }
     item->to_unit[15] = 1.0f;
+    box_item(gpu, item);
 }
 
 static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
@@ -206,9 +222,11 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     pose_vertices(&gpu->pose, item->node, item->mesh, positions, normals);
     for (size_t v = 0; v < count; v++)
         for (size_t k = 0; k < 3; k++) {
-            vertices[v].position[k] =
-                (float)((positions[3 * v + k] - gpu->bounds.center[k]) / gpu->bounds.radius);
+            double at = (positions[3 * v + k] - gpu->bounds.center[k]) / gpu->bounds.radius;
+            vertices[v].position[k] = (float)at;
             vertices[v].normal[k] = normals[3 * v + k];
+            item->low[k] = v ? fmin(item->low[k], at) : at;
+            item->high[k] = v ? fmax(item->high[k], at) : at;
         }
     glNamedBufferSubData(item->posed, 0, (GLsizeiptr)(sizeof *vertices * count), vertices);
     memcpy(item->to_unit, unit, sizeof unit);
@@ -219,6 +237,10 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
 enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
                                  struct hatch_arena *scratch, struct hatch_err *err)
 {
+    if (!gpu->pose_number || animation != gpu->animation || time_s < gpu->time_s || time_s > gpu->time_s)
+        gpu->pose_number++;
+    gpu->animation = animation;
+    gpu->time_s = time_s;
     pose_at(&gpu->pose, animation, time_s);
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         struct gpu_item *item = &gpu->items[i];
@@ -287,6 +309,7 @@ void scene_set_repeats(struct gpu_item *item, const float *repeats, uint32_t cou
 {
     glDeleteBuffers(1, &item->repeats);
     item->repeats = 0;
+    item->repeats_set++;
     glDisableVertexArrayAttrib(item->vertex_array, REPEAT_ATTRIBUTE);
     if (!repeats || !count)
         return;

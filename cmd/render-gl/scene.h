@@ -25,6 +25,7 @@ struct gpu_mesh {
     GLuint vertices, indices;
     uint32_t index_count;
     double origin[3]; /* the middle of its box: digits that floats need not carry */
+    double half[3];   /* of the box's sides */
     const struct hatch_mesh *surface;  /* what is there to see: without the overlaps of patches */
     const struct patch_mesh *patches;  /* NULL: an ordinary mesh */
     GLuint surface_indices;            /* with patches: of the surface's faces */
@@ -41,8 +42,11 @@ struct gpu_item {
     GLuint repeats;       /* two floats a vertex: tiles of the tonal art map per unit of u and of v;
                              0: `repeat` for all */
     GLuint spans;         /* six floats a vertex: the surface along a unit of u and of v; 0: not set */
+    uint32_t repeats_set; /* how often repeats were */
     float repeat[2];      /* that of the largest chart */
     uint32_t chart_count; /* parts of the surface that have repeats of their own */
+    double low[3], high[3]; /* of its box in the unit scene */
+    double uv_reach;      /* how far texture coordinates' 0 0 may be from where they are used, in the mesh */
     bool mirrored;        /* the node turns the faces' winding round */
     bool double_sided;
     float alpha_cutoff;   /* 0: no holes */
@@ -56,6 +60,9 @@ struct gpu_scene {
     const struct hatch_scene *scene;
     struct bounds bounds;
     struct pose pose;
+    uint32_t pose_number; /* another one when the pose may have changed */
+    uint32_t animation;   /* the pose's moment */
+    double time_s;
     uint32_t item_count;
     struct gpu_mesh *meshes; /* scene->mesh_count */
     struct gpu_item *items;

@@ -33,11 +33,36 @@ static void add_face(const uint32_t corner[3], const float *position, const floa
     }
 }
 
+/* How far from 0 0 the texture coordinates go, as lengths on the mesh: floats there are off by so much of
+ * their last digit. */
+static double reach_of(const struct hatch_mesh *mesh, const float *position, const float *texcoord)
+{
+    double area = 0, uv_area = 0, most = 0;
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *corner = mesh->indices + 3 * f;
+        double p[3][3], normal[3], uv[3][2];
+        for (int k = 0; k < 3; k++) {
+            hatch_vec_of(position + 3 * (size_t)corner[k], p[k]);
+            for (size_t c = 0; c < 2; c++) {
+                uv[k][c] = (double)texcoord[2 * (size_t)corner[k] + c];
+                most = fmax(most, fabs(uv[k][c]));
+            }
+        }
+        hatch_vec_triangle(p[0], p[1], p[2], normal);
+        area += hatch_vec_length(normal);
+        uv_area += fabs((uv[1][0] - uv[0][0]) * (uv[2][1] - uv[0][1]) -
+                        (uv[2][0] - uv[0][0]) * (uv[1][1] - uv[0][1]));
+    }
+    return uv_area > 0 ? most * sqrt(area / uv_area) : 0;
+}
+
 static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item *item,
                                   struct hatch_arena *scratch, struct hatch_err *err)
 {
     const float *position = hatch_mesh_find(mesh, "POSITION", 3);
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    if (texcoord && !(item->uv_reach > 0))
+        item->uv_reach = reach_of(mesh, position, texcoord);
     if (!texcoord || item->posed || item->spans)
         return HATCH_OK;
     double *sums = HATCH_NEW(scratch, double, 7 * (size_t)mesh->vertex_count, err);

@@ -90,7 +90,8 @@ static enum hatch_status frame_scene(const struct view_choice *choice, struct po
     distance = fmax(distance, fit.nearest + 0.02);
     for (int k = 0; k < 3; k++)
         view->eye[k] = distance * view->back[k] + x * view->right[k] + y * view->up[k];
-    view->near = 1e-4;
+    view->near = VIEW_NEAR;
+    view->near_is_own = true;
     view->pivot = distance;
     return HATCH_OK;
 }
@@ -137,23 +138,30 @@ static enum hatch_status look_through(uint32_t index, const struct pose *pose,
     return HATCH_OK;
 }
 
+struct hatch_pair view_unit(const struct bounds *bounds, int axis, double world)
+{
+    return hatch_pair_div(hatch_pair_sum(world, -bounds->center[axis]), hatch_pair_of(bounds->radius));
+}
+
 static enum hatch_status look_from(const struct view_choice *choice, const struct bounds *bounds,
                                    struct view *view, struct hatch_err *err)
 {
     double back[3];
     for (int k = 0; k < 3; k++) {
-        double target =
-            choice->has_target ? (choice->target[k] - bounds->center[k]) / bounds->radius : 0.0;
-        view->eye[k] = (choice->eye[k] - bounds->center[k]) / bounds->radius;
-        back[k] = view->eye[k] - target;
+        struct hatch_pair eye = view_unit(bounds, k, choice->eye[k]);
+        back[k] = (choice->eye[k] - (choice->has_target ? choice->target[k] : bounds->center[k])) /
+                  bounds->radius;
+        view->eye[k] = eye.high;
+        view->eye_rest[k] = eye.low;
     }
     if (!(dot(back, back) > 0))
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "the camera stands on what it looks at: "
                           "--camera X,Y,Z:X,Y,Z names the place and something else to look at");
     view->half_height = tan(0.5 * choice->fov_rad);
-    view->near = 1e-4;
-    view->pivot = fmax(sqrt(dot(back, back)), 1e-3);
+    view->near = VIEW_NEAR;
+    view->near_is_own = true;
+    view->pivot = sqrt(dot(back, back));
     view_set_back(view, back);
     return HATCH_OK;
 }
@@ -203,34 +211,46 @@ void view_turn(struct view *view, double angle_rad)
 {
     double c = cos(angle_rad), s = sin(angle_rad);
     turn(view->eye, c, s);
+    turn(view->eye_rest, c, s);
     turn(view->right, c, s);
     turn(view->up, c, s);
     turn(view->back, c, s);
 }
 
-void view_matrix(const struct view *view, const struct tile *tile, float clip_from_unit[16])
+/* What the lens and the tile make of a place in the camera's coordinates; column[3] is 1 for points. */
+static void through_lens(const struct view *view, const struct tile *tile, const double column[4],
+                         float clip[4])
 {
     double scale[2] = {tile->full_width / tile->width, tile->full_height / tile->height};
     double shift[2] = {(tile->full_width - 2 * tile->x) / tile->width - 1,
                        (tile->full_height - 2 * tile->y) / tile->height - 1};
     double lens[2] = {1 / (view->half_height * view->aspect), 1 / view->half_height};
+    double w = view->orthographic ? column[3] : -column[2];
+    for (int row = 0; row < 2; row++)
+        clip[row] = (float)(scale[row] * lens[row] * column[row] + shift[row] * w);
+    double depth = view->orthographic ? (column[2] + view->far * column[3]) / (view->far - view->near)
+                                      : view->near * column[3];
+    clip[2] = (float)depth;
+    clip[3] = (float)w;
+}
+
+void view_matrix(const struct view *view, const struct tile *tile, float clip_from_unit[16])
+{
     const double *axes[3] = {view->right, view->up, view->back};
-    double camera[3][4]; /* rows: x, y, z of the camera's coordinates */
-    for (int row = 0; row < 3; row++) {
-        for (int k = 0; k < 3; k++)
-            camera[row][k] = axes[row][k];
-        camera[row][3] = -dot(axes[row], view->eye);
-    }
     for (int column = 0; column < 4; column++) {
-        double one = column == 3 ? 1.0 : 0.0, z = camera[2][column];
-        double w = view->orthographic ? one : -z;
-        for (int row = 0; row < 2; row++)
-            clip_from_unit[4 * column + row] =
-                (float)(scale[row] * lens[row] * camera[row][column] + shift[row] * w);
-        double depth = view->orthographic ? (z + view->far * one) / (view->far - view->near)
-                                          : view->near * one;
-        clip_from_unit[4 * column + 2] = (float)depth;
-        clip_from_unit[4 * column + 3] = (float)w;
+        double camera[4] = {0, 0, 0, column == 3 ? 1.0 : 0.0};
+        for (int row = 0; row < 3; row++)
+            camera[row] = column < 3 ? axes[row][column] : -dot(axes[row], view->eye);
+        through_lens(view, tile, camera, clip_from_unit + 4 * column);
+    }
+}
+
+void view_lens(const struct view *view, const struct tile *tile, float clip_from_camera[16])
+{
+    for (int column = 0; column < 4; column++) {
+        double camera[4] = {0, 0, 0, 0};
+        camera[column] = 1;
+        through_lens(view, tile, camera, clip_from_camera + 4 * column);
     }
 }
 

@@ -2,15 +2,20 @@
 #ifndef RENDER_VIEW_H
 #define RENDER_VIEW_H
 
+#include "math/pair.h"
 #include "render-gl/pose.h"
+
+#define VIEW_NEAR 1e-4 /* the near plane of views that have no wish, while nothing is nearer */
 
 struct view {
     double eye[3];
+    double eye_rest[3]; /* what doubles leave of the eye: both together are where it is */
     double right[3], up[3], back[3]; /* unit axes; the camera looks along -back */
     bool orthographic;
     double half_height; /* perspective: of the picture at distance 1; orthographic: in units */
     double aspect;      /* width over height */
     double near, far;   /* far counts for orthographic views alone */
+    bool near_is_own;   /* near is nobody's wish: it may follow what there is to see */
     double pivot;       /* distance to what the camera looks at: what orbiting turns around */
 };
 
@@ -48,6 +53,9 @@ enum hatch_status view_make(const struct view_choice *choice, struct pose *pose,
                             double aspect, struct hatch_arena *scratch, struct view *view,
                             struct hatch_err *err) HATCH_MUST_USE;
 
+/* A coordinate of the world in the unit scene. */
+struct hatch_pair view_unit(const struct bounds *bounds, int axis, double world);
+
 /* The same view with the scene turned by angle_rad about the vertical through its middle. */
 void view_turn(struct view *view, double angle_rad);
 
@@ -57,6 +65,9 @@ void view_set_back(struct view *view, const double back[3]);
 /* Clip coordinates of a tile from the unit scene, column-major. Depth is 1 at the near plane and 0 far
  * away, which floats resolve evenly. */
 void view_matrix(const struct view *view, const struct tile *tile, float clip_from_unit[16]);
+
+/* The same from the camera's coordinates: right, up, back, from the eye. */
+void view_lens(const struct view *view, const struct tile *tile, float clip_from_camera[16]);
 
 /* Is a point inside the picture's frame, or a little beside it? */
 bool view_sees(const struct view *view, const double point[3]);

@@ -1,11 +1,15 @@
 // Tone, and where the surface goes with a unit of each texture coordinate.
 #include "vertex.glsl"
 
+#ifdef PIECES
+flat out uvec4 v_origin_u, v_origin_v;
+#else
 layout(location = 6) in vec3 a_along_u;
 layout(location = 7) in vec3 a_along_v;
+#endif
 
 out vec2 v_texcoord;
-out vec3 v_point, v_along_u, v_along_v;
+out vec3 v_along_u, v_along_v;
 #ifdef BASE_TEXTURE
 out vec2 v_base_texcoord;
 #endif
@@ -15,12 +19,11 @@ out float v_light;
 out vec2 v_amounts;
 #endif
 
-void main()
+void show_vertex()
 {
     float light = place();
     vec3 u = mat3(unit_from_mesh) * a_along_u / a_repeat.x, v = mat3(unit_from_mesh) * a_along_v / a_repeat.y;
     float square = dot(hatch.xy, hatch.xy);
-    v_point = (unit_from_mesh * vec4(a_position, 1.0)).xyz;
     v_texcoord = hatch_texcoord();
     v_along_u = (hatch.x * u - hatch.y * v) / square;
     v_along_v = (hatch.y * u + hatch.x * v) / square;
@@ -33,3 +36,53 @@ void main()
     v_amounts = ink_amounts(light);
 #endif
 }
+
+#ifdef PIECES
+// What a corner of the face shows, by its weight.
+struct Share {
+    vec3 along_u, along_v;
+    vec2 tone, base_texcoord;
+};
+
+Share share_of(int k)
+{
+    Share share = Share(vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0));
+    take_corner(k);
+    show_vertex();
+    share.along_u = a_weight[k] * v_along_u;
+    share.along_v = a_weight[k] * v_along_v;
+#ifdef BASE_TEXTURE
+    share.base_texcoord = a_weight[k] * v_base_texcoord;
+#endif
+#ifdef BASE_TONE
+    share.tone.x = a_weight[k] * v_light;
+#else
+    share.tone = a_weight[k] * v_amounts;
+#endif
+    return share;
+}
+
+void main()
+{
+    Share a = share_of(0), b = share_of(1), c = share_of(2);
+    v_along_u = a.along_u + b.along_u + c.along_u;
+    v_along_v = a.along_v + b.along_v + c.along_v;
+#ifdef BASE_TEXTURE
+    v_base_texcoord = a.base_texcoord + b.base_texcoord + c.base_texcoord;
+#endif
+    vec2 tone = a.tone + b.tone + c.tone;
+#ifdef BASE_TONE
+    v_light = tone.x;
+#else
+    v_amounts = tone;
+#endif
+    v_texcoord = a_from;
+    v_origin_u = a_origin_u;
+    v_origin_v = a_origin_v;
+}
+#else
+void main()
+{
+    show_vertex();
+}
+#endif

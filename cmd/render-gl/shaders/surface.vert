@@ -3,5 +3,8 @@
 
 void main()
 {
+#ifdef PIECES
+    take_corner(0);
+#endif
     place_point();
 }

@@ -1,11 +1,15 @@
 // What every vertex stage does: place the vertex, light it.
 #include "light.glsl"
 
+#include "pieces.glsl"
+
+#ifndef PIECES
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_texcoord;
 layout(location = 3) in vec2 a_base_texcoord;
 layout(location = 4) in vec2 a_repeat; // tiles of the map per unit of u and of v
+#endif
 
 invariant gl_Position;
 
@@ -13,7 +17,11 @@ invariant gl_Position;
 vec3 place_point()
 {
     vec4 point = unit_from_mesh * vec4(a_position, 1.0);
+#ifdef PIECES
+    gl_Position = clip_from_camera * vec4(a_place, 1.0);
+#else
     gl_Position = clip_from_unit * point;
+#endif
     return point.xyz;
 }
 

@@ -1,0 +1,233 @@
+/* Which faces are near. */
+#include <math.h>
+#include <string.h>
+
+#include "math/vector.h"
+#include "mesh/pieces.h"
+#include "render-gl/near_parts.h"
+
+/* From the eye; for an orthographic view from the axis of the picture. */
+static void from_eye(const struct near_frame *frame, const double point[3], double out[3])
+{
+    double from[3];
+    const struct view *view = frame->view;
+    for (int k = 0; k < 3; k++)
+        from[k] = point[k] - view->eye[k];
+    if (!view->orthographic) {
+        hatch_vec_copy(from, out);
+        return;
+    }
+    out[0] = hatch_vec_dot(from, view->right);
+    out[1] = hatch_vec_dot(from, view->up);
+    out[2] = 0;
+}
+
+/* How much farther than usual an item's texture coordinates reach. */
+static double reach_of(const struct near_frame *frame, const struct gpu_item *item)
+{
+    const struct gpu_scene *scene = frame->scene;
+    double scale = 1 / scene->bounds.radius;
+    if (!item->posed) {
+        scale = 0;
+        for (int c = 0; c < 3; c++)
+            for (int r = 0; r < 3; r++)
+                scale += (double)item->to_unit[4 * c + r] * (double)item->to_unit[4 * c + r] / 3;
+        scale = sqrt(scale);
+    }
+    double more = fmax(1, 0.5 * item->uv_reach * scale);
+    return frame->view->orthographic ? (frame->reach * more > 1 ? frame->half : 0) : frame->reach * more;
+}
+
+static bool ball_touches(const struct near_frame *frame, const struct near_ball *ball, double reach)
+{
+    double at[3];
+    from_eye(frame, ball->center, at);
+    return hatch_vec_length(at) - ball->radius < reach;
+}
+
+int near_lists(const struct gpu_scene *scene, const struct gpu_item *item, struct near_faces lists[2])
+{
+    const struct gpu_mesh *mesh = &scene->meshes[item->mesh];
+    const struct hatch_mesh *joined = &scene->scene->meshes[item->mesh].mesh;
+    lists[0] = (struct near_faces){mesh->surface->indices, mesh->patches ? mesh->patches->vertex_of : NULL,
+                                   mesh->surface->face_count};
+    lists[1] = (struct near_faces){joined->indices, NULL, joined->face_count};
+    return mesh->patches ? 2 : 1;
+}
+
+static void corner_in_unit(const struct gpu_scene *scene, const struct near_shape *shape, uint32_t vertex,
+                           double point[3])
+{
+    for (int k = 0; k < 3; k++)
+        point[k] = (shape->positions[3 * (size_t)vertex + (size_t)k] - scene->bounds.center[k]) /
+                   scene->bounds.radius;
+}
+
+/* Around all that has been put into it. */
+struct box {
+    double low[3], high[3];
+    bool any;
+};
+
+static void grow_box(struct box *box, const double point[3])
+{
+    for (int k = 0; k < 3; k++) {
+        box->low[k] = box->any ? fmin(box->low[k], point[k]) : point[k];
+        box->high[k] = box->any ? fmax(box->high[k], point[k]) : point[k];
+    }
+    box->any = true;
+}
+
+static struct near_ball ball_around(const double low[3], const double high[3])
+{
+    struct near_ball ball;
+    double half[3];
+    for (int k = 0; k < 3; k++) {
+        ball.center[k] = 0.5 * low[k] + 0.5 * high[k];
+        half[k] = 0.5 * high[k] - 0.5 * low[k];
+    }
+    ball.radius = hatch_vec_length(half);
+    return ball;
+}
+
+bool near_touches(const struct near_frame *frame, const struct gpu_item *item)
+{
+    const struct near_ball ball = ball_around(item->low, item->high);
+    return ball_touches(frame, &ball, reach_of(frame, item));
+}
+
+static void set_block(const struct gpu_scene *scene, const struct near_shape *shape,
+                      const struct near_faces *faces, size_t first, struct near_ball *ball)
+{
+    struct box box = {.any = false};
+    for (size_t i = 0; i < 3 * NEAR_BLOCK && first + i / 3 < faces->count; i++) {
+        double at[3];
+        corner_in_unit(scene, shape, near_corner(faces, first + i / 3, i % 3), at);
+        grow_box(&box, at);
+    }
+    *ball = ball_around(box.low, box.high);
+}
+
+static enum hatch_status make_posed(const struct gpu_scene *scene, const struct gpu_item *item,
+                                    struct hatch_arena *posed, struct near_shape *shape,
+                                    struct hatch_err *err)
+{
+    size_t count = scene->scene->meshes[item->mesh].mesh.vertex_count;
+    struct near_faces lists[2];
+    struct pose pose = scene->pose;
+    double *positions = HATCH_NEW(posed, double, 3 * count, err);
+    if (!positions)
+        return HATCH_LIMIT;
+    pose_vertices(&pose, item->node, item->mesh, positions, NULL);
+    shape->positions = positions;
+    int list_count = near_lists(scene, item, lists);
+    for (int which = 0; which < list_count; which++) {
+        size_t blocks = (lists[which].count + (size_t)NEAR_BLOCK - 1) / NEAR_BLOCK;
+        shape->blocks[which] = HATCH_NEW(posed, struct near_ball, blocks, err);
+        if (!shape->blocks[which])
+            return HATCH_LIMIT;
+        for (size_t block = 0; block < blocks; block++)
+            set_block(scene, shape, &lists[which], NEAR_BLOCK * block, &shape->blocks[which][block]);
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item,
+                                  struct hatch_arena *kept, struct hatch_arena *posed,
+                                  struct near_shape *shape, struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = &scene->scene->meshes[item->mesh].mesh;
+    if (!shape->points) {
+        uint32_t count;
+        uint32_t *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
+        shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
+        if (!shape->marks)
+            return HATCH_LIMIT;
+        HATCH_TRY(hatch_mesh_weld(mesh, kept, points, &count, err));
+        shape->points = points;
+    }
+    if (item->repeats && shape->repeats_set != item->repeats_set) {
+        shape->repeats = HATCH_NEW(kept, float, 2 * (size_t)mesh->vertex_count, err);
+        if (!shape->repeats)
+            return HATCH_LIMIT;
+        glGetNamedBufferSubData(item->repeats, 0, (GLsizeiptr)(2 * sizeof(float) * mesh->vertex_count),
+                                shape->repeats);
+    }
+    if (!item->repeats)
+        shape->repeats = NULL;
+    shape->repeats_set = item->repeats_set;
+    return shape->positions ? HATCH_OK : make_posed(scene, item, posed, shape, err);
+}
+
+static bool face_is_near(struct near_frame *frame, const struct near_shape *shape,
+                         const struct near_faces *faces, size_t face, double reach, struct box *marked)
+{
+    double unit[3][3], corner[3][3];
+    for (size_t k = 0; k < 3; k++) {
+        corner_in_unit(frame->scene, shape, near_corner(faces, face, k), unit[k]);
+        from_eye(frame, unit[k], corner[k]);
+    }
+    double distance = hatch_piece_distance((const double(*)[3])corner);
+    frame->nearest = fmin(frame->nearest, distance);
+    if (!(distance < reach))
+        return false;
+    for (size_t k = 0; k < 3; k++) {
+        shape->marks[shape->points[near_corner(faces, face, k)]] = frame->number;
+        grow_box(marked, unit[k]);
+    }
+    return true;
+}
+
+static bool ball_meets(const struct near_ball *ball, const struct box *marked)
+{
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        double out = fmax(fmax(marked->low[k] - ball->center[k], ball->center[k] - marked->high[k]), 0);
+        square += out * out;
+    }
+    return marked->any && sqrt(square) <= ball->radius + 1e-6;
+}
+
+static uint32_t block_end(const struct near_faces *faces, uint32_t begin)
+{
+    return faces->count - begin < NEAR_BLOCK ? faces->count : begin + NEAR_BLOCK;
+}
+
+/* Near faces, and those that share a point with one. */
+static void choose_ring(const struct near_frame *frame, const struct near_shape *shape,
+                        const struct near_faces *faces, int which, const struct box *marked,
+                        struct near_choice *choice)
+{
+    for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
+        if (!ball_meets(&shape->blocks[which][begin / NEAR_BLOCK], marked))
+            continue;
+        for (uint32_t face = begin; face < block_end(faces, begin); face++) {
+            bool touches = false;
+            for (size_t k = 0; k < 3; k++)
+                touches |= shape->marks[shape->points[near_corner(faces, face, k)]] == frame->number;
+            if (touches)
+                choice->piece_faces[choice->piece_count++] = face;
+        }
+    }
+}
+
+enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
+                              const struct near_shape *shape, const struct near_faces *faces, int which,
+                              struct hatch_arena *arena, struct near_choice *choice, struct hatch_err *err)
+{
+    struct box marked = {.any = false};
+    double reach = reach_of(frame, item);
+    *choice = (struct near_choice){.near_faces = HATCH_NEW(arena, uint32_t, faces->count, err)};
+    choice->piece_faces = choice->near_faces ? HATCH_NEW(arena, uint32_t, faces->count, err) : NULL;
+    if (!choice->piece_faces)
+        return HATCH_LIMIT;
+    for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
+        if (!ball_touches(frame, &shape->blocks[which][begin / NEAR_BLOCK], reach))
+            continue;
+        for (uint32_t face = begin; face < block_end(faces, begin); face++)
+            if (face_is_near(frame, shape, faces, face, reach, &marked))
+                choice->near_faces[choice->near_count++] = face;
+    }
+    choose_ring(frame, shape, faces, which, &marked, choice);
+    return HATCH_OK;
+}
