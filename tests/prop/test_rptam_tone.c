@@ -1,25 +1,12 @@
 /* The tone of recursive procedural tonal art maps over an octave of zoom, in doubles. */
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 
 #include "seed/rptam.h"
 #include "seed/spread.h"
 
-static struct hatch_arena keep, scratch;
 static struct hatch_rptam rptam;
-
-static void open_arenas(void)
-{
-    hatch_arena_init(&keep, SIZE_MAX);
-    hatch_arena_init(&scratch, SIZE_MAX);
-}
-
-static void close_arenas(void)
-{
-    hatch_arena_free(&keep);
-    hatch_arena_free(&scratch);
-}
 
 static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
 {
@@ -37,7 +24,6 @@ static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
     struct hatch_seeds seeds;
     struct hatch_image stroke;
     uint64_t steps;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_seeds_make(&how, &keep, &scratch, &seeds, &steps, &err), &err);
     HATCH_TEST_OK(hatch_image_make(&keep, 1, 1, "A", &stroke, &err), &err);
     stroke.pixels[0] = 1;
@@ -132,7 +118,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam tone");
     TCase *tests = tcase_create("tone");
-    tcase_add_checked_fixture(tests, open_arenas, close_arenas);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, the_even_law_holds_the_tone_in_every_mode, 0, 5);
     tcase_add_test(tests, the_linear_law_does_not);
     tcase_add_test(tests, strokes_only_go_while_the_view_goes_out);

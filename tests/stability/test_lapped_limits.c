@@ -27,7 +27,7 @@ static struct hatch_mesh triangle(float x, float y)
 {
     const float positions[] = {0, 0, 0, x, 0, 0, 0, y, 0};
     const uint32_t face[] = {0, 1, 2};
-    return mesh_of(&keep, positions, 3, face, 1);
+    return mesh_of(positions, 3, face, 1);
 }
 
 START_TEST(one_triangle)
@@ -40,8 +40,8 @@ END_TEST
 
 START_TEST(a_strip_one_face_wide)
 {
-    covers_at_all_sizes(band(&keep, 100, false));
-    struct hatch_mesh open = band(&keep, 100, false);
+    covers_at_all_sizes(band(100, 1, false));
+    struct hatch_mesh open = band(100, 1, false);
     open.face_count -= 2;
     covers_at_all_sizes(open);
 }
@@ -49,14 +49,14 @@ END_TEST
 
 START_TEST(surfaces_of_one_side)
 {
-    covers_at_all_sizes(band(&keep, 60, true));
-    covers_at_all_sizes(klein(&keep, 40, 20));
+    covers_at_all_sizes(band(60, 1, true));
+    covers_at_all_sizes(klein(40, 20));
 }
 END_TEST
 
 START_TEST(a_cube)
 {
-    covers_at_all_sizes(cube(&keep));
+    covers_at_all_sizes(cube(0, 1));
 }
 END_TEST
 
@@ -87,7 +87,7 @@ START_TEST(legs_and_handles_smaller_than_a_patch)
     struct field_case torus = case_of_shape(HATCH_SHAPE_TORUS, 2000, 1);
     lay_field(&torus, 0, 0, 1);
     covers(torus, 1, 2000);
-    struct hatch_mesh leg = shape(&keep, HATCH_SHAPE_CYLINDER, 2000);
+    struct hatch_mesh leg = bare_shape(HATCH_SHAPE_CYLINDER, 2000);
     for (uint32_t v = 0; v < leg.vertex_count; v++)
         leg.attributes[0].data[3 * v + 1] *= 20;
     for (int i = 0; i < 2; i++) {
@@ -100,11 +100,11 @@ END_TEST
 
 START_TEST(components_of_any_size)
 {
-    struct hatch_mesh small = shape(&keep, HATCH_SHAPE_SPHERE, 200), large = shape(&keep, HATCH_SHAPE_TORUS, 800);
+    struct hatch_mesh small = bare_shape(HATCH_SHAPE_SPHERE, 200), large = bare_shape(HATCH_SHAPE_TORUS, 800);
     move(&small, 1e-3f, 5);
-    struct hatch_mesh mesh = both(&keep, &large, &small);
+    struct hatch_mesh mesh = both(&large, &small);
     covers_at_all_sizes(mesh);
-    struct hatch_mesh far = shape(&keep, HATCH_SHAPE_SPHERE, 300);
+    struct hatch_mesh far = bare_shape(HATCH_SHAPE_SPHERE, 300);
     move(&far, 1e10f, 0);
     covers_at_all_sizes(far);
 }

@@ -5,30 +5,13 @@
 #include "io/mesh_file.h"
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 28);
-    hatch_arena_init(&scratch, (size_t)1 << 28);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 static struct hatch_mesh sphere(float scale)
 {
-    struct hatch_mesh mesh;
-    const struct hatch_shape_options options = {.faces = 1000, .jitter = 0.3f};
-    HATCH_TEST_OK(
-        hatch_shape_make(HATCH_SHAPE_SPHERE, &options, &keep, &scratch, &mesh, &err), &err);
+    struct hatch_mesh mesh =
+        shape_with(HATCH_SHAPE_SPHERE, (struct hatch_shape_options){.faces = 1000, .jitter = 0.3f});
     mesh.attribute_count = 1;
     for (uint32_t i = 0; i < mesh.vertex_count * 3; i++)
         mesh.attributes[0].data[i] *= scale;

@@ -3,30 +3,6 @@
 #include "meshes.h"
 #include "surface_check.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-static struct hatch_surface_notes notes;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
-
-static struct hatch_surface make(const struct hatch_mesh *mesh)
-{
-    struct hatch_surface surface;
-    HATCH_TEST_OK(hatch_surface_make(mesh, &keep, &scratch, &surface, &notes, &err), &err);
-    surface_check(mesh, &surface);
-    return surface;
-}
-
 /* Every note but those that a test sets to 0 first. */
 static uint32_t other_notes(void)
 {
@@ -69,7 +45,7 @@ static struct plain read_plainly(const struct hatch_mesh *mesh)
 
 static struct hatch_mesh sphere(uint32_t faces)
 {
-    struct hatch_mesh mesh = shape(&keep, HATCH_SHAPE_SPHERE, faces);
+    struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_SPHERE, faces);
     struct hatch_mesh welded = mesh;
     uint32_t *point = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &welded.vertex_count, &err), &err);
@@ -91,14 +67,14 @@ static void add_face(struct hatch_mesh *mesh, uint32_t a, uint32_t b, uint32_t c
 
 START_TEST(faces_without_area_leave_no_trace)
 {
-    struct hatch_mesh mesh = sphere(300), spare = sphere(4), dirty = both(&keep, &mesh, &spare);
+    struct hatch_mesh mesh = sphere(300), spare = sphere(4), dirty = both(&mesh, &spare);
     uint32_t *f = dirty.indices, last = dirty.vertex_count - 1;
     dirty.face_count = mesh.face_count;
     add_face(&dirty, f[0], f[0], f[1]);
     add_face(&dirty, f[1], f[1], f[1]);
     add_face(&dirty, f[1], last, f[1]);
     ck_assert_uint_gt(read_plainly(&dirty).crowded, 0);
-    struct hatch_surface want = make(&mesh), s = make(&dirty);
+    struct hatch_surface want = surface_of(&mesh), s = surface_of(&dirty);
     ck_assert_uint_eq(notes.degenerate, 3);
     ck_assert_uint_eq(notes.unreferenced, spare.vertex_count);
     ck_assert_uint_eq(notes.welded, 0);
@@ -113,8 +89,8 @@ START_TEST(three_corners_on_a_line_open_a_slit)
 {
     const float positions[] = {0, 0, 0, 2, 0, 0, 1, 0, 0, 1, 1, 0, 1, -1, 0};
     const uint32_t faces[] = {0, 1, 3, 0, 2, 1, 0, 4, 2, 2, 4, 1};
-    struct hatch_mesh mesh = mesh_of(&keep, positions, 5, faces, 4);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_mesh mesh = mesh_of(positions, 5, faces, 4);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.degenerate, 1);
     ck_assert_uint_eq(s.face_count, 3);
     expect(&s, 2, 1, 1);
@@ -136,7 +112,7 @@ START_TEST(slivers_are_kept_and_stay_numbers)
         const uint32_t faces[6] = {2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2};
         memcpy(&mesh.indices[6 * i], faces, sizeof faces);
     }
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(s.face_count, 2 * COUNT - 2);
     ck_assert_uint_eq(other_notes(), 0);
     expect(&s, 1, 1, 1);
@@ -145,10 +121,10 @@ END_TEST
 
 START_TEST(unwelded_triangles_are_one_surface)
 {
-    struct hatch_mesh mesh = sphere(500), loose = soup(&keep, &mesh);
+    struct hatch_mesh mesh = sphere(500), loose = soup(&mesh);
     ck_assert_uint_eq(read_plainly(&loose).borders, 3 * loose.face_count);
-    uint32_t points = make(&mesh).point_count;
-    struct hatch_surface s = make(&loose);
+    uint32_t points = surface_of(&mesh).point_count;
+    struct hatch_surface s = surface_of(&loose);
     expect(&s, 1, 2, 0);
     ck_assert_uint_eq(s.point_count, points);
     ck_assert_uint_eq(notes.welded, 3 * loose.face_count - points);
@@ -168,9 +144,9 @@ START_TEST(pages_of_a_book_are_taken_apart)
         const uint32_t face[3] = {i % 2, 1 - i % 2, 2 + i};
         memcpy(&faces[3 * i], face, sizeof face);
     }
-    struct hatch_mesh mesh = mesh_of(&keep, positions, 7, faces, 5);
+    struct hatch_mesh mesh = mesh_of(positions, 7, faces, 5);
     ck_assert_uint_eq(read_plainly(&mesh).crowded, 1);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.edges_cut, 1);
     ck_assert_uint_eq(other_notes(), 1);
     expect(&s, 3, 1, 1);
@@ -180,21 +156,21 @@ END_TEST
 
 START_TEST(solids_that_share_an_edge_are_two)
 {
-    struct hatch_mesh a = cube(&keep), b = cube(&keep);
+    struct hatch_mesh a = cube(0, 1), b = cube(0, 1);
     for (uint32_t i = 0; i < 8; i++) {
         b.attributes[0].data[3 * i]++;
         b.attributes[0].data[3 * i + 1]++;
     }
-    struct hatch_mesh mesh = both(&keep, &a, &b), good = both(&keep, &a, &b);
-    struct hatch_surface want = make(&good);
+    struct hatch_mesh mesh = both(&a, &b), good = both(&a, &b);
+    struct hatch_surface want = surface_of(&good);
     for (uint32_t step = 1; step < 6; step++) { /* as they are, half turned, and less */
-        struct hatch_surface s = make(&mesh);
+        struct hatch_surface s = surface_of(&mesh);
         ck_assert_uint_eq(notes.edges_cut, 1);
         ck_assert_uint_eq(notes.points_split, 0);
         expect(&s, 2, 2, 0);
         ck_assert_uint_eq(s.point_count, 16);
         ck_assert_mem_eq(s.corners, want.corners, want.face_count * 12);
-        mesh = both(&keep, &good, &good);
+        mesh = both(&good, &good);
         mesh.face_count = good.face_count;
         for (uint32_t f = 0; f < mesh.face_count; f += step + 1)
             turn(&mesh, f);
@@ -211,8 +187,8 @@ START_TEST(a_sheet_goes_on_under_a_leaf)
         uint32_t faces[9];
         for (uint32_t i = 0; i < 3; i++)
             memcpy(&faces[3 * i], pages[(first + i) % 3], 12);
-        struct hatch_mesh mesh = mesh_of(&keep, positions, 5, faces, 3);
-        struct hatch_surface s = make(&mesh);
+        struct hatch_mesh mesh = mesh_of(positions, 5, faces, 3);
+        struct hatch_surface s = surface_of(&mesh);
         expect(&s, 2, 1, 1);
         for (uint32_t f = 0; f < 3; f++) {
             bool leaf = (first + s.face_source[f]) % 3 == 2;
@@ -250,11 +226,11 @@ END_TEST
 
 START_TEST(a_bow_tie_comes_apart)
 {
-    struct hatch_mesh a = cube(&keep), b = cube(&keep);
+    struct hatch_mesh a = cube(0, 1), b = cube(0, 1);
     for (uint32_t i = 0; i < 24; i++)
         b.attributes[0].data[i]++;
-    struct hatch_mesh mesh = both(&keep, &a, &b);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_mesh mesh = both(&a, &b);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.points_split, 1);
     expect(&s, 2, 2, 0);
     ck_assert_uint_eq(s.point_count, 16);
@@ -267,7 +243,7 @@ START_TEST(mixed_winding_is_made_one)
     for (uint32_t f = 0; f < mesh.face_count; f += 2)
         turn(&mesh, f);
     ck_assert_uint_gt(read_plainly(&mesh).contrary, 100);
-    struct hatch_surface want = make(&good), s = make(&mesh);
+    struct hatch_surface want = surface_of(&good), s = surface_of(&mesh);
     ck_assert_uint_eq(notes.flipped, (mesh.face_count + 1) / 2);
     ck_assert_uint_eq(notes.contrary, 0);
     ck_assert_mem_eq(s.corners, want.corners, want.face_count * 12);
@@ -277,17 +253,17 @@ END_TEST
 
 START_TEST(one_sided_surfaces_stay_whole)
 {
-    struct hatch_mesh strip = band(&keep, 30, true), bottle = klein(&keep, 20, 10);
+    struct hatch_mesh strip = band(30, 1, true), bottle = klein(20, 10);
     for (uint32_t f = 0; f < 30; f += 3) {
         turn(&strip, f);
         turn(&bottle, 5 * f);
     }
-    struct hatch_surface s = make(&strip);
+    struct hatch_surface s = surface_of(&strip);
     expect(&s, 1, 0, 1);
     ck_assert(!s.components[0].orientable);
     ck_assert_uint_gt(notes.contrary, 0);
     ck_assert_uint_le(notes.contrary, read_plainly(&strip).contrary);
-    s = make(&bottle);
+    s = surface_of(&bottle);
     expect(&s, 1, 0, 0);
     ck_assert(!s.components[0].orientable);
     ck_assert_uint_gt(notes.contrary, 0);
@@ -303,7 +279,7 @@ START_TEST(faces_given_twice_count_once)
         add_face(&dirty, c[f % 3], c[(f + 1 + f % 2) % 3], c[(f + 2 - f % 2) % 3]);
     }
     ck_assert_uint_gt(read_plainly(&dirty).crowded, 50);
-    struct hatch_surface want = make(&mesh), s = make(&dirty);
+    struct hatch_surface want = surface_of(&mesh), s = surface_of(&dirty);
     ck_assert_uint_eq(notes.duplicate, 50);
     notes.duplicate = 0;
     ck_assert_uint_eq(other_notes(), 0);
@@ -314,11 +290,11 @@ END_TEST
 START_TEST(vertices_without_faces_do_not_move_the_middle)
 {
     struct hatch_mesh mesh = sphere(300), stray = sphere(4), far;
-    struct hatch_surface want = make(&mesh);
+    struct hatch_surface want = surface_of(&mesh);
     move(&stray, 1, 1e6f);
-    far = both(&keep, &mesh, &stray);
+    far = both(&mesh, &stray);
     far.face_count = mesh.face_count;
-    struct hatch_surface s = make(&far);
+    struct hatch_surface s = surface_of(&far);
     ck_assert_uint_eq(notes.unreferenced, stray.vertex_count);
     ck_assert_mem_eq(s.points, want.points, want.point_count * 24);
     ck_assert_mem_eq(&s.components[0], &want.components[0], sizeof want.components[0]);
@@ -329,8 +305,8 @@ START_TEST(one_triangle_is_a_surface)
 {
     const float positions[] = {10, 0, 0, 14, 0, 0, 10, 3, 0};
     const uint32_t face[] = {0, 1, 2}, want[] = {1, 2, 2, 0, 0, 1};
-    struct hatch_mesh mesh = mesh_of(&keep, positions, 3, face, 1);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_mesh mesh = mesh_of(positions, 3, face, 1);
+    struct hatch_surface s = surface_of(&mesh);
     expect(&s, 1, 1, 1);
     ck_assert_double_eq_tol(s.components[0].scale, 4, 1e-15);
     ck_assert_double_eq(s.components[0].center[0], 12);
@@ -343,9 +319,9 @@ END_TEST
 
 START_TEST(a_strip_one_face_wide_is_all_border)
 {
-    struct hatch_mesh mesh = band(&keep, 20, false);
+    struct hatch_mesh mesh = band(20, 1, false);
     mesh.face_count -= 2;
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     expect(&s, 1, 1, 1);
     for (uint32_t p = 0; p < s.point_count; p++)
         ck_assert_uint_eq(s.ring_face[s.ring_first[p + 1] - 1], HATCH_NO_SIDE);
@@ -364,7 +340,7 @@ START_TEST(small_components_are_as_large_as_any)
         p[1] = (i % 3 == 2 ? size : 0) + (float)(i / 300) * 100;
         mesh.indices[i] = i;
     }
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     expect(&s, COUNT, 1, 1);
     for (uint32_t p = 3; p < s.point_count; p++)
         for (uint32_t k = 0; k < 3; k++)
@@ -386,7 +362,7 @@ START_TEST(what_is_no_mesh_is_refused)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         const float positions[] = {0, 0, 0, bad[i].x, 0, 0, 0, 1, 0};
         const uint32_t face[] = {0, 1, bad[i].index};
-        struct hatch_mesh mesh = mesh_of(&keep, positions, 3, face, 1);
+        struct hatch_mesh mesh = mesh_of(positions, 3, face, 1);
         struct hatch_surface surface = {.face_count = 7};
         notes.components = 7;
         ck_assert_int_eq(hatch_surface_make(&mesh, &keep, &scratch, &surface, &notes, &err),

@@ -10,10 +10,9 @@ static const enum hatch_shape bent[5] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOI
 
 static inline struct field_case case_with_truth(enum hatch_shape shape, uint32_t faces, float noise)
 {
-    struct hatch_mesh mesh;
     const struct hatch_shape_options options = {
         .faces = faces, .jitter = 1, .noise = noise, .seed = 3, .field = true};
-    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
+    struct hatch_mesh mesh = shape_with(shape, options);
     struct field_case of = case_of(mesh);
     const float *field = hatch_mesh_find(&mesh, "_HATCH_DIR", 4);
     for (size_t i = 0; i < 3 * (size_t)of.surface.face_count; i++) {

@@ -38,19 +38,19 @@ static inline uint64_t hatch_test_fail_alloc(hatch_test_call call, void *context
         enum hatch_status status = HATCH_LIMIT;
         for (uint64_t n = 1; status != HATCH_OK; n++) {
             struct hatch_arena arenas[2];
-            struct hatch_err err = {0};
+            struct hatch_err said = {0};
             hatch_arena_init(&arenas[0], (size_t)1 << 32);
             hatch_arena_init(&arenas[1], (size_t)1 << 32);
             hatch_arena_fail_after(&arenas[which], n);
             if (outputs_size)
                 memcpy(before, outputs, outputs_size);
-            status = call(context, &arenas[0], &arenas[1], &err);
+            status = call(context, &arenas[0], &arenas[1], &said);
             ck_assert_msg(hatch_arena_mark(&arenas[1]).block == NULL,
                           "scratch was not rewound (allocation %d of arena %d)", (int)n, which);
             if (status != HATCH_OK) {
-                ck_assert_msg(status == HATCH_LIMIT && err.status == HATCH_LIMIT && err.text[0],
+                ck_assert_msg(status == HATCH_LIMIT && said.status == HATCH_LIMIT && said.text[0],
                               "allocation %d of arena %d: status %d, sentence '%s'", (int)n, which,
-                              (int)status, err.text);
+                              (int)status, said.text);
                 ck_assert_msg(!outputs_size || memcmp(before, outputs, outputs_size) == 0,
                               "outputs changed by a failure (allocation %d of arena %d)", (int)n,
                               which);

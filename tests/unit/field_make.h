@@ -7,26 +7,11 @@
 
 #include "base/random.h"
 #include "math/vector.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
 #include "topo/field.h"
 
 #define PI 3.14159265358979323846
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 struct field_case {
     struct hatch_mesh mesh;
@@ -49,44 +34,9 @@ static inline struct field_case case_of(struct hatch_mesh mesh)
 
 static inline struct field_case case_of_shape(enum hatch_shape shape, uint32_t faces, float jitter)
 {
-    struct hatch_mesh mesh;
-    const struct hatch_shape_options options = {.faces = faces, .jitter = jitter, .seed = 1};
-    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
+    struct hatch_mesh mesh =
+        shape_with(shape, (struct hatch_shape_options){.faces = faces, .jitter = jitter, .seed = 1});
     mesh.attribute_count = 1;
-    return case_of(mesh);
-}
-
-/* A band of width by length quads in space, its end glued to its beginning upside down: a Möbius strip; with round,
- * its two long sides glued to each other as well: a Klein bottle. */
-static inline struct field_case case_of_band(uint32_t length, uint32_t width, bool round)
-{
-    struct hatch_mesh mesh;
-    uint32_t rows = round ? width : width + 1;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, rows * length, 2 * length * width, &mesh, &err), &err);
-    for (uint32_t i = 0; i < length; i++)
-        for (uint32_t j = 0; j < rows; j++) {
-            double u = 2 * PI * i / length, v = round ? 2 * PI * j / width : 1.0 * j / width - 0.5;
-            /* Upright a segment, round a figure of eight, turned by half a turn on the way. */
-            double x = round ? sin(v) : v, y = round ? sin(2 * v) / 2 : 0;
-            double out = 2 + (x * cos(u / 2) - y * sin(u / 2)) / 2, up = (x * sin(u / 2) + y * cos(u / 2)) / 2;
-            float *at = &mesh.attributes[0].data[3 * (size_t)(i * rows + j)];
-            at[0] = (float)(out * cos(u));
-            at[1] = (float)(out * sin(u));
-            at[2] = (float)up;
-        }
-    for (uint32_t q = 0; q < length * width; q++) {
-        uint32_t corner[4];
-        for (uint32_t k = 0; k < 4; k++) {
-            uint32_t i = q / width + k / 2, j = q % width + (k == 1 || k == 2);
-            if (i == length) {
-                i = 0;
-                j = round ? (2 * width - j) % width : width - j;
-            }
-            corner[k] = i * rows + (round ? j % width : j);
-        }
-        const uint32_t faces[6] = {corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]};
-        memcpy(&mesh.indices[6 * (size_t)q], faces, sizeof faces);
-    }
     return case_of(mesh);
 }
 

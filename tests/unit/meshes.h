@@ -1,67 +1,73 @@
-/* Meshes to test with, POSITION alone; all are made in the arena given. */
+/* Meshes to test with, POSITION alone but where it says otherwise, made in keep. */
 #ifndef HATCH_TEST_MESHES_H
 #define HATCH_TEST_MESHES_H
 
 #include <math.h>
 #include <string.h>
 
+#include "arenas.h"
 #include "mesh/shapes.h"
-#include "run.h"
 
-static inline struct hatch_mesh mesh_of(struct hatch_arena *arena, const float *positions,
-                                        uint32_t vertices, const uint32_t *indices, uint32_t faces)
+static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertices, const uint32_t *indices,
+                                        uint32_t faces)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(arena, vertices, faces, &mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, vertices, faces, &mesh, &err), &err);
     memcpy(mesh.attributes[0].data, positions, vertices * 12);
     memcpy(mesh.indices, indices, faces * 12);
     return mesh;
 }
 
-static inline struct hatch_mesh shape(struct hatch_arena *arena, enum hatch_shape kind, uint32_t faces)
+/* With all the attributes that shapes have. */
+static inline struct hatch_mesh shape_with(enum hatch_shape kind, struct hatch_shape_options options)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    struct hatch_arena scratch;
-    const struct hatch_shape_options options = {.faces = faces};
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-    HATCH_TEST_OK(hatch_shape_make(kind, &options, arena, &scratch, &mesh, &err), &err);
-    hatch_arena_free(&scratch);
+    HATCH_TEST_OK(hatch_shape_make(kind, &options, &keep, &scratch, &mesh, &err), &err);
+    return mesh;
+}
+
+static inline struct hatch_mesh shape_of(enum hatch_shape kind, uint32_t faces)
+{
+    return shape_with(kind, (struct hatch_shape_options){.faces = faces});
+}
+
+static inline struct hatch_mesh bare_shape(enum hatch_shape kind, uint32_t faces)
+{
+    struct hatch_mesh mesh = shape_of(kind, faces);
     mesh.attribute_count = 1;
     return mesh;
 }
 
-/* A band of n squares, closed into a ring; the last is joined upside down for a Möbius strip. */
-static inline struct hatch_mesh band(struct hatch_arena *arena, uint32_t n, bool twisted)
+/* A band of n by width squares, closed into a ring; the last are joined upside down for a Möbius strip. */
+static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(arena, 2 * n, 2 * n, &mesh, &err), &err);
-    for (uint32_t i = 0; i < n; i++) {
-        double a = 2 * 3.14159265358979 * i / n, tilt = twisted ? a / 2 : 0;
-        for (uint32_t k = 0; k < 2; k++) {
-            double across = k ? 0.3 : -0.3, radius = 1 + across * sin(tilt);
-            float *p = &mesh.attributes[0].data[(2 * i + k) * 3];
-            p[0] = (float)(radius * cos(a));
-            p[1] = (float)(across * cos(tilt));
-            p[2] = (float)(radius * sin(a));
-        }
-        uint32_t next = (i + 1) % n, swap = twisted && i + 1 == n;
-        const uint32_t c = 2 * next + swap, d = 2 * next + 1 - swap;
-        const uint32_t faces[6] = {2 * i, 2 * i + 1, c, 2 * i + 1, d, c};
-        memcpy(&mesh.indices[i * 6], faces, sizeof faces);
+    uint32_t rows = width + 1;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, rows * n, 2 * n * width, &mesh, &err), &err);
+    for (uint32_t i = 0; i < n * rows; i++) {
+        double a = 2 * 3.14159265358979 * (i / rows) / n, tilt = twisted ? a / 2 : 0;
+        double across = 0.6 * (i % rows) / width - 0.3, radius = 1 + across * sin(tilt);
+        float *p = &mesh.attributes[0].data[3 * i];
+        p[0] = (float)(radius * cos(a));
+        p[1] = (float)(across * cos(tilt));
+        p[2] = (float)(radius * sin(a));
+    }
+    for (uint32_t q = 0; q < n * width; q++) {
+        uint32_t i = q / width, j = q % width, a = i * rows + j, b = a + 1, next = (i + 1) % n * rows;
+        bool swap = twisted && i + 1 == n;
+        uint32_t c = next + (swap ? width - j : j), d = swap ? c - 1 : c + 1;
+        const uint32_t faces[6] = {a, b, c, b, d, c};
+        memcpy(&mesh.indices[6 * q], faces, sizeof faces);
     }
     return mesh;
 }
 
 /* The figure-8 immersion of a Klein bottle, m by n squares, n even: closed, joined upside down in u. No two
  * vertices meet where it cuts itself. */
-static inline struct hatch_mesh klein(struct hatch_arena *arena, uint32_t m, uint32_t n)
+static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(arena, m * n, 2 * m * n, &mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, m * n, 2 * m * n, &mesh, &err), &err);
     for (uint32_t i = 0; i < m; i++)
         for (uint32_t j = 0; j < n; j++) {
             double u = 2 * 3.14159265358979 * i / m, v = 2 * 3.14159265358979 * (j + 0.5) / n;
@@ -80,11 +86,10 @@ static inline struct hatch_mesh klein(struct hatch_arena *arena, uint32_t m, uin
 }
 
 /* Every corner a vertex of its own, and the faces in another order. */
-static inline struct hatch_mesh soup(struct hatch_arena *arena, const struct hatch_mesh *from)
+static inline struct hatch_mesh soup(const struct hatch_mesh *from)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(arena, from->face_count * 3, from->face_count, &mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, from->face_count * 3, from->face_count, &mesh, &err), &err);
     for (uint32_t i = 0; i < from->face_count * 3; i++) {
         uint32_t source = from->face_count * 3 - 1 - i;
         source = source - source % 3 + (2 - source % 3); /* corners in order again */
@@ -95,20 +100,21 @@ static inline struct hatch_mesh soup(struct hatch_arena *arena, const struct hat
     return mesh;
 }
 
-static inline struct hatch_mesh cube(struct hatch_arena *arena)
+/* Every corner once. */
+static inline struct hatch_mesh cube(float low, float high)
 {
     static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                          {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     float positions[24];
     uint32_t faces[36];
     for (int i = 0; i < 24; i++)
-        positions[i] = (float)(i / 3 >> i % 3 & 1);
+        positions[i] = i / 3 >> i % 3 & 1 ? high : low;
     for (int q = 0; q < 6; q++) {
         static const int corners[6] = {0, 1, 2, 0, 2, 3};
         for (int i = 0; i < 6; i++)
             faces[q * 6 + i] = quads[q][corners[i]];
     }
-    return mesh_of(arena, positions, 8, faces, 12);
+    return mesh_of(positions, 8, faces, 12);
 }
 
 static inline void turn(struct hatch_mesh *mesh, uint32_t face)
@@ -119,12 +125,11 @@ static inline void turn(struct hatch_mesh *mesh, uint32_t face)
 }
 
 /* Both in one mesh, a's vertices and faces first. */
-static inline struct hatch_mesh both(struct hatch_arena *arena, const struct hatch_mesh *a,
+static inline struct hatch_mesh both(const struct hatch_mesh *a,
                                      const struct hatch_mesh *b)
 {
     struct hatch_mesh mesh;
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_mesh_make(arena, a->vertex_count + b->vertex_count,
+    HATCH_TEST_OK(hatch_mesh_make(&keep, a->vertex_count + b->vertex_count,
                                   a->face_count + b->face_count, &mesh, &err), &err);
     memcpy(mesh.attributes[0].data, a->attributes[0].data, a->vertex_count * 12);
     memcpy(mesh.attributes[0].data + 3 * a->vertex_count, b->attributes[0].data, b->vertex_count * 12);

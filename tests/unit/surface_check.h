@@ -156,4 +156,15 @@ static inline void surface_check(const struct hatch_mesh *mesh, const struct hat
     free(corners);
 }
 
+static struct hatch_surface_notes notes;
+
+/* The mesh's surface, checked; notes says what was done to it. */
+static inline struct hatch_surface surface_of(const struct hatch_mesh *mesh)
+{
+    struct hatch_surface surface;
+    HATCH_TEST_OK(hatch_surface_make(mesh, &keep, &scratch, &surface, &notes, &err), &err);
+    surface_check(mesh, &surface);
+    return surface;
+}
+
 #endif

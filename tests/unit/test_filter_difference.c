@@ -1,25 +1,10 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "fail_alloc.h"
 #include "filter/difference.h"
-
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 24);
-    hatch_arena_init(&scratch, (size_t)1 << 24);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-    hatch_arena_free(&scratch);
-}
 
 static struct hatch_image flat(uint32_t width, uint32_t height, const char *names, float value)
 {

@@ -1,4 +1,4 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,19 +7,6 @@
 #include "fail_alloc.h"
 #include "filter/blur.h"
 #include "filter/pyramid.h"
-
-static struct hatch_arena keep;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)64 << 20);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-}
 
 static struct hatch_image noise(uint32_t width, uint32_t height, const char *names)
 {
@@ -118,8 +105,6 @@ static double naive_box(const struct hatch_image *image, uint32_t channel, uint3
 
 START_TEST(the_box_blur_is_the_naive_loop)
 {
-    struct hatch_arena scratch;
-    hatch_arena_init(&scratch, 1 << 20);
     static const uint32_t sizes[][3] = {{16, 16, 1}, {16, 16, 5}, {16, 16, 16},
                                         {13, 7, 3},  {7, 13, 7},  {1, 1, 1}};
     for (int s = 0; s < 6; s++) {
@@ -133,25 +118,24 @@ START_TEST(the_box_blur_is_the_naive_loop)
                                         naive_box(&image, 1, sizes[s][2], x, y), 1e-12);
     }
     ck_assert_uint_eq(scratch.used_bytes > 0 && hatch_arena_mark(&scratch).block != NULL, 0);
-    hatch_arena_free(&scratch);
 }
 END_TEST
 
 static enum hatch_status complete(void *context, struct hatch_arena *to,
-                                  struct hatch_arena *scratch, struct hatch_err *said)
+                                  struct hatch_arena *temporary, struct hatch_err *said)
 {
-    (void)scratch;
+    (void)temporary;
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {*(struct hatch_image *)context};
     struct hatch_mipmap mipmap = {.levels = levels};
     return hatch_mipmap_complete(&mipmap, 1, to, said);
 }
 
-static enum hatch_status blur(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+static enum hatch_status blur(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
                               struct hatch_err *said)
 {
     (void)to;
     double blurred[8 * 8];
-    return hatch_blur_box(context, 0, 3, scratch, blurred, said);
+    return hatch_blur_box(context, 0, 3, temporary, blurred, said);
 }
 
 START_TEST(every_failed_allocation_is_a_status)

@@ -1,4 +1,4 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -10,21 +10,6 @@
 
 #define LIMIT ((size_t)1 << 30)
 #define PARTS 5u
-
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, LIMIT);
-    hatch_arena_init(&scratch, LIMIT);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-    hatch_arena_free(&scratch);
-}
 
 struct kind {
     uint32_t width, height;

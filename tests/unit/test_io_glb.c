@@ -2,14 +2,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "arenas.h"
 #include "fail_alloc.h"
 #include "io/gltf.h"
 #include "mesh/shapes.h"
-#include "run.h"
 
-static struct hatch_arena keep, scratch;
 static struct hatch_scene whole, back;
-static struct hatch_err err;
 
 static const uint8_t png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3};
 static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 4};
@@ -135,10 +133,9 @@ static void make_motion(void)
     animations[0] = (struct hatch_animation){3, channels, 2.5f};
 }
 
-static void begin(void)
+static void begin_scene(void)
 {
-    hatch_arena_init(&keep, (size_t)1 << 28);
-    hatch_arena_init(&scratch, (size_t)1 << 28);
+    begin();
     make_meshes();
     make_nodes();
     make_looks();
@@ -146,12 +143,6 @@ static void begin(void)
     whole = (struct hatch_scene){
         5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
         nodes, materials, textures, cameras, lights, skins, animations};
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
@@ -415,7 +406,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io glb");
     TCase *tests = tcase_create("glb");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin_scene, end);
     tcase_add_test(tests, meshes_come_back);
     tcase_add_test(tests, nodes_come_back);
     tcase_add_test(tests, looks_come_back);

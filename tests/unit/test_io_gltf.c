@@ -2,30 +2,21 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "arenas.h"
 #include "fail_alloc.h"
 #include "io/gltf.h"
 #include "io/gltf_check.h"
 #include "mesh/shapes.h"
-#include "run.h"
 
-static struct hatch_arena keep, scratch;
 static struct hatch_scene scene;
 static struct hatch_mesh_notes notes;
-static struct hatch_err err;
 static struct hatch_bytes companion; /* what any URI names; size 0: there is none */
 
-static void begin(void)
+static void begin_reading(void)
 {
-    hatch_arena_init(&keep, (size_t)1 << 29);
-    hatch_arena_init(&scratch, (size_t)1 << 29);
+    begin();
     notes = (struct hatch_mesh_notes){0};
     companion = (struct hatch_bytes){NULL, 0};
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
 }
 
 static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
@@ -429,7 +420,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io gltf");
     TCase *tests = tcase_create("gltf");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin_reading, end);
     tcase_add_test(tests, shapes_come_back_bit_for_bit);
     tcase_add_test(tests, every_attribute_comes_back);
     tcase_add_test(tests, every_cut_of_a_glb_is_refused);

@@ -2,28 +2,19 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "arenas.h"
 #include "fail_alloc.h"
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
 #include "measure/mesh_figures.h"
-#include "run.h"
 
-static struct hatch_arena keep, scratch;
 static struct hatch_mesh mesh;
 static struct hatch_mesh_notes notes;
-static struct hatch_err err;
 
-static void begin(void)
+static void begin_reading(void)
 {
-    hatch_arena_init(&keep, (size_t)1 << 28);
-    hatch_arena_init(&scratch, (size_t)1 << 28);
+    begin();
     notes = (struct hatch_mesh_notes){0};
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
 }
 
 static struct hatch_bytes text(const char *words)
@@ -352,7 +343,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io mesh");
     TCase *tests = tcase_create("readers");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin_reading, end);
     tcase_add_test(tests, one_mesh_in_every_format);
     tcase_add_test(tests, formats_are_known_by_content_then_by_name);
     tcase_add_test(tests, every_cut_is_seen);

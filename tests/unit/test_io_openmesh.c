@@ -5,30 +5,11 @@
 #include "io/openmesh.h"
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
-#include "mesh/shapes.h"
-#include "run.h"
-
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 28);
-    hatch_arena_init(&scratch, (size_t)1 << 28);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
+#include "meshes.h"
 
 static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces)
 {
-    struct hatch_mesh mesh;
-    const struct hatch_shape_options options = {.faces = faces, .jitter = 0.3f, .seed = 1};
-    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
-    return mesh;
+    return shape_with(shape, (struct hatch_shape_options){.faces = faces, .jitter = 0.3f, .seed = 1});
 }
 
 static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)

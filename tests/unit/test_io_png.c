@@ -1,4 +1,4 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,21 +8,6 @@
 #include "io/png.h"
 
 #define LIMIT ((size_t)64 << 20)
-
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, LIMIT);
-    hatch_arena_init(&scratch, LIMIT);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-    hatch_arena_free(&scratch);
-}
 
 static struct hatch_image ramp(uint32_t width, uint32_t height, const char *names)
 {

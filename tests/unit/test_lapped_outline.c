@@ -1,22 +1,9 @@
+#include "arenas.h"
 #include "base/random.h"
 #include "fail_alloc.h"
 #include "lapped/outline.h"
-#include "run.h"
 
 #include <math.h>
-
-static struct hatch_arena keep;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 28);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-}
 
 static double random_in(uint64_t stream, uint64_t i, double low, double high)
 {

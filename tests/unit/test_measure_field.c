@@ -3,32 +3,14 @@
 
 #include "fail_alloc.h"
 #include "measure/field_figures.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
 
 #define PI 3.14159265358979323846
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 static struct hatch_mesh shape(enum hatch_shape kind, bool field)
 {
-    struct hatch_mesh mesh;
-    const struct hatch_shape_options options = {.faces = 2000, .jitter = 0.5f, .seed = 3, .field = field};
-    HATCH_TEST_OK(hatch_shape_make(kind, &options, &keep, &scratch, &mesh, &err), &err);
-    return mesh;
+    return shape_with(kind, (struct hatch_shape_options){.faces = 2000, .jitter = 0.5f, .seed = 3, .field = field});
 }
 
 /* A plane whose lines all lie at one angle to x, which is where u rises. */

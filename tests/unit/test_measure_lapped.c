@@ -2,21 +2,19 @@
 #include <math.h>
 #include <string.h>
 
+#include "arenas.h"
 #include "fail_alloc.h"
 #include "measure/lapped_figures.h"
-#include "run.h"
 
 #define SAMPLES 200000
 #define SIDE 64u
 
-static struct hatch_arena keep, scratch;
 static struct hatch_scene scene;
 static struct hatch_scene_mesh patches[4];
 static struct hatch_node nodes[2];
 static struct hatch_material material = {.base_texture = 0, .base_texcoord = 1, .outline = true};
 static struct hatch_image masks[1];
 static struct hatch_lapped_figures figures;
-static struct hatch_err err;
 
 /* A unit square of two faces, split by x = y: face 0 below it, face 1 above. */
 static const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -55,10 +53,9 @@ static void add_patch(const struct made *how)
     nodes[0].mesh_count = scene.mesh_count;
 }
 
-static void begin(void)
+static void begin_patches(void)
 {
-    hatch_arena_init(&keep, (size_t)1 << 28);
-    hatch_arena_init(&scratch, (size_t)1 << 28);
+    begin();
     memset(nodes, 0, sizeof nodes);
     memset(patches, 0, sizeof patches);
     scene = (struct hatch_scene){.node_count = 1,
@@ -71,12 +68,6 @@ static void begin(void)
     HATCH_TEST_OK(hatch_image_make(&keep, SIDE, SIDE, "YA", &masks[0], &err), &err);
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
         masks[0].pixels[2 * i + 1] = i % SIDE < SIDE / 2;
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
 }
 
 static void measure(void)
@@ -298,7 +289,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("measure lapped");
     TCase *tests = tcase_create("lapped");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin_patches, end);
     tcase_add_test(tests, half_a_mask_covers_half);
     tcase_add_test(tests, a_mask_without_alpha_covers_all);
     tcase_add_test(tests, masks_are_clamped);

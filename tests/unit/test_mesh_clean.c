@@ -6,29 +6,15 @@
 #include "measure/mesh_figures.h"
 #include "meshes.h"
 
-static struct hatch_arena keep, scratch;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 static struct hatch_mesh sphere(uint32_t faces)
 {
-    return shape(&keep, HATCH_SHAPE_SPHERE, faces);
+    return bare_shape(HATCH_SHAPE_SPHERE, faces);
 }
 
 static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
 {
     struct hatch_mesh_figures figures;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_measure_mesh(mesh, &scratch, &figures, &err), &err);
     return figures;
 }
@@ -36,7 +22,6 @@ static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
 static struct hatch_mesh_notes clean(struct hatch_mesh *mesh)
 {
     struct hatch_mesh_notes notes = {0};
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_mesh_clean(&keep, &scratch, mesh, &notes, &err), &err);
     return notes;
 }
@@ -47,8 +32,7 @@ static const float square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5, 5, -0.0
 START_TEST(equal_positions_are_one_point)
 {
     const uint32_t faces[] = {0, 1, 2};
-    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 1);
-    struct hatch_err err;
+    struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
     uint32_t point[6], count;
     const uint32_t want[] = {0, 1, 2, 3, 4, 0}; /* minus zero is zero */
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &count, &err), &err);
@@ -61,9 +45,8 @@ START_TEST(what_is_no_surface_is_dropped_and_counted)
 {
     const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2,
                               2, 1, 0, 0, 0, 1, 0, 5, 1, 1, 1, 1};
-    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 8);
+    struct hatch_mesh mesh = mesh_of(square, 6, faces, 8);
     float *uv;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
     for (int i = 0; i < 12; i++)
         uv[i] = (float)i;
@@ -83,9 +66,8 @@ START_TEST(a_mesh_without_area_is_bad_input)
 {
     const float line[] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
     const uint32_t faces[] = {0, 1, 2, 1, 2, 3};
-    struct hatch_mesh mesh = mesh_of(&keep, line, 4, faces, 2);
+    struct hatch_mesh mesh = mesh_of(line, 4, faces, 2);
     struct hatch_mesh_notes notes = {0};
-    struct hatch_err err;
     ck_assert_int_eq(hatch_mesh_clean(&keep, &scratch, &mesh, &notes, &err), HATCH_BAD_INPUT);
     ck_assert_uint_eq(mesh.face_count, 2);
     ck_assert_int_eq(hatch_mesh_check(&mesh, &err), HATCH_BAD_INPUT);
@@ -99,8 +81,7 @@ START_TEST(sizes_near_the_ends_of_float_are_sizes)
         for (int i = 0; i < 18; i++)
             scaled[i] = square[i] * scale;
         const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
-        struct hatch_mesh mesh = mesh_of(&keep, scaled, 4, faces, 2);
-        struct hatch_err err;
+        struct hatch_mesh mesh = mesh_of(scaled, 4, faces, 2);
         ck_assert_uint_eq(clean(&mesh).degenerate_dropped, 0);
         HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &mesh, 0, &err), &err);
         ck_assert_float_eq(hatch_mesh_find(&mesh, "NORMAL", 3)[2], 1);
@@ -133,12 +114,12 @@ START_TEST(an_open_part_keeps_the_side_of_most_faces)
 {
     const float strip[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 1, 2, 1, 3, 2, 2, 4, 3};
-    struct hatch_mesh mesh = mesh_of(&keep, strip, 5, faces, 3);
+    struct hatch_mesh mesh = mesh_of(strip, 5, faces, 3);
     ck_assert_uint_eq(clean(&mesh).faces_flipped, 1);
     const uint32_t want[] = {0, 1, 2, 1, 3, 2, 2, 3, 4};
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
     const uint32_t first[] = {0, 2, 1, 1, 3, 2, 2, 3, 4};
-    mesh = mesh_of(&keep, strip, 5, first, 3);
+    mesh = mesh_of(strip, 5, first, 3);
     ck_assert_uint_eq(clean(&mesh).faces_flipped, 1);
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
 }
@@ -146,7 +127,7 @@ END_TEST
 
 START_TEST(one_sided_surfaces_are_told)
 {
-    struct hatch_mesh plain = band(&keep, 40, false), twisted = band(&keep, 40, true);
+    struct hatch_mesh plain = band(40, 1, false), twisted = band(40, 1, true);
     ck_assert_uint_eq(clean(&plain).contrary_edges, 0);
     ck_assert_uint_eq(measure(&plain).boundary_loops, 2);
     ck_assert_uint_eq(clean(&twisted).contrary_edges, 1);
@@ -162,14 +143,14 @@ START_TEST(pinched_points_and_books_are_told)
     /* Two tetrahedra that share vertex 3; three triangles that share the edge 0 1. */
     const float tips[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 1, 0, 2, 0, 1, 2};
     const uint32_t pair[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 4, 5, 6, 4, 3, 5, 5, 3, 6, 6, 3, 4};
-    struct hatch_mesh mesh = mesh_of(&keep, tips, 7, pair, 8);
+    struct hatch_mesh mesh = mesh_of(tips, 7, pair, 8);
     struct hatch_mesh_figures f = measure(&mesh);
     ck_assert_uint_eq(f.non_manifold_points, 1);
     ck_assert_uint_eq(f.components, 1);
     ck_assert_uint_eq(f.boundary_loops, 0);
     ck_assert_uint_eq(clean(&mesh).non_manifold_points, 1);
     const uint32_t book[] = {0, 1, 2, 1, 0, 3, 0, 1, 6};
-    mesh = mesh_of(&keep, tips, 7, book, 3);
+    mesh = mesh_of(tips, 7, book, 3);
     f = measure(&mesh);
     ck_assert_uint_eq(f.non_manifold_edges, 1);
     ck_assert_uint_eq(f.non_manifold_points, 0);
@@ -179,7 +160,7 @@ END_TEST
 
 START_TEST(figures_do_not_depend_on_order_or_welding)
 {
-    struct hatch_mesh mesh = sphere(900), shuffled = soup(&keep, &mesh);
+    struct hatch_mesh mesh = sphere(900), shuffled = soup(&mesh);
     struct hatch_mesh_figures a = measure(&mesh), b = measure(&shuffled);
     ck_assert_uint_eq(b.vertices, 3 * mesh.face_count);
     ck_assert_uint_eq(a.points, b.points);
@@ -193,10 +174,9 @@ END_TEST
 
 START_TEST(normals_of_a_sphere_point_outwards_welded_or_not)
 {
-    struct hatch_mesh smooth = sphere(5000), loose = soup(&keep, &smooth);
+    struct hatch_mesh smooth = sphere(5000), loose = soup(&smooth);
     struct hatch_mesh *both[] = {&smooth, &loose};
     for (int i = 0; i < 2; i++) {
-        struct hatch_err err;
         HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, both[i], 0, &err), &err);
         const float *normals = hatch_mesh_find(both[i], "NORMAL", 3);
         double worst = 0;
@@ -213,8 +193,7 @@ END_TEST
 
 START_TEST(creases_double_vertices_and_smooth_ones_do_not)
 {
-    struct hatch_err err;
-    struct hatch_mesh smooth = cube(&keep), creased = cube(&keep);
+    struct hatch_mesh smooth = cube(0, 1), creased = cube(0, 1);
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &smooth, 0, &err), &err);
     ck_assert_uint_eq(smooth.vertex_count, 8);
     /* Weighted by angle a cube's corner points along its diagonal, however the squares are cut. */
@@ -246,8 +225,7 @@ START_TEST(tangents_follow_mirrored_and_missing_textures)
     const float uvs[3][8] = {{0, 1, 1, 1, 1, 0, 0, 0}, {1, 1, 0, 1, 0, 0, 1, 0}, {0}};
     const float want[3][2] = {{1, 1}, {-1, -1}, {0, 1}};
     for (int i = 0; i < 3; i++) {
-        struct hatch_mesh mesh = mesh_of(&keep, square, 4, faces, 2);
-        struct hatch_err err;
+        struct hatch_mesh mesh = mesh_of(square, 4, faces, 2);
         float *uv;
         HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
         memcpy(uv, uvs[i], sizeof uvs[i]);
@@ -267,7 +245,7 @@ END_TEST
 START_TEST(bounds_are_of_used_vertices)
 {
     const uint32_t faces[] = {0, 1, 2};
-    struct hatch_mesh mesh = mesh_of(&keep, square, 6, faces, 1);
+    struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
     float low[3], high[3];
     ck_assert(hatch_mesh_bounds(&mesh, low, high));
     ck_assert_float_eq(high[0], 1);
@@ -279,34 +257,34 @@ END_TEST
 
 /* Each works on a copy of the mesh: a success must not leave one in arenas that are gone. */
 static enum hatch_status clean_one(void *context, struct hatch_arena *kept,
-                                   struct hatch_arena *temporary, struct hatch_err *err)
+                                   struct hatch_arena *temporary, struct hatch_err *said)
 {
     struct hatch_mesh_notes notes = {0};
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_clean(kept, temporary, &mesh, &notes, err);
+    return hatch_mesh_clean(kept, temporary, &mesh, &notes, said);
 }
 
 static enum hatch_status add_normals(void *context, struct hatch_arena *kept,
-                                     struct hatch_arena *temporary, struct hatch_err *err)
+                                     struct hatch_arena *temporary, struct hatch_err *said)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_add_normals(kept, temporary, &mesh, 0.4f, err);
+    return hatch_mesh_add_normals(kept, temporary, &mesh, 0.4f, said);
 }
 
 static enum hatch_status add_tangents(void *context, struct hatch_arena *kept,
-                                      struct hatch_arena *temporary, struct hatch_err *err)
+                                      struct hatch_arena *temporary, struct hatch_err *said)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_add_tangents(kept, temporary, &mesh, err);
+    return hatch_mesh_add_tangents(kept, temporary, &mesh, said);
 }
 
 static enum hatch_status measure_one(void *context, struct hatch_arena *kept,
-                                     struct hatch_arena *temporary, struct hatch_err *err)
+                                     struct hatch_arena *temporary, struct hatch_err *said)
 {
     struct hatch_mesh_figures figures;
-    if (!HATCH_NEW(kept, uint8_t, 1, err)) /* the measure itself keeps nothing */
+    if (!HATCH_NEW(kept, uint8_t, 1, said)) /* the measure itself keeps nothing */
         return HATCH_LIMIT;
-    return hatch_measure_mesh(context, temporary, &figures, err);
+    return hatch_measure_mesh(context, temporary, &figures, said);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
@@ -314,7 +292,6 @@ START_TEST(every_failed_allocation_is_a_limit)
     const hatch_test_call calls[] = {clean_one, add_normals, add_tangents, measure_one};
     for (int i = 0; i < 4; i++) {
         struct hatch_mesh mesh = sphere(60);
-        struct hatch_err err;
         float *data;
         HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &data, &err), &err);
         if (calls[i] == add_tangents)

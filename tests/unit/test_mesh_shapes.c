@@ -4,40 +4,21 @@
 #include "fail_alloc.h"
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
 
 #define PI 3.14159265358979323846
 
-static struct hatch_arena keep, scratch;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise,
                               uint64_t seed)
 {
-    struct hatch_mesh mesh;
-    struct hatch_err err;
-    const struct hatch_shape_options options = {
-        .faces = faces, .jitter = jitter, .noise = noise, .seed = seed};
-    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
-    return mesh;
+    return shape_with(
+        shape, (struct hatch_shape_options){.faces = faces, .jitter = jitter, .noise = noise, .seed = seed});
 }
 
 static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
 {
     struct hatch_mesh_figures figures;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_measure_mesh(mesh, &scratch, &figures, &err), &err);
     return figures;
 }
@@ -179,7 +160,6 @@ START_TEST(tangents_point_along_u)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 20000, 0, 0, 1), copy = mesh;
-        struct hatch_err err;
         const float *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
         /* The same again, from positions and texture coordinates alone. */
         for (uint32_t i = 0; i < copy.attribute_count; i++)
@@ -232,7 +212,6 @@ END_TEST
 START_TEST(seams_differ_by_whole_tiles)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TORUS, 3000, 1, 0.2f, 4);
-    struct hatch_err err;
     uint32_t points, *point = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
     uint32_t *first = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &points, &err), &err);
@@ -294,7 +273,6 @@ START_TEST(field_is_the_truth_whatever_the_noise)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh[2];
-        struct hatch_err err;
         for (int i = 0; i < 2; i++) {
             const struct hatch_shape_options options = {
                 .faces = 1000, .jitter = 1, .noise = 0.3f * (float)i, .seed = 3, .field = true};
@@ -370,7 +348,6 @@ END_TEST
 START_TEST(even_texture_is_more_even_than_natural)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 20000, 0, 0, 1), even;
-    struct hatch_err err;
     const struct hatch_shape_options options = {.faces = 20000, .uv = HATCH_SHAPE_UV_EVEN};
     HATCH_TEST_OK(
         hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, &keep, &scratch, &even, &err), &err);
@@ -427,10 +404,10 @@ START_TEST(noise_has_its_deviation)
 END_TEST
 
 static enum hatch_status make_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                  struct hatch_err *err)
+                                  struct hatch_err *said)
 {
     const struct hatch_shape_options options = {.faces = 50, .jitter = 0.5f, .noise = 0.1f};
-    return hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, kept, temporary, context, err);
+    return hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, kept, temporary, context, said);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)

@@ -15,7 +15,7 @@ static uint32_t closed_chains(const struct line_mesh *lines)
 
 START_TEST(a_cube_has_twelve_creases)
 {
-    struct hatch_mesh welded = cube(), apart = unwelded(&welded);
+    struct hatch_mesh welded = cube(-1, 1), apart = unwelded(&welded);
     const struct hatch_mesh *meshes[] = {&welded, &apart};
     for (int i = 0; i < 2; i++) {
         ck_assert_uint_eq(lines_of(meshes[i], LINES_CREASES, CREASE_RAD).feature_count, 12);
@@ -27,7 +27,7 @@ END_TEST
 
 START_TEST(the_winding_of_faces_does_not_matter)
 {
-    struct hatch_mesh mesh = cube();
+    struct hatch_mesh mesh = cube(-1, 1);
     for (uint32_t f = 0; f < mesh.face_count; f += 3) {
         uint32_t swap = mesh.indices[3 * f];
         mesh.indices[3 * f] = mesh.indices[3 * f + 1];
@@ -112,10 +112,8 @@ END_TEST
 /* Noise on a surface folds single edges over the angle of a crease; a fold from side to side is meant. */
 START_TEST(creases_of_noise_are_left_out)
 {
-    struct hatch_mesh rough;
-    struct hatch_err err;
-    const struct hatch_shape_options options = {.faces = 4000, .noise = 0.15f, .seed = 1};
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &options, &keep, &scratch, &rough, &err), &err);
+    struct hatch_mesh rough =
+        shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 4000, .noise = 0.15f, .seed = 1});
     uint32_t point_count, over_angle = 0;
     uint32_t *point = HATCH_NEW(&keep, uint32_t, 12000, &err);
     uint32_t *of_vertex = HATCH_NEW(&keep, uint32_t, rough.vertex_count, &err);
@@ -149,9 +147,8 @@ START_TEST(normals_tell_what_was_meant)
 {
     static const double origin[3] = {0, 0, 0};
     const struct line_choice choice = {LINES_CREASES, CREASE_RAD, true};
-    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube();
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube(-1, 1);
     struct line_mesh lines;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &box, 0.0f, &err), &err);
     ck_assert_uint_gt(lines_of(&torus, LINES_CREASES, CREASE_RAD).feature_count, 20);
     HATCH_TEST_OK(line_mesh_make(&torus, origin, &choice, &keep, &scratch, &lines, &err), &err);
@@ -165,7 +162,7 @@ START_TEST(scale_and_place_do_not_matter)
 {
     const float scales[] = {1e-20f, 1e-3f, 1e15f};
     for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
-        struct hatch_mesh mesh = cube();
+        struct hatch_mesh mesh = cube(-1, 1);
         for (uint32_t k = 0; k < 24; k++)
             mesh.attributes[0].data[k] *= scales[i];
         ck_assert_uint_eq(lines_of(&mesh, LINES_ALL, CREASE_RAD).feature_count, 12);
@@ -185,17 +182,17 @@ START_TEST(faces_without_area_are_no_lines)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *arena,
-                              struct hatch_arena *temporary, struct hatch_err *err)
+                              struct hatch_arena *temporary, struct hatch_err *said)
 {
     static const double origin[3] = {0, 0, 0};
     const struct line_choice choice = {LINES_ALL, CREASE_RAD, true};
     struct line_mesh lines;
-    return line_mesh_make(context, origin, &choice, arena, temporary, &lines, err);
+    return line_mesh_make(context, origin, &choice, arena, temporary, &lines, said);
 }
 
 START_TEST(extraction_survives_every_failed_allocation)
 {
-    struct hatch_mesh smooth = shape_of(HATCH_SHAPE_TEAPOT, 300), sharp = cube();
+    struct hatch_mesh smooth = shape_of(HATCH_SHAPE_TEAPOT, 300), sharp = cube(-1, 1);
     ck_assert_uint_gt(hatch_test_fail_alloc(make, &smooth, NULL, 0), 20);
     ck_assert_uint_gt(hatch_test_fail_alloc(make, &sharp, NULL, 0), 20);
 }
@@ -205,7 +202,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines mesh");
     TCase *tests = tcase_create("features");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, a_cube_has_twelve_creases);
     tcase_add_test(tests, the_winding_of_faces_does_not_matter);
     tcase_add_test(tests, boundaries_are_closed_chains);

@@ -14,7 +14,6 @@ static struct renderer renderer;
 
 static void begin_context(void)
 {
-    struct hatch_err err;
     begin();
     HATCH_TEST_OK(context_open_headless(&context, 1, &err), &err);
 }
@@ -36,7 +35,6 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
     const struct bounds bounds = {.radius = 1};
     const struct line_style style = {
         .kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
-    struct hatch_err err;
     shaders = (struct shader_source){NULL, &scratch};
     HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &keep, &scene, &err), &err);
     HATCH_TEST_OK(scene_upload(&scene, NULL, &bounds, &keep, &scratch, &gpu, &err), &err);
@@ -58,7 +56,6 @@ static struct hatch_image draw(const struct view *view, uint32_t target_px, uint
 {
     struct hatch_image image;
     struct target target;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_image_make(&keep, 400, 400, "RGB", &image, &err), &err);
     HATCH_TEST_OK(target_make(target_px, target_px, side, &renderer.shaders, &target, &err), &err);
     HATCH_TEST_OK(picture_draw(&renderer, TECHNIQUE_GOURAUD, view, &target, &image, &err), &err);
@@ -120,7 +117,7 @@ END_TEST
 
 START_TEST(nine_edges_of_a_cube_are_seen)
 {
-    struct hatch_mesh mesh = cube();
+    struct hatch_mesh mesh = cube(-1, 1);
     struct view view = view_from(7, 5, 6, false);
     double length = 0;
     show(&mesh, LINES_ALL, 2);
@@ -261,7 +258,7 @@ END_TEST
 START_TEST(the_camera_may_stand_anywhere)
 {
     static const double eyes[][3] = {{1, 1, 1}, {0, 0, 0.2}, {1, 0, 1e-9}, {0, 1, 0}};
-    struct hatch_mesh mesh = _i % 2 ? shape_of(HATCH_SHAPE_TORUS, 3000) : cube();
+    struct hatch_mesh mesh = _i % 2 ? shape_of(HATCH_SHAPE_TORUS, 3000) : cube(-1, 1);
     show(&mesh, LINES_ALL, 2);
     for (size_t i = 0; i < 4; i++) {
         struct view view = view_from(eyes[i][0], eyes[i][1], eyes[i][2], _i / 2);

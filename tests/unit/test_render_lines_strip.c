@@ -8,7 +8,6 @@ static const struct tile whole = {0, 0, 400, 400, 400, 400};
 /* A polyline through points, closed when it ends where it begins. */
 static struct line_trace polyline(const double *points, uint32_t count)
 {
-    struct hatch_err err;
     bool closed = hatch_vec_distance(points, points + 3 * (count - 1)) == 0;
     struct line_trace trace = {.node_count = count - closed, .segment_count = count - 1};
     trace.nodes = HATCH_NEW(&keep, double, 3 * (size_t)count, &err);
@@ -27,7 +26,6 @@ static struct line_strips strips_of(const struct line_trace *trace, const struct
 {
     struct line_chains chains = chains_of(trace);
     struct line_strips strips = {.strip_count = 0};
-    struct hatch_err err;
     HATCH_TEST_OK(line_strips_make(trace, &chains, view, tile, 4, &keep, &strips, &err), &err);
     return strips;
 }
@@ -184,7 +182,6 @@ START_TEST(chains_go_straight_on)
     static const uint32_t ends[10] = {1, 0, 0, 2, 3, 0, 4, 0, 5, 0};
     const struct line_graph graph = {6, 5, nodes, ends};
     struct line_chains chains;
-    struct hatch_err err;
     HATCH_TEST_OK(line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
     ck_assert_uint_eq(chains.count, 3);
     uint32_t twos = 0, joined = 0;
@@ -198,7 +195,7 @@ START_TEST(chains_go_straight_on)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *arena,
-                              struct hatch_arena *temporary, struct hatch_err *err)
+                              struct hatch_arena *temporary, struct hatch_err *said)
 {
     const struct line_trace *trace = context;
     const struct line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
@@ -206,8 +203,8 @@ static enum hatch_status make(void *context, struct hatch_arena *arena,
     struct view view = view_from(0, 0, 4, true);
     struct line_chains chains;
     struct line_strips strips;
-    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, err));
-    return line_strips_make(trace, &chains, &view, &whole, 4, arena, &strips, err);
+    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, said));
+    return line_strips_make(trace, &chains, &view, &whole, 4, arena, &strips, said);
 }
 
 START_TEST(strips_survive_every_failed_allocation)
@@ -222,7 +219,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines strip");
     TCase *tests = tcase_create("strips");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
     tcase_add_test(tests, what_is_behind_the_eye_is_cut_off);
     tcase_add_test(tests, tiles_cut_lines_alike);

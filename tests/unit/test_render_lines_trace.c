@@ -54,8 +54,7 @@ END_TEST
 START_TEST(the_silhouette_of_a_cube_runs_along_its_edges)
 {
     for (int form = 0; form < 3; form++) {
-        struct hatch_mesh mesh = cube();
-        struct hatch_err err;
+        struct hatch_mesh mesh = cube(-1, 1);
         if (form == 1)
             HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &mesh, 0.0f, &err), &err);
         if (form == 2)
@@ -109,7 +108,6 @@ static int by_place(const void *a, const void *b)
 /* The nodes, rounded and sorted. */
 static int64_t *sorted_nodes(const struct line_trace *trace)
 {
-    struct hatch_err err;
     int64_t *places = HATCH_NEW(&keep, int64_t, 3 * (size_t)trace->node_count, &err);
     for (uint32_t i = 0; i < 3 * trace->node_count; i++)
         places[i] = llround(trace->nodes[i] * 1e4);
@@ -135,7 +133,6 @@ START_TEST(shuffled_and_unwelded_meshes_have_the_same_silhouette)
 {
     struct hatch_mesh plain = shape_of(HATCH_SHAPE_TEAPOT, 3000), apart = unwelded(&plain);
     struct hatch_mesh shuffled = plain;
-    struct hatch_err err;
     shuffled.indices = HATCH_NEW(&keep, uint32_t, 3 * (size_t)plain.face_count, &err);
     for (uint32_t f = 0; f < plain.face_count; f++)
         for (uint32_t c = 0; c < 3; c++)
@@ -200,7 +197,6 @@ START_TEST(curves_go_through_the_nodes)
     struct line_chains chains = chains_of(&trace);
     uint32_t nodes = trace.node_count;
     double chords = length_of(&trace), length = 0;
-    struct hatch_err err;
     HATCH_TEST_OK(line_refine(&trace, &chains, &keep, &err), &err);
     ck_assert_uint_eq(chains.count, 1);
     ck_assert(chains.chains[0].closed);
@@ -219,19 +215,19 @@ START_TEST(curves_go_through_the_nodes)
 END_TEST
 
 static enum hatch_status trace_all(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *temporary, struct hatch_err *err)
+                                   struct hatch_arena *temporary, struct hatch_err *said)
 {
     struct view view = view_from(3, 2, 4, false);
     const struct line_eye eye = {&view, 400};
     struct line_shape shape = shape_in_place(context);
     struct line_trace features;
-    HATCH_TRY(line_trace_features(&shape, &eye, arena, &features, err));
+    HATCH_TRY(line_trace_features(&shape, &eye, arena, &features, said));
     struct line_trace trace;
     struct line_chains chains;
-    HATCH_TRY(line_trace_silhouettes(&shape, &eye, arena, temporary, &trace, err));
+    HATCH_TRY(line_trace_silhouettes(&shape, &eye, arena, temporary, &trace, said));
     const struct line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
-    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, err));
-    return line_refine(&trace, &chains, arena, err);
+    HATCH_TRY(line_chains_make(&graph, arena, temporary, &chains, said));
+    return line_refine(&trace, &chains, arena, said);
 }
 
 START_TEST(tracing_survives_every_failed_allocation)
@@ -246,7 +242,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines trace");
     TCase *tests = tcase_create("silhouettes");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, the_silhouette_of_a_sphere_is_the_circle_of_tangents);
     tcase_add_test(tests, nothing_is_seen_of_a_sphere_from_its_inside);
     tcase_add_test(tests, the_silhouette_of_a_cube_runs_along_its_edges);

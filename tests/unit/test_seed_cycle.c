@@ -1,28 +1,16 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <string.h>
 
 #include "fail_alloc.h"
 #include "seed/cycle.h"
 
-static struct hatch_arena scratch;
-
-static void open_arena(void)
-{
-    hatch_arena_init(&scratch, SIZE_MAX);
-}
-
-static void close_arena(void)
-{
-    hatch_arena_free(&scratch);
-}
-
 static enum hatch_status make(enum hatch_cycle_method method, uint32_t count, uint64_t seed,
-                              uint8_t *crumbs, struct hatch_err *err)
+                              uint8_t *crumbs, struct hatch_err *said)
 {
     const struct hatch_cycle_options options = {
         .method = method, .count = count, .seed = seed, .steps_max = 1000000};
-    return hatch_cycle_make(&options, &scratch, crumbs, NULL, err);
+    return hatch_cycle_make(&options, &scratch, crumbs, NULL, said);
 }
 
 /* Counts every window of every length, without a thought for how the cycle was made. */
@@ -48,7 +36,6 @@ static void check_uniform(const uint8_t *crumbs, uint32_t count)
 START_TEST(any_length_is_uniform_at_every_pattern_length)
 {
     static uint8_t crumbs[2048];
-    struct hatch_err err;
     for (uint32_t count = 2; count <= 2048; count++) {
         memset(crumbs, 9, sizeof crumbs);
         HATCH_TEST_OK(make(HATCH_CYCLE_ANY, count, count, crumbs, &err), &err);
@@ -64,7 +51,6 @@ END_TEST
 START_TEST(a_million_and_three_is_uniform_too)
 {
     static uint8_t crumbs[1000003];
-    struct hatch_err err;
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 1000003, 5, crumbs, &err), &err);
     check_uniform(crumbs, 1000003);
 }
@@ -73,7 +59,6 @@ END_TEST
 START_TEST(powers_of_four_are_uniform_by_the_other_methods)
 {
     static uint8_t crumbs[65536];
-    struct hatch_err err;
     for (uint32_t count = 4; count <= 65536; count *= 4) {
         HATCH_TEST_OK(make(HATCH_CYCLE_EULER, count, 3, crumbs, &err), &err);
         check_uniform(crumbs, count);
@@ -97,7 +82,6 @@ START_TEST(circuits_are_equally_likely)
     uint32_t seen[6] = {0};
     uint8_t known[6][4], crumbs[4], turned[4];
     uint32_t kinds = 0;
-    struct hatch_err err;
     for (uint32_t seed = 0; seed < DRAWS; seed++) {
         HATCH_TEST_OK(make(HATCH_CYCLE_EULER, 4, seed, crumbs, &err), &err);
         uint32_t zero = 0, kind = 0;
@@ -123,7 +107,6 @@ END_TEST
 START_TEST(seeds_give_different_cycles_and_the_same_again)
 {
     uint8_t first[61], second[61], again[61];
-    struct hatch_err err;
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 61, 1, first, &err), &err);
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 61, 2, second, &err), &err);
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 61, 1, again, &err), &err);
@@ -135,7 +118,6 @@ END_TEST
 START_TEST(backtracking_gives_up_at_its_limit)
 {
     uint8_t crumbs[256];
-    struct hatch_err err;
     ck_assert_int_eq(make(HATCH_CYCLE_BACKTRACK, 256, 1, crumbs, &err), HATCH_LIMIT);
     ck_assert_ptr_nonnull(strstr(err.text, "1000000 crumbs"));
 }
@@ -144,18 +126,17 @@ END_TEST
 START_TEST(other_counts_than_powers_of_four_need_the_general_method)
 {
     uint8_t crumbs[60];
-    struct hatch_err err;
     ck_assert_int_eq(make(HATCH_CYCLE_EULER, 60, 1, crumbs, &err), HATCH_USAGE);
     ck_assert_int_eq(make(HATCH_CYCLE_BACKTRACK, 60, 1, crumbs, &err), HATCH_USAGE);
 }
 END_TEST
 
-static enum hatch_status make_for_allocation(void *context, struct hatch_arena *keep,
-                                             struct hatch_arena *temporary, struct hatch_err *err)
+static enum hatch_status make_for_allocation(void *context, struct hatch_arena *kept,
+                                             struct hatch_arena *temporary, struct hatch_err *said)
 {
     const struct hatch_cycle_options *options = context;
-    uint8_t *crumbs = HATCH_NEW(keep, uint8_t, options->count, err);
-    return crumbs ? hatch_cycle_make(options, temporary, crumbs, NULL, err) : HATCH_LIMIT;
+    uint8_t *crumbs = HATCH_NEW(kept, uint8_t, options->count, said);
+    return crumbs ? hatch_cycle_make(options, temporary, crumbs, NULL, said) : HATCH_LIMIT;
 }
 
 START_TEST(every_failed_allocation_is_survived)
@@ -172,7 +153,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("seed cycle");
     TCase *tests = tcase_create("cycle");
-    tcase_add_checked_fixture(tests, open_arena, close_arena);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, any_length_is_uniform_at_every_pattern_length);
     tcase_add_test(tests, a_million_and_three_is_uniform_too);
     tcase_add_test(tests, powers_of_four_are_uniform_by_the_other_methods);

@@ -1,4 +1,4 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,24 +8,10 @@
 #include "measure/seed_figures.h"
 #include "seed/spread.h"
 
-static struct hatch_arena keep, scratch;
-
-static void open_arenas(void)
-{
-    hatch_arena_init(&keep, SIZE_MAX);
-    hatch_arena_init(&scratch, SIZE_MAX);
-}
-
-static void close_arenas(void)
-{
-    hatch_arena_free(&keep);
-    hatch_arena_free(&scratch);
-}
-
-static enum hatch_status read_text(const char *text, struct hatch_seeds *seeds, struct hatch_err *err)
+static enum hatch_status read_text(const char *text, struct hatch_seeds *seeds, struct hatch_err *said)
 {
     return hatch_seeds_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &keep, seeds,
-                            err);
+                            said);
 }
 
 /* 0123 for ever: u = 0.0101... = 1/3, v = 0.0011... = 1/5, and the same turned. */
@@ -35,7 +21,6 @@ START_TEST(seeds_stand_at_periodic_fractions)
                                       {1.0 / 3, 4.0 / 5}, {2.0 / 3, 3.0 / 5}};
     struct hatch_seeds seeds;
     struct hatch_seed_place places[4];
-    struct hatch_err err;
     HATCH_TEST_OK(read_text("0123\n", &seeds, &err), &err);
     hatch_seed_places(&seeds.layers[0], places);
     for (int i = 0; i < 4; i++) {
@@ -49,7 +34,6 @@ START_TEST(a_file_is_read_as_it_was_written)
 {
     struct hatch_seeds seeds, again;
     struct hatch_buffer file = {.arena = &keep};
-    struct hatch_err err;
     HATCH_TEST_OK(read_text("# first\n\n0123\r\n3021301\n#last", &seeds, &err), &err);
     ck_assert_uint_eq(seeds.layer_count, 2);
     ck_assert_uint_eq(seeds.layers[0].count, 4);
@@ -73,7 +57,6 @@ START_TEST(what_is_no_seed_set_is_named_by_its_line)
                {"0123\n3210", "line 2 does not end: the file is cut"},
                {"01 2\n", "line 1, column 3: not a crumb, which is 0, 1, 2 or 3"}};
     struct hatch_seeds seeds;
-    struct hatch_err err;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         ck_assert_int_eq(read_text(bad[i].text, &seeds, &err), HATCH_BAD_INPUT);
         ck_assert_str_eq(err.text, bad[i].want);
@@ -87,7 +70,6 @@ START_TEST(distances_go_around_the_tile)
     const uint64_t near_end = UINT64_MAX - (UINT64_MAX >> 5); /* 31/32 */
     struct hatch_seed_place places[3] = {{0, 0}, {near_end, 0}, {(uint64_t)1 << 63, 0}};
     double distance;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_spread_distance(places, 3, &scratch, &distance, &err), &err);
     ck_assert_double_eq_tol(distance, 1.0 / 32, 1e-12);
     ck_assert_double_eq_tol(hatch_spread_bound(1), sqrt(2 / sqrt(3)), 1e-12);
@@ -98,7 +80,6 @@ END_TEST
 START_TEST(distances_are_those_of_all_pairs)
 {
     static struct hatch_seed_place places[500];
-    struct hatch_err err;
     for (uint32_t count = 2; count <= 500; count += 7) {
         double best = 1, distance;
         for (uint32_t i = 0; i < count; i++) {
@@ -120,7 +101,6 @@ START_TEST(discrepancy_of_one_point_is_known)
 {
     struct hatch_seed_place middle = {(uint64_t)1 << 63, (uint64_t)1 << 63}, corner = {0, 0};
     double discrepancy;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_spread_discrepancy(&middle, 1, &scratch, &discrepancy, &err), &err);
     ck_assert_double_eq_tol(discrepancy, 0.75, 1e-12);
     HATCH_TEST_OK(hatch_spread_discrepancy(&corner, 1, &scratch, &discrepancy, &err), &err);
@@ -133,7 +113,6 @@ static void make(uint32_t count, uint32_t layers, uint32_t candidates, struct ha
     const struct hatch_seeds_options options = {
         .cycle = {.count = count, .seed = 3}, .layers = layers, .candidates = candidates};
     uint64_t steps;
-    struct hatch_err err;
     HATCH_TEST_OK(hatch_seeds_make(&options, &keep, &scratch, seeds, &steps, &err), &err);
 }
 
@@ -141,7 +120,6 @@ START_TEST(sets_nest_exactly_and_are_even)
 {
     struct hatch_seeds seeds;
     struct hatch_seed_figures figures;
-    struct hatch_err err;
     for (uint32_t count = 2; count <= 300; count += count < 20 ? 1 : 37) {
         make(count, 2, 5, &seeds);
         for (int layer = 0; layer < 2; layer++) {
@@ -159,7 +137,6 @@ START_TEST(an_uneven_set_is_found_out)
 {
     struct hatch_seeds seeds;
     struct hatch_seed_figures figures;
-    struct hatch_err err;
     HATCH_TEST_OK(read_text("0012202332131130\n", &seeds, &err), &err);
     HATCH_TEST_OK(hatch_measure_seeds(&seeds.layers[0], 1, &scratch, &figures, &err), &err);
     ck_assert_uint_gt(figures.uneven, 0);
@@ -173,7 +150,6 @@ START_TEST(more_candidates_spread_seeds_better)
 {
     struct hatch_seeds few, many;
     double within[2], together[2];
-    struct hatch_err err;
     make(64, 4, 1, &few);
     make(64, 4, 300, &many);
     HATCH_TEST_OK(hatch_seeds_spread(&few, &scratch, &within[0], &together[0], &err), &err);
@@ -185,16 +161,16 @@ START_TEST(more_candidates_spread_seeds_better)
 END_TEST
 
 static enum hatch_status make_and_measure(void *context, struct hatch_arena *results,
-                                          struct hatch_arena *temporary, struct hatch_err *err)
+                                          struct hatch_arena *temporary, struct hatch_err *said)
 {
     const struct hatch_seeds_options options = {
         .cycle = {.count = 20, .seed = 3}, .layers = 2, .candidates = 2};
     struct hatch_seeds seeds;
     uint64_t steps;
     double within, together;
-    HATCH_TRY(hatch_seeds_make(&options, results, temporary, &seeds, &steps, err));
-    HATCH_TRY(hatch_seeds_spread(&seeds, temporary, &within, &together, err));
-    return hatch_measure_seeds(&seeds.layers[0], 2, temporary, context, err);
+    HATCH_TRY(hatch_seeds_make(&options, results, temporary, &seeds, &steps, said));
+    HATCH_TRY(hatch_seeds_spread(&seeds, temporary, &within, &together, said));
+    return hatch_measure_seeds(&seeds.layers[0], 2, temporary, context, said);
 }
 
 START_TEST(every_failed_allocation_is_survived)
@@ -208,7 +184,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("seed sets");
     TCase *tests = tcase_create("seeds");
-    tcase_add_checked_fixture(tests, open_arenas, close_arenas);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, seeds_stand_at_periodic_fractions);
     tcase_add_test(tests, a_file_is_read_as_it_was_written);
     tcase_add_test(tests, what_is_no_seed_set_is_named_by_its_line);

@@ -1,4 +1,4 @@
-#include "run.h"
+#include "arenas.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -6,19 +6,6 @@
 
 #include "fail_alloc.h"
 #include "stroke/brush.h"
-
-static struct hatch_arena keep;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)64 << 20);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&keep);
-}
 
 static void check_sums(const struct hatch_brush *brush)
 {
@@ -157,17 +144,17 @@ START_TEST(an_image_without_ink_is_refused)
 }
 END_TEST
 
-static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
                               struct hatch_err *said)
 {
-    (void)scratch;
+    (void)temporary;
     return hatch_brush_make(HATCH_BRUSH_PENCIL, to, context, said);
 }
 
 static enum hatch_status make_from_image(void *context, struct hatch_arena *to,
-                                         struct hatch_arena *scratch, struct hatch_err *said)
+                                         struct hatch_arena *temporary, struct hatch_err *said)
 {
-    (void)scratch;
+    (void)temporary;
     float black = 0;
     struct hatch_image image = {.width = 1, .height = 1, .channel_count = 1, .pixels = &black};
     return hatch_brush_from_image(&image, to, context, said);

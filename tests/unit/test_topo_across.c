@@ -1,38 +1,21 @@
 #include <math.h>
 
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
+#include "surface_check.h"
 #include "topo/field.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
 static struct hatch_surface surface;
 static struct hatch_frames frames;
 static double *direction, *confidence;
 static bool made_up[4];
 
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
-
 /* A shape, drawn out along x, of whose lines nothing is known. */
 static void make(enum hatch_shape shape, float longer)
 {
-    struct hatch_mesh mesh;
-    struct hatch_surface_notes notes;
-    const struct hatch_shape_options options = {.faces = 600};
-    HATCH_TEST_OK(hatch_shape_make(shape, &options, &keep, &scratch, &mesh, &err), &err);
+    struct hatch_mesh mesh = shape_of(shape, 600);
     for (uint32_t v = 0; v < mesh.vertex_count; v++)
         mesh.attributes[0].data[3 * v] *= longer;
-    HATCH_TEST_OK(hatch_surface_make(&mesh, &keep, &scratch, &surface, &notes, &err), &err);
+    surface = surface_of(&mesh);
     HATCH_TEST_OK(hatch_frames_make(&surface, &keep, &scratch, &frames, &err), &err);
     direction = HATCH_NEW(&keep, double, 3 * (size_t)surface.point_count, &err);
     confidence = HATCH_NEW(&keep, double, surface.point_count, &err);

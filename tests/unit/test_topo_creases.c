@@ -1,47 +1,28 @@
 #include <math.h>
 #include <string.h>
 
-#include "run.h"
+#include "meshes.h"
+#include "surface_check.h"
 #include "topo/curvature.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
 
 /* A roof of two squares that turns by an angle at its ridge, points 2 and 3. */
 static struct hatch_mesh roof(double degrees)
 {
-    struct hatch_mesh mesh;
     double turn = degrees * 3.14159265358979323846 / 180;
     const float at[6][3] = {{-1, 0, 0}, {-1, 1, 0}, {0, 0, 0}, {0, 1, 0},
                             {(float)cos(turn), 0, -(float)sin(turn)}, {(float)cos(turn), 1, -(float)sin(turn)}};
     static const uint32_t corners[12] = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
-    HATCH_TEST_OK(hatch_mesh_make(&keep, 6, 4, &mesh, &err), &err);
-    memcpy(mesh.attributes[0].data, at, sizeof at);
-    memcpy(mesh.indices, corners, sizeof corners);
-    return mesh;
+    return mesh_of(at[0], 6, corners, 4);
 }
 
 /* How many of its points lose their confidence. */
 static uint32_t doubted(const struct hatch_mesh *mesh)
 {
     double confidence[32];
-    struct hatch_surface surface;
-    struct hatch_surface_notes notes;
     struct hatch_curvature curvature = {.confidence = confidence};
     uint32_t count = 0;
-    HATCH_TEST_OK(hatch_surface_make(mesh, &keep, &scratch, &surface, &notes, &err), &err);
+    struct hatch_surface surface = surface_of(mesh);
     ck_assert_uint_le(surface.point_count, 32);
     for (uint32_t p = 0; p < surface.point_count; p++)
         confidence[p] = 0.5;

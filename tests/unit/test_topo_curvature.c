@@ -218,8 +218,8 @@ START_TEST(small_and_one_sided_surfaces_have_numbers)
         mesh.indices[v] = v;
         mesh.attributes[0].data[3 * v + v] = 1;
     }
-    struct field_case cases[4] = {case_of(mesh), case_of_band(30, 1, false), case_of_band(40, 6, false),
-                                  case_of_band(30, 15, true)};
+    struct field_case cases[4] = {case_of(mesh), case_of(band(30, 1, true)), case_of(band(40, 6, true)),
+                                  case_of(klein(30, 15))};
     for (int c = 0; c < 4; c++)
         for (int o = 0; o < 2; o++) {
             struct hatch_curvature found = estimate_case(&cases[c], o ? 3 : 0, 0);
@@ -250,9 +250,7 @@ END_TEST
 START_TEST(a_simplified_mesh_gives_rough_directions)
 {
     struct field_case of = case_with_truth(HATCH_SHAPE_TORUS, 10000, 0);
-    struct hatch_mesh coarse;
-    const struct hatch_shape_options options = {.faces = 1500, .seed = 1};
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &options, &keep, &scratch, &coarse, &err), &err);
+    struct hatch_mesh coarse = shape_of(HATCH_SHAPE_TORUS, 1500);
     struct hatch_curvature found;
     HATCH_TEST_OK(hatch_curvature_coarse(&of.surface, &of.frames, &coarse, &keep, &scratch, &found, &err), &err);
     check_numbers(&of, &found);

@@ -53,8 +53,8 @@ START_TEST(indices_sum_to_the_euler_characteristic)
     uint32_t count = 0;
     for (; count < HATCH_SHAPE_COUNT; count++)
         cases[count] = case_of_shape((enum hatch_shape)count, 600, 1);
-    cases[count++] = case_of_band(30, 5, false);
-    cases[count++] = case_of_band(24, 12, true);
+    cases[count++] = case_of(band(30, 5, true));
+    cases[count++] = case_of(klein(24, 12));
     for (uint32_t k = 0; k < count; k++) {
         struct field_case *of = &cases[k];
         for (uint32_t p = 0; p < of->surface.point_count; p++)
@@ -82,8 +82,8 @@ START_TEST(smoothest_fields_have_the_fewest_singularities)
         {case_of_shape(HATCH_SHAPE_TORUS, 2000, 0.5f), 0, 60},
         {case_of_shape(HATCH_SHAPE_PLANE, 500, 0.5f), 0, 1e-4},
         {case_of_shape(HATCH_SHAPE_CYLINDER, 2000, 0.5f), 0, 1},
-        {case_of_band(60, 5, false), 0, 20},
-        {case_of_band(60, 30, true), 0, 60},
+        {case_of(band(60, 5, true)), 0, 20},
+        {case_of(klein(60, 30)), 0, 60},
     };
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         struct hatch_field field = solve_case(&known[k].of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5);
@@ -124,7 +124,7 @@ END_TEST
 
 START_TEST(multigrid_finds_what_cholesky_finds)
 {
-    struct field_case cases[] = {case_of_shape(HATCH_SHAPE_ELLIPSOID, 2000, 1), case_of_band(60, 6, false)};
+    struct field_case cases[] = {case_of_shape(HATCH_SHAPE_ELLIPSOID, 2000, 1), case_of(band(60, 6, true))};
     follow_truth(&cases[0], HATCH_SHAPE_ELLIPSOID, 30 * DEG, 0.02);
     for (uint32_t p = 0; p < cases[1].surface.point_count; p++) {
         hatch_frames_direction(&cases[1].frames, p, 7 * (double)hatch_random_unit(3, 1, p),
@@ -147,7 +147,7 @@ START_TEST(linear_is_never_above_hz)
 {
     struct field_case cases[] = {
         case_of_shape(HATCH_SHAPE_TORUS, 1000, 1), case_of_shape(HATCH_SHAPE_ELLIPSOID, 1000, 1),
-        case_of_shape(HATCH_SHAPE_SADDLE, 1000, 1), case_of_band(40, 6, false), case_of_band(24, 12, true)};
+        case_of_shape(HATCH_SHAPE_SADDLE, 1000, 1), case_of(band(40, 6, true)), case_of(klein(24, 12))};
     const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOID, HATCH_SHAPE_SADDLE};
     for (size_t k = 0; k < 5; k++) {
         struct field_case *of = &cases[k];

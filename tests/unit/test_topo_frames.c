@@ -48,12 +48,12 @@ START_TEST(frames_of_every_shape_are_sound)
         check_entries(&of);
         check_planes(&of);
     }
-    struct field_case mobius = case_of_band(20, 4, false), klein = case_of_band(24, 12, true);
-    ck_assert(!mobius.surface.components[0].orientable && !klein.surface.components[0].orientable);
+    struct field_case mobius = case_of(band(20, 4, true)), bottle = case_of(klein(24, 12));
+    ck_assert(!mobius.surface.components[0].orientable && !bottle.surface.components[0].orientable);
     check_entries(&mobius);
     check_planes(&mobius);
-    check_entries(&klein);
-    check_planes(&klein);
+    check_entries(&bottle);
+    check_planes(&bottle);
 }
 END_TEST
 
@@ -61,7 +61,7 @@ END_TEST
 START_TEST(scaled_angles_sum_to_gauss_and_bonnet)
 {
     const struct field_case cases[] = {case_of_shape(HATCH_SHAPE_SPHERE, 400, 1),
-                                       case_of_shape(HATCH_SHAPE_TORUS, 400, 1), case_of_band(24, 12, true)};
+                                       case_of_shape(HATCH_SHAPE_TORUS, 400, 1), case_of(klein(24, 12))};
     for (size_t k = 0; k < 3; k++) {
         const struct field_case *of = &cases[k];
         double sum = 0;

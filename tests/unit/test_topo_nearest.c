@@ -1,50 +1,23 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "mesh/shapes.h"
-#include "run.h"
+#include "meshes.h"
+#include "surface_check.h"
 #include "topo/nearest.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
-
-static struct hatch_surface surface_of(const struct hatch_mesh *mesh)
-{
-    struct hatch_surface surface;
-    struct hatch_surface_notes notes;
-    HATCH_TEST_OK(hatch_surface_make(mesh, &keep, &scratch, &surface, &notes, &err), &err);
-    return surface;
-}
 
 /* Two triangles far from one another and of other sizes, and a vertex between that none uses. */
 static struct hatch_mesh two_triangles(void)
 {
     static const float at[7][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {50, 0, 0}, {100, 0, 0}, {130, 0, 0}, {100, 40, 0}};
     static const uint32_t corners[6] = {0, 1, 2, 4, 5, 6};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, 7, 2, &mesh, &err), &err);
-    memcpy(mesh.attributes[0].data, at, sizeof at);
-    memcpy(mesh.indices, corners, sizeof corners);
-    return mesh;
+    return mesh_of(at[0], 7, corners, 2);
 }
 
 START_TEST(every_point_is_nearest_to_itself)
 {
-    const struct hatch_shape_options options = {.faces = 500, .jitter = 0.5f, .seed = 1};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &options, &keep, &scratch, &mesh, &err), &err);
+    struct hatch_mesh mesh =
+        shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 500, .jitter = 0.5f, .seed = 1});
     struct hatch_surface surface = surface_of(&mesh);
     for (uint32_t p = 0; p < surface.point_count; p++) {
         double position[3];

@@ -4,30 +4,6 @@
 #include "meshes.h"
 #include "surface_check.h"
 
-static struct hatch_arena keep, scratch;
-static struct hatch_err err;
-static struct hatch_surface_notes notes;
-
-static void begin(void)
-{
-    hatch_arena_init(&keep, (size_t)1 << 30);
-    hatch_arena_init(&scratch, (size_t)1 << 30);
-}
-
-static void end(void)
-{
-    hatch_arena_free(&scratch);
-    hatch_arena_free(&keep);
-}
-
-static struct hatch_surface make(const struct hatch_mesh *mesh)
-{
-    struct hatch_surface surface;
-    HATCH_TEST_OK(hatch_surface_make(mesh, &keep, &scratch, &surface, &notes, &err), &err);
-    surface_check(mesh, &surface);
-    return surface;
-}
-
 static void expect(const struct hatch_component *part, int euler, uint32_t loops, bool orientable)
 {
     ck_assert_int_eq(part->euler, euler);
@@ -46,8 +22,8 @@ START_TEST(shapes_have_their_euler_characteristic)
                 {HATCH_SHAPE_CONE, 1, 1},     {HATCH_SHAPE_PLANE, 1, 1}};
     const struct hatch_surface_notes nothing = {.components = 1};
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
-        struct hatch_mesh mesh = shape(&keep, want[i].kind, 1000);
-        struct hatch_surface s = make(&mesh);
+        struct hatch_mesh mesh = bare_shape(want[i].kind, 1000);
+        struct hatch_surface s = surface_of(&mesh);
         ck_assert_uint_eq(s.component_count, 1);
         expect(&s.components[0], want[i].euler, want[i].loops, true);
         ck_assert_uint_eq(s.face_count, mesh.face_count);
@@ -88,8 +64,8 @@ START_TEST(a_moebius_strip_turns_over_once_around)
 {
     const uint32_t n = 24;
     for (int twisted = 0; twisted < 2; twisted++) {
-        struct hatch_mesh mesh = band(&keep, n, twisted);
-        struct hatch_surface s = make(&mesh);
+        struct hatch_mesh mesh = band(n, 1, twisted);
+        struct hatch_surface s = surface_of(&mesh);
         expect(&s.components[0], 0, twisted ? 1 : 2, !twisted);
         ck_assert_uint_eq(notes.contrary, twisted ? 1 : 0);
         check_faces_turn_evenly(&s);
@@ -109,8 +85,8 @@ END_TEST
 START_TEST(a_klein_bottle_is_closed_and_one_sided)
 {
     const uint32_t m = 20, n = 12;
-    struct hatch_mesh mesh = klein(&keep, m, n);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_mesh mesh = klein(m, n);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(s.component_count, 1);
     ck_assert_uint_eq(s.point_count, m * n);
     expect(&s.components[0], 0, 0, false);
@@ -132,8 +108,8 @@ START_TEST(rings_run_counter_clockwise_seen_from_outside)
 {
     static const enum hatch_shape kinds[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_PLANE};
     for (int i = 0; i < 2; i++) {
-        struct hatch_mesh mesh = shape(&keep, kinds[i], 600);
-        struct hatch_surface s = make(&mesh);
+        struct hatch_mesh mesh = bare_shape(kinds[i], 600);
+        struct hatch_surface s = surface_of(&mesh);
         uint32_t half = 0;
         for (uint32_t p = 0; p < s.point_count; p++) {
             double out[3] = {0, 0, 1}, turn = 0, a[3], b[3], cross[3];
@@ -164,21 +140,21 @@ END_TEST
 
 START_TEST(components_are_as_they_are_alone_and_sum_up)
 {
-    struct hatch_mesh parts[4] = {shape(&keep, HATCH_SHAPE_TORUS, 500), band(&keep, 30, true),
-                                  shape(&keep, HATCH_SHAPE_CYLINDER, 300), klein(&keep, 16, 10)};
+    struct hatch_mesh parts[4] = {bare_shape(HATCH_SHAPE_TORUS, 500), band(30, 1, true),
+                                  bare_shape(HATCH_SHAPE_CYLINDER, 300), klein(16, 10)};
     struct hatch_mesh all = parts[0];
     for (int i = 1; i < 4; i++) {
         move(&parts[i], (float)i, 100 * (float)i);
-        all = both(&keep, &all, &parts[i]);
+        all = both(&all, &parts[i]);
     }
-    struct hatch_surface s = make(&all), one;
+    struct hatch_surface s = surface_of(&all), one;
     ck_assert_uint_eq(s.component_count, 4);
     struct hatch_mesh_figures figures;
     HATCH_TEST_OK(hatch_measure_mesh(&all, &scratch, &figures, &err), &err);
     int euler = 0;
     uint32_t loops = 0;
     for (uint32_t i = 0; i < 4; i++) {
-        one = make(&parts[i]);
+        one = surface_of(&parts[i]);
         const struct hatch_component *a = &s.components[i], *b = &one.components[0];
         expect(a, b->euler, b->border_loops, b->orientable);
         ck_assert_uint_eq(a->face_count, b->face_count);
@@ -197,16 +173,16 @@ END_TEST
 /* Something of everything: one-sided, closed, open, unwelded, turned faces, faces and vertices too many. */
 static struct hatch_mesh mixture(void)
 {
-    struct hatch_mesh ball = shape(&keep, HATCH_SHAPE_SPHERE, 400), strip = band(&keep, 20, true);
-    struct hatch_mesh box = cube(&keep), loose = soup(&keep, &ball), twice = both(&keep, &box, &box);
+    struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 400), strip = band(20, 1, true);
+    struct hatch_mesh box = cube(0, 1), loose = soup(&ball), twice = both(&box, &box);
     for (uint32_t f = 0; f < ball.face_count; f += 3)
         turn(&ball, f);
     move(&loose, 0.5f, 4);
     move(&strip, 2, 12);
     move(&twice, 1, -5);
-    struct hatch_mesh all = both(&keep, &ball, &loose);
-    all = both(&keep, &all, &strip);
-    all = both(&keep, &all, &twice);
+    struct hatch_mesh all = both(&ball, &loose);
+    all = both(&all, &strip);
+    all = both(&all, &twice);
     all.indices[3] = all.indices[4];
     return all;
 }
@@ -250,12 +226,12 @@ static void check_same(const struct hatch_surface *a, const struct hatch_surface
 
 START_TEST(order_of_faces_and_vertices_does_not_matter)
 {
-    struct hatch_mesh mesh = mixture(), mixed = both(&keep, &mesh, &mesh);
+    struct hatch_mesh mesh = mixture(), mixed = both(&mesh, &mesh);
     uint32_t *face = HATCH_NEW(&keep, uint32_t, mesh.face_count, &err);
     uint32_t *vertex = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
     uint32_t *from = HATCH_NEW(&keep, uint32_t, mesh.face_count, &err);
     uint32_t *to = HATCH_NEW(&keep, uint32_t, mesh.face_count, &err);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     struct hatch_surface_notes first = notes;
     shuffle(face, mesh.face_count, 1);
     shuffle(vertex, mesh.vertex_count, 2);
@@ -265,7 +241,7 @@ START_TEST(order_of_faces_and_vertices_does_not_matter)
         mixed.indices[3 * face[i / 3] + i % 3] = vertex[mesh.indices[i]];
     for (uint32_t v = 0; v < mesh.vertex_count; v++)
         memcpy(&mixed.attributes[0].data[3 * vertex[v]], &mesh.attributes[0].data[3 * v], 12);
-    struct hatch_surface t = make(&mixed);
+    struct hatch_surface t = surface_of(&mixed);
     /* Of faces given twice either may stay, and with it its vertices. */
     ck_assert_uint_eq(notes.welded + notes.unreferenced, first.welded + first.unreferenced);
     notes.welded = first.welded;
@@ -298,12 +274,12 @@ static void check_same_order(const struct hatch_surface *a, const struct hatch_s
 START_TEST(scale_does_not_matter)
 {
     struct hatch_mesh mesh = mixture();
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     static const float scales[] = {1e-20f, 1e20f, 1e-3f, 1e-30f, 1e30f};
     for (int i = 0; i < 5; i++) {
         struct hatch_mesh scaled = mixture();
         move(&scaled, scales[i], 0);
-        struct hatch_surface t = make(&scaled);
+        struct hatch_surface t = surface_of(&scaled);
         check_same_order(&s, &t, 1e-4);
         double ratio = t.components[0].scale / s.components[0].scale;
         ck_assert_double_eq_tol(ratio / (double)scales[i], 1, 1e-6);
@@ -313,18 +289,18 @@ END_TEST
 
 START_TEST(a_far_offset_does_not_matter)
 {
-    struct hatch_mesh mesh = shape(&keep, HATCH_SHAPE_SPHERE, 2000), far;
+    struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_SPHERE, 2000), far;
     float *p = mesh.attributes[0].data;
     for (uint32_t i = 0; i < 3 * mesh.vertex_count; i++)
         p[i] = roundf(p[i] * 8000) / 8; /* floats at 10⁶ are 1/16 apart */
     for (uint32_t f = 0; f < mesh.face_count; f += 2)
         turn(&mesh, f);
-    struct hatch_surface s = make(&mesh);
-    far = both(&keep, &mesh, &mesh);
+    struct hatch_surface s = surface_of(&mesh);
+    far = both(&mesh, &mesh);
     far.vertex_count /= 2;
     far.face_count /= 2;
     move(&far, 1, 1e6f);
-    struct hatch_surface t = make(&far);
+    struct hatch_surface t = surface_of(&far);
     check_same_order(&s, &t, 1e-10);
     ck_assert_double_eq_tol(t.components[0].center[0] - s.components[0].center[0], 1e6, 1e-9);
 }
@@ -332,10 +308,10 @@ END_TEST
 
 START_TEST(a_clean_mesh_comes_back_as_it_was)
 {
-    struct hatch_mesh mesh = shape(&keep, HATCH_SHAPE_TORUS, 800), back;
+    struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_TORUS, 800), back;
     uint32_t *point;
     mesh.attribute_count = 4; /* with normals, tangents and texture */
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
     ck_assert_uint_eq(back.vertex_count, mesh.vertex_count);
     ck_assert_uint_eq(back.attribute_count, 4);
@@ -355,13 +331,13 @@ START_TEST(a_vertex_of_two_points_is_given_twice)
     /* Two triangles that touch in vertex 2; vertex 3 is used by none; the second face is turned. */
     const float positions[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 9, 9, 9, 2, 1, 0, 2, 2, 0};
     const uint32_t faces[] = {0, 1, 2, 2, 4, 5};
-    struct hatch_mesh mesh = mesh_of(&keep, positions, 6, faces, 2), back;
+    struct hatch_mesh mesh = mesh_of(positions, 6, faces, 2), back;
     float *uv;
     uint32_t *point;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
     for (int i = 0; i < 12; i++)
         uv[i] = (float)i;
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.points_split, 1);
     ck_assert_uint_eq(s.component_count, 2);
     HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
@@ -380,7 +356,7 @@ START_TEST(normals_turn_with_all_of_their_faces)
     /* A strip of three; the last face is the wrong way round, and vertex 4 is its alone. */
     const float positions[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 2, 1, 1, 2, 3, 2, 3, 4};
-    struct hatch_mesh mesh = mesh_of(&keep, positions, 5, faces, 3), back;
+    struct hatch_mesh mesh = mesh_of(positions, 5, faces, 3), back;
     float *normal, *tangent;
     uint32_t *point;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "NORMAL", 3, &normal, &err), &err);
@@ -388,7 +364,7 @@ START_TEST(normals_turn_with_all_of_their_faces)
     for (int v = 0; v < 5; v++) {
         normal[3 * v + 2] = tangent[4 * v] = tangent[4 * v + 3] = 1;
     }
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.flipped, 1);
     HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
     const uint32_t want[] = {2, 4, 3};
@@ -429,7 +405,7 @@ START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_mesh mesh = mixture();
     ck_assert_uint_ge(hatch_test_fail_alloc(make_one, &mesh, NULL, 0), 20);
-    struct hatch_surface s = make(&mesh);
+    struct hatch_surface s = surface_of(&mesh);
     struct source from = {&mesh, &s};
     ck_assert_uint_ge(hatch_test_fail_alloc(mesh_one, &from, NULL, 0), 5);
 }

@@ -1,0 +1,32 @@
+/* What nearly every test program has: an arena for results, one for temporaries, and an error. The fixture is
+ * tcase_add_checked_fixture(tests, begin, end). */
+#ifndef HATCH_TEST_ARENAS_H
+#define HATCH_TEST_ARENAS_H
+
+#include "base/arena.h"
+#include "run.h"
+
+static struct hatch_arena keep, scratch;
+static struct hatch_err err;
+
+static inline void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)1 << 30);
+    hatch_arena_init(&scratch, (size_t)1 << 30);
+    err = (struct hatch_err){0};
+}
+
+static inline void end(void)
+{
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+
+/* The end of tests after which all temporaries have been given back. */
+static inline void end_rewound(void)
+{
+    ck_assert_ptr_null(hatch_arena_mark(&scratch).block);
+    end();
+}
+
+#endif
