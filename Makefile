@@ -32,6 +32,8 @@ endif
 LINK_meshgen   :=
 LINK_tamgen    := exr png foreign
 LINK_tampack   := exr png container
+LINK_tamvol    := exr container
+LINK_tamthresh := exr png foreign container
 LINK_hatchstat := exr png foreign gltf container
 LINK_render-gl := exr png foreign gltf gl
 LINK_dirfield  := gltf openmesh cholmod

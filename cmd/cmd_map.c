@@ -12,3 +12,9 @@ void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map
     cmd_check(hatch_exr_read(file, &args->keep, &args->scratch, &parts, &count, &err), name, &err);
     cmd_check(hatch_tam_from_mipmaps(parts, count, map, &err), name, &err);
 }
+
+const char *cmd_map_seed(const struct hatch_tam *map)
+{
+    const struct hatch_attribute *seed = hatch_mipmap_attribute(map->columns, HATCH_TAM_ATTR_SEED);
+    return seed && seed->type == HATCH_ATTRIBUTE_TEXT ? seed->text : NULL;
+}

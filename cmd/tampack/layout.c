@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "cmd_map.h"
 #include "io/container.h"
 #include "io/exr.h"
 #include "io/png.h"
@@ -55,16 +56,15 @@ static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, 
         at += snprintf(tones + at, sizeof tones - (size_t)at, "%s%.6g", at ? " " : "",
                        (double)job->tam.target[tone]);
     snprintf(levels, sizeof levels, "%u", job->tam.levels);
-    const struct hatch_attribute *seed = hatch_mipmap_attribute(job->tam.columns, HATCH_TAM_ATTR_SEED);
-    bool has_seed = seed && seed->type == HATCH_ATTRIBUTE_TEXT;
+    const char *seed = cmd_map_seed(&job->tam);
     const char *const pairs[] = {HATCH_TAM_ATTR_TONE,
                                  tones,
                                  HATCH_TAM_ATTR_LEVELS,
                                  levels,
                                  "hatch:ink",
                                  job->ink_is_one ? "1" : "0",
-                                 has_seed ? HATCH_TAM_ATTR_SEED : NULL,
-                                 has_seed ? seed->text : NULL,
+                                 seed ? HATCH_TAM_ATTR_SEED : NULL,
+                                 seed,
                                  NULL};
     return hatch_ktx2_write(texture, pairs, file, err);
 }

@@ -129,10 +129,10 @@ int main(int argc, char **argv)
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
     cmd_read_map(job.args, input, &job.tam);
-    const struct hatch_attribute *seed = hatch_mipmap_attribute(job.tam.columns, HATCH_TAM_ATTR_SEED);
+    const char *seed = cmd_map_seed(&job.tam);
     char comment[64] = "";
-    if (seed && seed->type == HATCH_ATTRIBUTE_TEXT)
-        snprintf(comment, sizeof comment, "seed %s", seed->text);
+    if (seed)
+        snprintf(comment, sizeof comment, "seed %s", seed);
     job.comment = *comment ? comment : NULL;
     pack(&job, how, input, single);
     warn(how, &job.tam, input);

@@ -5,11 +5,25 @@
 
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level)
 {
-    size_t plane = (size_t)hatch_mip_size(texture->width, level) *
-                   hatch_mip_size(texture->height, level) * texture->channels;
+    size_t width = hatch_mip_size(texture->width, level), height = hatch_mip_size(texture->height, level);
+    uint32_t side = hatch_texels_block_side(texture->code);
+    size_t plane = (width + side - 1) / side * ((height + side - 1) / side) *
+                   hatch_texels_block_bytes(texture->code, texture->channels);
     if (texture->depth)
         return plane * hatch_mip_size(texture->depth, level);
     return plane * (texture->layers ? texture->layers : 1);
+}
+
+uint32_t hatch_texels_block_side(enum hatch_texels_code code)
+{
+    return code == HATCH_TEXELS_BC4 || code == HATCH_TEXELS_BC7 ? 4 : 1;
+}
+
+uint32_t hatch_texels_block_bytes(enum hatch_texels_code code, uint32_t channels)
+{
+    static const uint32_t bytes[] = {
+        [HATCH_TEXELS_BC4] = 8, [HATCH_TEXELS_BC7] = 16, [HATCH_TEXELS_R32UI] = 4};
+    return code == HATCH_TEXELS_PLAIN ? channels : bytes[code];
 }
 
 uint32_t hatch_texels_chain_length(const struct hatch_texels *texture)

@@ -25,6 +25,17 @@ struct hatch_texels {
     enum hatch_texels_code code;
 };
 
+/* 0 .. 1 as eight bits, rounded to nearest; what lies outside is cut off. */
+static inline uint8_t hatch_unorm8(float value)
+{
+    float clamped = value > 0 ? (value < 1 ? value : 1) : 0;
+    return (uint8_t)(clamped * 255 + 0.5f);
+}
+
+/* A block's texels each way, and its bytes; of what is not packed in blocks it is one texel. */
+uint32_t hatch_texels_block_side(enum hatch_texels_code code);
+uint32_t hatch_texels_block_bytes(enum hatch_texels_code code, uint32_t channels);
+
 /* Bytes of one level: all layers or slices. */
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level);
 

@@ -13,6 +13,22 @@
 /* VkFormat of 1 to 4 channels, 8 bits each, UNORM. */
 static const uint32_t vk_formats[] = {0, 9, 16, 23, 37};
 
+/* How the data format descriptor tells of a code: its colour model, VkFormat, bits and largest number of
+ * a sample. PLAIN has a sample a channel. */
+static const struct code {
+    uint32_t vk_format, model, bits, upper, type_size;
+} codes[] = {
+    [HATCH_TEXELS_PLAIN] = {0, 1, 8, 255, 1},
+    [HATCH_TEXELS_BC4] = {139, 131, 64, UINT32_MAX, 1},
+    [HATCH_TEXELS_BC7] = {145, 134, 128, UINT32_MAX, 1},
+    [HATCH_TEXELS_R32UI] = {98, 1, 32, 1, 4},
+};
+
+static uint32_t sample_count(const struct hatch_texels *texture)
+{
+    return texture->code == HATCH_TEXELS_PLAIN ? texture->channels : 1;
+}
+
 struct pair {
     const char *key, *value;
 };
@@ -56,25 +72,27 @@ static enum hatch_status add_u32s(struct hatch_buffer *file, const uint32_t *val
     return HATCH_OK;
 }
 
-/* One plane, one texel a block, each channel eight bits from 0 to 255: linear light, BT.709. */
+/* One plane, linear light, BT.709; each channel eight bits from 0 to 255, or a block as one sample. */
 static enum hatch_status add_descriptor(const struct hatch_texels *texture,
                                         struct hatch_buffer *file, struct hatch_err *err)
 {
     static const uint32_t channel_ids[] = {0, 1, 2, 15}; /* red, green, blue, alpha */
-    const uint32_t model_rgb = 1, primaries_bt709 = 1, transfer_linear = 1;
-    uint32_t block = DESCRIPTOR_HEAD_BYTES + SAMPLE_BYTES * texture->channels;
+    const uint32_t primaries_bt709 = 1, transfer_linear = 1;
+    const struct code *code = &codes[texture->code];
+    uint32_t samples = sample_count(texture), side = hatch_texels_block_side(texture->code);
+    uint32_t block = DESCRIPTOR_HEAD_BYTES + SAMPLE_BYTES * samples;
     const uint32_t head[] = {
         4 + block,
         0,               /* vendor and type: the basic descriptor */
         2 | block << 16, /* version 1.3 */
-        model_rgb | primaries_bt709 << 8 | transfer_linear << 16,
-        0,                 /* a block is one texel */
-        texture->channels, /* bytes of plane 0 */
+        code->model | primaries_bt709 << 8 | transfer_linear << 16,
+        (side - 1) | (side - 1) << 8,
+        hatch_texels_block_bytes(texture->code, texture->channels), /* of plane 0 */
         0,
     };
     HATCH_TRY(add_u32s(file, head, sizeof head / sizeof *head, err));
-    for (uint32_t c = 0; c < texture->channels; c++) {
-        const uint32_t sample[] = {8 * c | 7u << 16 | channel_ids[c] << 24, 0, 0, 255};
+    for (uint32_t c = 0; c < samples; c++) {
+        const uint32_t sample[] = {8 * c | (code->bits - 1) << 16 | channel_ids[c] << 24, 0, 0, code->upper};
         HATCH_TRY(add_u32s(file, sample, sizeof sample / sizeof *sample, err));
     }
     return HATCH_OK;
@@ -92,10 +110,11 @@ static enum hatch_status add_pairs(const struct pair *pairs, uint32_t count,
     return HATCH_OK;
 }
 
-/* Where each level begins: the smallest comes first, each at a multiple of 4 and of a texel. */
+/* Where each level begins: the smallest comes first, each at a multiple of 4 and of a block. */
 static size_t place_levels(const struct hatch_texels *texture, size_t from, size_t *offsets)
 {
-    size_t alignment = texture->channels == 3 ? 12 : 4;
+    size_t block = hatch_texels_block_bytes(texture->code, texture->channels);
+    size_t alignment = block == 3 ? 12 : block < 4 ? 4 : block;
     for (uint32_t level = texture->level_count; level-- > 0;) {
         offsets[level] = to_multiple(from, alignment);
         from = offsets[level] + hatch_texels_level_size(texture, level);
@@ -122,15 +141,15 @@ static enum hatch_status add_all(const struct hatch_texels *texture, const struc
     static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
     size_t index = HATCH_KTX2_HEADER_BYTES;
     size_t descriptor = index + HATCH_KTX2_LEVEL_BYTES * texture->level_count;
-    size_t descriptor_size = 4 + DESCRIPTOR_HEAD_BYTES + SAMPLE_BYTES * texture->channels;
+    size_t descriptor_size = 4 + DESCRIPTOR_HEAD_BYTES + SAMPLE_BYTES * sample_count(texture);
     size_t values = descriptor + descriptor_size, values_size = 0;
     for (uint32_t i = 0; i < pair_count; i++)
         values_size += 4 + to_multiple(pair_bytes(&pairs[i]), 4);
     size_t offsets[HATCH_MIP_LEVELS_MAX];
     size_t end = place_levels(texture, values + values_size, offsets);
     const uint32_t header[] = {
-        vk_formats[texture->channels],
-        1,
+        texture->code == HATCH_TEXELS_PLAIN ? vk_formats[texture->channels] : codes[texture->code].vk_format,
+        codes[texture->code].type_size,
         texture->width,
         texture->height,
         texture->depth,

@@ -6,9 +6,7 @@
 
 static uint8_t code_of(float reflectance, bool ink_is_one)
 {
-    float value = ink_is_one ? 1 - reflectance : reflectance;
-    float clamped = value > 0 ? (value < 1 ? value : 1) : 0;
-    return (uint8_t)(clamped * (float)FULL + 0.5f);
+    return hatch_unorm8(ink_is_one ? 1 - reflectance : reflectance);
 }
 
 /* Channel c of a level to every stride-th byte from out on. */

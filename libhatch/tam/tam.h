@@ -40,11 +40,11 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
                                          struct hatch_tam *tam, struct hatch_err *err)
     HATCH_MUST_USE;
 
-/* Whether no pixel of a grey map gets lighter from column to column, by more than half a step of 8 bits:
+/* Whether no pixel of a grey map gets lighter with tone, by more than a step when rounded to 8 bits:
  * HATCH_BAD_INPUT names the first that does. A coloured map always passes: one of its channels may get
  * lighter where strokes of two colours cross. pool: NULL is one thread. */
 enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                          struct hatch_err *err) HATCH_MUST_USE;
+                                          struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
 /* What is known of a map beside its pixels. Texts are not copied. */
 struct hatch_tam_label {

@@ -7,7 +7,8 @@
  * The steps are interpolated first, compared then: strokes have sharp edges at every magnification.
  * Bin b holds the step with border[b] <= x < border[b + 1] and nothing else, so that interpolation
  * never mixes x of different bins. Where a texel has no step in a bin, its dy is 0 and its x the mean of
- * its neighbours' weighted by their dy (so on outwards, up to the bin's middle), so that it moves nobody.
+ * its neighbours', weighted by their dy, so that it moves none of them; without such neighbours it is that
+ * of the coarser level there, and of the last level the bin's middle.
  */
 #ifndef HATCH_TAM_THRESHOLDS_H
 #define HATCH_TAM_THRESHOLDS_H
@@ -32,7 +33,8 @@ enum hatch_threshold_layer {
 
 struct hatch_threshold_options {
     uint32_t bins;                                /* 1 .. HATCH_THRESHOLD_BINS; others stay empty */
-    const float *border;                          /* bins + 1 tones, rising from 0 to 1; NULL: fitted */
+    const float *border;                          /* bins + 1 tones, rising from 0 to 1; NULL: fitted, so
+                                                     that merging and interpolating steps errs least */
     uint64_t seed;
     const struct hatch_image *modulation, *mask;  /* first channel, 0 .. 1; resampled to the map; NULL: 1 */
 };
@@ -52,12 +54,6 @@ struct hatch_threshold_figures {
                           a stair that changes half-way between two columns */
     double error_max;  /* the largest of a texel, mean over tones */
 };
-
-/* Fits borders to a map's steps: those that make the expected error of merging steps, and of
- * interpolating between neighbours, least, by dynamic programming over the columns. */
-enum hatch_status hatch_thresholds_fit(const struct hatch_tam *tam, uint32_t bins,
-                                       struct hatch_arena *scratch, float *border,
-                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Every level from the map's own. A step lies half-way between the tones of two columns (rounded down
  * where 8 bits lie between), so that at each column's tone its image comes out. Several steps in a bin

@@ -51,7 +51,7 @@ struct hatch_volume_figures {
  * (1 / D at the finest), else the two columns around it, blended. HATCH_BAD_INPUT when a column is
  * missing by more than HATCH_VOLUME_DISTANCE_MAX. Nesting is not looked at. pool: NULL is one thread;
  * the result is the same. */
-#define HATCH_VOLUME_DISTANCE_MAX 0.125
+#define HATCH_VOLUME_DISTANCE_MAX 0.25
 enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
                                     struct hatch_pool *pool, struct hatch_arena *arena,
                                     struct hatch_volume *volume, struct hatch_volume_figures *figures,

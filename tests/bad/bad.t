@@ -13,7 +13,9 @@ tail -n +2 "$bad/MANIFEST.tsv" | cut -f1,3 | while read -r file expect; do
         echo "$expect $bad $file hatchstat diff IN IN -o OUT.tsv"
         echo "$expect $bad $file tamgen --size 64 --tones 1 --brush IN -o OUT.exr"
         # none of them is a tonal art map
-        echo "ERR $bad $file tampack IN -o OUT.ktx2"
+        for command in tampack tamvol tamthresh; do
+            echo "ERR $bad $file $command IN -o OUT.ktx2"
+        done
         echo "ERR $bad $file hatchstat tam IN -o OUT.tsv"
         echo "ERR $bad $file render-gl plane.glb --tam IN --size 64x64 -o OUT.png"
         # nor a mesh

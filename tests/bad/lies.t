@@ -45,6 +45,8 @@ for file in synth/png_bomb_65535x65535_1bit.png synth/exr_datawindow_2e31.exr \
     real/openexr-damaged/memory_DOS_1.exr real/openexr-damaged/oom.exr; do
     lie $file hatchstat diff -j1 "$bad/$file"
     lie $file tampack -j1 -o packed
+    lie $file tamvol -j1 -o volume
+    lie $file tamthresh -j1 -o thresholds
 done
 lie real/oiio/bomb-65500x65500.jpg hatchstat diff -j1 "$bad/real/oiio/bomb-65500x65500.jpg"
 finish

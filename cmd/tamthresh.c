@@ -1,0 +1,171 @@
+/* tamthresh: a tonal art map as thresholds: for each texel the tones at which it darkens. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cmd_map.h"
+#include "cmd_picture.h"
+#include "cmd_texels.h"
+#include "tam/exact.h"
+#include "tam/thresholds.h"
+
+#define ERROR_WARNED 0.02
+
+static const char *bins = "7", *modulation_path, *mask_path;
+static bool bins_given, exact;
+
+static const struct cmd_option options[] = {
+    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "how many, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
+     &bins, NULL, &bins_given},
+    {'x', "exact", CMD_FLAG, 0, 0, NULL, "all changes of every texel, as runs in a buffer", &exact, NULL, NULL},
+    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel that light is multiplied by",
+     &modulation_path, NULL, NULL},
+    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel of the outline's opacity", &mask_path,
+     NULL, NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "tamgen --tones 255 | tamthresh -o ink.ktx2",
+    "tamgen --tones 255 -o tam.exr && tamthresh --exact tam.exr -o ink.ktx2",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "tamthresh",
+    .operands = "[FILE]",
+    .summary = "make threshold textures of a tonal art map: the tones at which each texel darkens",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .seeded = true,
+    .binary = true,
+};
+
+/* A whole number of bins, or the tones between them, which rise; returns how many bins. */
+static uint32_t parse_bins(float *border, bool *listed)
+{
+    char *end;
+    const char *at = bins;
+    uint32_t count = 0;
+    *listed = strpbrk(bins, ".,") != NULL;
+    if (!*listed) {
+        long number = strtol(bins, &end, 10);
+        if (*end || end == bins || number < 1 || number > (long)HATCH_THRESHOLD_BINS)
+            cmd_usage("--bins '%s': want 1 to %u, or tones", bins, HATCH_THRESHOLD_BINS);
+        return (uint32_t)number;
+    }
+    for (border[0] = 0;; at = end + 1) {
+        float tone = strtof(at, &end);
+        if (end == at || !(tone > border[count] && tone < 1) || (*end && *end != ','))
+            cmd_usage("--bins '%s': want tones that rise between 0 and 1, as in .4,.7,.9", bins);
+        border[++count] = tone;
+        if (count == HATCH_THRESHOLD_BINS)
+            cmd_usage("--bins '%s': want %u tones at most", bins, HATCH_THRESHOLD_BINS - 1);
+        if (!*end)
+            break;
+    }
+    border[++count] = 1;
+    return count;
+}
+
+static void check_options(const struct cmd_args *args)
+{
+    if (exact && (bins_given || modulation_path || mask_path))
+        cmd_usage("--exact has no bins, and no channels for pictures");
+    if (exact && cmd_wants_exr(args->output))
+        cmd_usage("--exact is for KTX2: the numbers do not fit EXR's pixels");
+    cmd_check_ending(args->output, "ktx2 exr");
+}
+
+static void encode(struct cmd_args *args, const struct hatch_tam *tam, const struct hatch_texels *texels,
+                   const char *borders, struct hatch_buffer *file)
+{
+    static const char *const layer_names[] = {"x.0", "x.1", "dy.0", "dy.1"};
+    char levels[16];
+    snprintf(levels, sizeof levels, "%u", tam->levels);
+    const char *keys[9] = {HATCH_TAM_ATTR_LEVELS, levels}, *seed = cmd_map_seed(tam);
+    uint32_t count = 2;
+    if (borders) {
+        keys[count++] = HATCH_THRESHOLD_KEY_BORDERS;
+        keys[count++] = borders;
+    }
+    if (seed) {
+        keys[count++] = HATCH_TAM_ATTR_SEED;
+        keys[count++] = seed;
+    }
+    const struct cmd_texture texture = {texels, keys, layer_names};
+    cmd_encode_texture(args, &texture, args->output, file);
+}
+
+static void make_exact(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
+                       struct hatch_buffer *file)
+{
+    struct hatch_err err;
+    struct hatch_exact made;
+    cmd_check(hatch_exact_make(tam, cmd_pool(args), &args->keep, &args->scratch, &made, &err), name, &err);
+    encode(args, tam, &made.texels, NULL, file);
+    cmd_note("%u runs; %zu bytes", made.run_count, file->size);
+}
+
+static void read_picture(struct cmd_args *args, const char *path, struct hatch_image *image,
+                         const struct hatch_image **shown)
+{
+    if (!path)
+        return;
+    cmd_read_picture(args, path, 1, &args->keep, image);
+    *shown = image;
+}
+
+static void make_thresholds(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
+                            struct hatch_buffer *file)
+{
+    struct hatch_err err;
+    struct hatch_thresholds made;
+    struct hatch_threshold_figures figures;
+    struct hatch_image pictures[2];
+    float border[HATCH_THRESHOLD_BINS + 1];
+    char borders[(HATCH_THRESHOLD_BINS + 1) * 16] = "";
+    bool listed;
+    struct hatch_threshold_options how = {.bins = parse_bins(border, &listed), .seed = args->seed};
+    how.border = listed ? border : NULL;
+    read_picture(args, modulation_path, &pictures[0], &how.modulation);
+    read_picture(args, mask_path, &pictures[1], &how.mask);
+    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &figures,
+                                    &err),
+              name, &err);
+    for (uint32_t b = 0, at = 0; b <= made.bins; b++)
+        at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "",
+                                 (double)made.border[b]);
+    if (figures.error > ERROR_WARNED)
+        cmd_warn(name, "%.1f changes of tone a texel do not fit %u bins: off by %.4f in the mean, %.4f at worst",
+                 figures.steps, made.bins, figures.error, figures.error_max);
+    if (tam->ids)
+        cmd_warn(name, "the strokes' ids are left out");
+    encode(args, tam, &made.texels, borders, file);
+    cmd_note("bins %s; %.2f changes a texel, %.4f of them merged: off by %.5f in the mean, %.4f at worst; %zu bytes",
+             borders, figures.steps, figures.merged, figures.error, figures.error_max, file->size);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    float border[HATCH_THRESHOLD_BINS + 1];
+    bool listed;
+    cmd_begin(&program, argc, argv, &args);
+    check_options(&args);
+    parse_bins(border, &listed);
+    const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
+    struct cmd_output *output = cmd_open_output(args.output, true);
+
+    struct hatch_tam tam;
+    struct hatch_buffer file = {.arena = &args.keep};
+    cmd_read_map(&args, input, &tam);
+    if (exact)
+        make_exact(&args, name, &tam, &file);
+    else
+        make_thresholds(&args, name, &tam, &file);
+    cmd_write(output, file.data, file.size);
+    return cmd_end(&args, HATCH_OK);
+}

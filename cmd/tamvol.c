@@ -1,0 +1,124 @@
+/* tamvol: a tonal art map as a volume, whose third coordinate is tone. */
+#include <stdio.h>
+
+#include "cmd_map.h"
+#include "cmd_texels.h"
+#include "image/blocks.h"
+#include "tam/volume.h"
+
+static int64_t tones = 64;
+static int layout;
+static bool layout_given, compress, alpha;
+
+static const char *const layouts[] = {"volume", "array", NULL};
+
+static const struct cmd_option options[] = {
+    {'t', "tones", CMD_INT, HATCH_VOLUME_TONES_MIN, HATCH_VOLUME_TONES_MAX, "N",
+     "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
+    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)",
+     &layout, layouts, &layout_given},
+    {'c', "compress", CMD_FLAG, 0, 0, NULL, "in blocks: BC4 (grey, as an array) or BC7 (colour)", &compress,
+     NULL, NULL},
+    {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 in place of RGB8", &alpha, NULL, NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "tamgen --tones 128 --set 'darkest 1' | tamvol -o ink.ktx2",
+    "tamgen --tones 255 -o tam.exr && tamvol --compress tam.exr -o ink.ktx2",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "tamvol",
+    .operands = "[FILE]",
+    .summary = "make a volume of a tonal art map: a 3D texture over u, v and tone",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .binary = true,
+};
+
+static void check_options(const struct cmd_args *args)
+{
+    if (tones & (tones - 1))
+        cmd_usage("--tones %d: want a power of two", (int)tones);
+    if (compress && cmd_wants_exr(args->output))
+        cmd_usage("--compress is for KTX2: EXR holds no blocks of texels");
+    cmd_check_ending(args->output, "ktx2 exr");
+}
+
+/* Blocks of one channel exist in 2D alone. */
+static enum hatch_volume_layout choose_layout(const struct hatch_tam *tam)
+{
+    bool grey_blocks = compress && !tam->color;
+    if (grey_blocks && layout_given && layout == HATCH_VOLUME_3D)
+        cmd_usage("--compress: OpenGL has no blocks for volumes of one channel: --layout array");
+    return grey_blocks ? HATCH_VOLUME_ARRAY : (enum hatch_volume_layout)layout;
+}
+
+static void warn(const char *name, const struct hatch_tam *tam, const struct hatch_volume_figures *figures)
+{
+    if (figures->blended)
+        cmd_warn(name,
+                 "%u of %u slices are blends of two columns, which lie up to %.4f from their tones: %u columns "
+                 "are few for %d tones",
+                 figures->blended, figures->slices, figures->distance, tam->tones, (int)tones);
+    if (tam->ids)
+        cmd_warn(name, "the strokes' ids are left out");
+}
+
+static void pack(struct cmd_args *args, const struct hatch_tam *tam, struct hatch_texels *texels)
+{
+    struct hatch_err err;
+    struct hatch_texels packed;
+    struct hatch_block_figures figures;
+    cmd_check(hatch_texels_pack(texels, tam->color ? HATCH_TEXELS_BC7 : HATCH_TEXELS_BC4, cmd_pool(args),
+                                &args->keep, &packed, &figures, &err),
+              NULL, &err);
+    cmd_note("blocks are off by %.4f at most, by %.4f in the root of the mean square", figures.error_max,
+             figures.error_rms);
+    *texels = packed;
+}
+
+static void encode(struct cmd_args *args, const struct hatch_tam *tam, const struct hatch_volume *volume,
+                   struct hatch_buffer *file)
+{
+    char levels[16], darkest[32];
+    snprintf(levels, sizeof levels, "%u", volume->levels);
+    snprintf(darkest, sizeof darkest, "%.9g", (double)volume->darkest);
+    const char *seed = cmd_map_seed(tam);
+    const char *const keys[] = {HATCH_TAM_ATTR_LEVELS,       levels, HATCH_VOLUME_KEY_DARKEST, darkest,
+                                seed ? HATCH_TAM_ATTR_SEED : NULL, seed,   NULL};
+    const struct cmd_texture texture = {&volume->texels, keys, NULL};
+    cmd_encode_texture(args, &texture, args->output, file);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    cmd_begin(&program, argc, argv, &args);
+    check_options(&args);
+    const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
+    struct cmd_output *output = cmd_open_output(args.output, true);
+
+    struct hatch_err err;
+    struct hatch_tam tam;
+    struct hatch_volume volume;
+    struct hatch_volume_figures figures;
+    cmd_read_map(&args, input, &tam);
+    struct hatch_volume_options how = {(uint32_t)tones, choose_layout(&tam), alpha};
+    cmd_check(hatch_tam_check_nesting(&tam, cmd_pool(&args), &args.scratch, &err), name, &err);
+    cmd_check(hatch_volume_make(&tam, &how, cmd_pool(&args), &args.keep, &volume, &figures, &err), name, &err);
+    if (compress)
+        pack(&args, &tam, &volume.texels);
+
+    struct hatch_buffer file = {.arena = &args.keep};
+    encode(&args, &tam, &volume, &file);
+    cmd_note("%u slices of drawn levels, the farthest %.4f from a column; %zu bytes", figures.slices,
+             figures.distance, file.size);
+    cmd_write(output, file.data, file.size);
+    warn(name, &tam, &figures);
+    return cmd_end(&args, HATCH_OK);
+}

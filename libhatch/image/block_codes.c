@@ -1,0 +1,239 @@
+#include "image/block_codes.h"
+
+#include <string.h>
+
+#define TEXELS HATCH_BLOCK_TEXELS
+#define BC4_INDEX_BITS 3u
+#define BC7_MODE6 0x40u
+#define BC7_STEPS 15
+
+/* Bits of a block, the lowest first. */
+struct bits {
+    uint8_t *bytes;
+    uint32_t at;
+};
+
+static void put(struct bits *bits, uint32_t count, uint32_t value)
+{
+    for (uint32_t i = 0; i < count; i++, bits->at++)
+        bits->bytes[bits->at / 8] |= (uint8_t)((value >> i & 1) << bits->at % 8);
+}
+
+static uint32_t take(const uint8_t *bytes, uint32_t *at, uint32_t count)
+{
+    uint32_t value = 0;
+    for (uint32_t i = 0; i < count; i++, (*at)++)
+        value |= (uint32_t)(bytes[*at / 8] >> *at % 8 & 1) << i;
+    return value;
+}
+
+/* The eight numbers of a block, rounded to nearest. */
+static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
+{
+    uint32_t steps = a > b ? 7 : 5;
+    numbers[0] = (uint8_t)a;
+    numbers[1] = (uint8_t)b;
+    for (uint32_t i = 1; i < steps; i++)
+        numbers[i + 1] = (uint8_t)(((steps - i) * a + i * b + steps / 2) / steps);
+    if (steps == 5) {
+        numbers[6] = 0;
+        numbers[7] = 255;
+    }
+}
+
+/* Each texel's nearest number; returns the sum of squares that remains. */
+static uint32_t bc4_choose(uint8_t texels[TEXELS][4], const uint8_t numbers[8], uint8_t index[TEXELS])
+{
+    uint32_t sum = 0;
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        uint32_t best = UINT32_MAX;
+        for (uint32_t i = 0; i < 8; i++) {
+            int apart = texels[t][0] - numbers[i];
+            uint32_t square = (uint32_t)(apart * apart);
+            if (square < best) {
+                best = square;
+                index[t] = (uint8_t)i;
+            }
+        }
+        sum += best;
+    }
+    return sum;
+}
+
+static void bc4_write(uint32_t a, uint32_t b, const uint8_t index[TEXELS], uint8_t block[8])
+{
+    struct bits bits = {block, 16};
+    memset(block, 0, 8);
+    block[0] = (uint8_t)a;
+    block[1] = (uint8_t)b;
+    for (uint32_t t = 0; t < TEXELS; t++)
+        put(&bits, BC4_INDEX_BITS, index[t]);
+}
+
+void hatch_bc4_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
+{
+    uint8_t low = 255, high = 0, inner_low = 255, inner_high = 0, numbers[8], index[2][TEXELS] = {{0}};
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        uint8_t value = texels[t][0];
+        low = value < low ? value : low;
+        high = value > high ? value : high;
+        if (value == 0 || value == 255)
+            continue;
+        inner_low = value < inner_low ? value : inner_low;
+        inner_high = value > inner_high ? value : inner_high;
+    }
+    if (low == high) {
+        bc4_write(low, low, index[0], block);
+        return;
+    }
+    if (inner_low > inner_high) /* paper and ink alone */
+        inner_low = inner_high = 0;
+    bc4_numbers(inner_low, inner_high, numbers);
+    uint32_t with_ends = bc4_choose(texels, numbers, index[0]);
+    bc4_numbers(high, low, numbers);
+    uint32_t without = with_ends ? bc4_choose(texels, numbers, index[1]) : UINT32_MAX;
+    if (with_ends <= without)
+        bc4_write(inner_low, inner_high, index[0], block);
+    else
+        bc4_write(high, low, index[1], block);
+}
+
+void hatch_bc4_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
+{
+    uint8_t numbers[8];
+    uint32_t at = 16;
+    bc4_numbers(block[0], block[1], numbers);
+    for (uint32_t t = 0; t < TEXELS; t++)
+        texels[t][0] = numbers[take(block, &at, BC4_INDEX_BITS)];
+}
+
+/* The direction in which colours vary most: a few steps of the power method. */
+static void main_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis[3])
+{
+    float products[3][3] = {{0}};
+    for (uint32_t t = 0; t < TEXELS; t++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                products[i][j] += ((float)texels[t][i] - mean[i]) * ((float)texels[t][j] - mean[j]);
+    int widest = products[1][1] > products[0][0] ? 1 : 0;
+    widest = products[2][2] > products[widest][widest] ? 2 : widest;
+    memcpy(axis, products[widest], 3 * sizeof *axis);
+    for (int step = 0; step < 4; step++) {
+        float next[3], largest = 1e-20f;
+        for (int i = 0; i < 3; i++) {
+            next[i] = products[i][0] * axis[0] + products[i][1] * axis[1] + products[i][2] * axis[2];
+            float size = next[i] < 0 ? -next[i] : next[i];
+            largest = size > largest ? size : largest;
+        }
+        for (int i = 0; i < 3; i++)
+            axis[i] = next[i] / largest;
+    }
+}
+
+/* Seven bits a channel and one for all of them: the one that comes nearer. */
+static uint32_t bc7_end(const float color[3], uint8_t end[4])
+{
+    float best = 1e20f;
+    uint32_t chosen = 0;
+    for (uint32_t low = 0; low < 2; low++) {
+        uint8_t tried[3];
+        float sum = 0;
+        for (int c = 0; c < 3; c++) {
+            float seven = (color[c] - (float)low) / 2 + 0.5f;
+            seven = seven > 0 ? (seven < 127 ? seven : 127) : 0;
+            tried[c] = (uint8_t)((uint32_t)seven << 1 | low);
+            sum += ((float)tried[c] - color[c]) * ((float)tried[c] - color[c]);
+        }
+        if (sum >= best)
+            continue;
+        best = sum;
+        chosen = low;
+        memcpy(end, tried, sizeof tried);
+    }
+    end[3] = (uint8_t)(254 | chosen);
+    return chosen;
+}
+
+static void bc7_ends(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t low_bits[2])
+{
+    float mean[3] = {0}, axis[3], least = 0, most = 0, length = 1e-20f;
+    for (uint32_t t = 0; t < TEXELS; t++)
+        for (int c = 0; c < 3; c++)
+            mean[c] += (float)texels[t][c] / TEXELS;
+    main_axis(texels, mean, axis);
+    for (int c = 0; c < 3; c++)
+        length += axis[c] * axis[c];
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        float along = 0;
+        for (int c = 0; c < 3; c++)
+            along += ((float)texels[t][c] - mean[c]) * axis[c] / length;
+        least = along < least ? along : least;
+        most = along > most ? along : most;
+    }
+    for (int end = 0; end < 2; end++) {
+        float color[3];
+        for (int c = 0; c < 3; c++)
+            color[c] = mean[c] + (end ? most : least) * axis[c];
+        low_bits[end] = bc7_end(color, ends[end]);
+    }
+}
+
+static void bc7_choose(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t index[TEXELS])
+{
+    int way[3], length = 0;
+    for (int c = 0; c < 3; c++) {
+        way[c] = ends[1][c] - ends[0][c];
+        length += way[c] * way[c];
+    }
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        int along = 0;
+        for (int c = 0; c < 3; c++)
+            along += (texels[t][c] - ends[0][c]) * way[c];
+        int step = length && along > 0 ? (2 * BC7_STEPS * along + length) / (2 * length) : 0;
+        index[t] = (uint32_t)(step < BC7_STEPS ? step : BC7_STEPS);
+    }
+}
+
+void hatch_bc7_encode(uint8_t texels[TEXELS][4], uint8_t block[16])
+{
+    uint8_t ends[2][4];
+    uint32_t low_bits[2], index[TEXELS];
+    bc7_ends(texels, ends, low_bits);
+    bc7_choose(texels, ends, index);
+    /* The first index has a bit less: its texel is in the first half. */
+    uint32_t first = index[0] > BC7_STEPS / 2 ? 1 : 0;
+    struct bits bits = {block, 7};
+    memset(block, 0, 16);
+    block[0] = BC7_MODE6;
+    for (int c = 0; c < 4; c++)
+        for (uint32_t end = 0; end < 2; end++)
+            put(&bits, 7, ends[end ^ first][c] >> 1);
+    for (uint32_t end = 0; end < 2; end++)
+        put(&bits, 1, low_bits[end ^ first]);
+    for (uint32_t t = 0; t < TEXELS; t++)
+        put(&bits, t ? 4 : 3, first ? BC7_STEPS - index[t] : index[t]);
+}
+
+bool hatch_bc7_decode(const uint8_t block[16], uint8_t texels[TEXELS][4])
+{
+    static const uint8_t weights[] = {0, 4, 9, 13, 17, 21, 26, 30, 34, 38, 43, 47, 51, 55, 60, 64};
+    uint32_t ends[2][4], at = 7;
+    if ((block[0] & 0x7f) != BC7_MODE6) {
+        memset(texels, 0, 4 * TEXELS);
+        return false;
+    }
+    for (int c = 0; c < 4; c++)
+        for (int end = 0; end < 2; end++)
+            ends[end][c] = take(block, &at, 7) << 1;
+    for (int end = 0; end < 2; end++) {
+        uint32_t low = take(block, &at, 1);
+        for (int c = 0; c < 4; c++)
+            ends[end][c] |= low;
+    }
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        uint32_t weight = weights[take(block, &at, t ? 4 : 3)];
+        for (int c = 0; c < 4; c++)
+            texels[t][c] = (uint8_t)(((64 - weight) * ends[0][c] + weight * ends[1][c] + 32) >> 6);
+    }
+    return true;
+}

@@ -1,0 +1,172 @@
+#include "image/blocks.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "image/block_codes.h"
+
+#define SIDE HATCH_BLOCK_SIDE
+#define TEXELS (SIDE * SIDE)
+
+/* One level: a task is a row of blocks of one layer or slice. */
+struct job {
+    const struct hatch_texels *plain, *packed;
+    uint32_t level, width, height, across, down;
+    struct sums {
+        uint64_t squares;
+        uint32_t worst;
+        bool unknown;
+    } *rows;
+};
+
+static uint32_t planes_of(const struct hatch_texels *texels, uint32_t level)
+{
+    return texels->depth ? hatch_mip_size(texels->depth, level) : texels->layers ? texels->layers : 1;
+}
+
+static struct job job_of(const struct hatch_texels *plain, const struct hatch_texels *packed, uint32_t level)
+{
+    struct job job = {.plain = plain, .packed = packed, .level = level};
+    job.width = hatch_mip_size(plain->width, level);
+    job.height = hatch_mip_size(plain->height, level);
+    job.across = (job.width + SIDE - 1) / SIDE;
+    job.down = (job.height + SIDE - 1) / SIDE;
+    return job;
+}
+
+/* Where a texel of a block stands in the plain texture; those beyond its border are its last. */
+static uint8_t *texel_at(const struct job *job, uint32_t row, uint32_t block, uint32_t texel)
+{
+    uint32_t x = block * SIDE + texel % SIDE, y = row % job->down * SIDE + texel / SIDE;
+    x = x < job->width ? x : job->width - 1;
+    y = y < job->height ? y : job->height - 1;
+    size_t at = ((size_t)(row / job->down) * job->height + y) * job->width + x;
+    return job->plain->texels[job->level] + at * job->plain->channels;
+}
+
+static uint8_t *block_at(const struct job *job, uint32_t row, uint32_t block)
+{
+    uint32_t bytes = hatch_texels_block_bytes(job->packed->code, job->packed->channels);
+    return job->packed->texels[job->level] + ((size_t)row * job->across + block) * bytes;
+}
+
+/* Alpha is 255 where there is none; a grey texel is its first number alone. */
+static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8_t texels[TEXELS][4])
+{
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i][3] = 255;
+        memcpy(texels[i], texel_at(job, row, block, i), job->plain->channels);
+    }
+}
+
+static void compare(const struct job *job, uint8_t before[TEXELS][4], uint8_t after[TEXELS][4],
+                    struct sums *sums)
+{
+    for (uint32_t i = 0; i < TEXELS; i++)
+        for (uint32_t c = 0; c < job->plain->channels; c++) {
+            uint32_t apart = (uint32_t)(before[i][c] > after[i][c] ? before[i][c] - after[i][c]
+                                                                   : after[i][c] - before[i][c]);
+            sums->squares += apart * apart;
+            sums->worst = apart > sums->worst ? apart : sums->worst;
+        }
+}
+
+static void pack_row(void *context, uint32_t row)
+{
+    const struct job *job = context;
+    bool grey = job->packed->code == HATCH_TEXELS_BC4;
+    for (uint32_t b = 0; b < job->across; b++) {
+        uint8_t texels[TEXELS][4], got[TEXELS][4], *block = block_at(job, row, b);
+        get_block(job, row, b, texels);
+        if (grey) {
+            hatch_bc4_encode(texels, block);
+            hatch_bc4_decode(block, got);
+        } else {
+            hatch_bc7_encode(texels, block);
+            hatch_bc7_decode(block, got);
+        }
+        compare(job, texels, got, &job->rows[row]);
+    }
+}
+
+static void unpack_row(void *context, uint32_t row)
+{
+    const struct job *job = context;
+    for (uint32_t b = 0; b < job->across; b++) {
+        uint8_t texels[TEXELS][4];
+        const uint8_t *block = block_at(job, row, b);
+        if (job->packed->code == HATCH_TEXELS_BC4)
+            hatch_bc4_decode(block, texels);
+        else if (!hatch_bc7_decode(block, texels))
+            job->rows[row].unknown = true;
+        /* backwards: the texel that stands there is the first of those that fall on it */
+        for (uint32_t i = TEXELS; i-- > 0;)
+            memcpy(texel_at(job, row, b, i), texels[i], job->plain->channels);
+    }
+}
+
+static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatch_task task,
+                                  struct hatch_arena *arena, struct sums *sums, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(arena);
+    uint32_t rows = job->down * planes_of(job->plain, job->level);
+    job->rows = HATCH_NEW(arena, struct sums, rows, err);
+    if (!job->rows)
+        return HATCH_LIMIT;
+    hatch_parallel_for(pool, rows, task, job);
+    for (uint32_t i = 0; i < rows; i++) {
+        sums->squares += job->rows[i].squares;
+        sums->worst = job->rows[i].worst > sums->worst ? job->rows[i].worst : sums->worst;
+        sums->unknown |= job->rows[i].unknown;
+    }
+    hatch_arena_rewind(arena, mark);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
+                                    struct hatch_pool *pool, struct hatch_arena *arena,
+                                    struct hatch_texels *packed, struct hatch_block_figures *figures,
+                                    struct hatch_err *err)
+{
+    assert(plain->code == HATCH_TEXELS_PLAIN);
+    assert(code == HATCH_TEXELS_BC4 ? plain->channels == 1 : code == HATCH_TEXELS_BC7 && plain->channels >= 3);
+    struct hatch_texels made = *plain;
+    struct sums sums = {0};
+    double numbers = 0;
+    made.code = code;
+    made.channels = code == HATCH_TEXELS_BC4 ? 1 : 4;
+    HATCH_TRY(hatch_texels_make(arena, &made, err));
+    for (uint32_t level = 0; level < plain->level_count; level++) {
+        struct job job = job_of(plain, &made, level);
+        HATCH_TRY(for_rows(&job, pool, pack_row, arena, &sums, err));
+        numbers += (double)TEXELS * job.across * job.down * planes_of(plain, level) * plain->channels;
+    }
+    if (figures)
+        *figures = (struct hatch_block_figures){sums.worst / 255.0, sqrt((double)sums.squares / numbers) / 255};
+    *packed = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_texels_unpack(const struct hatch_texels *packed, struct hatch_arena *arena,
+                                      struct hatch_texels *plain, struct hatch_err *err)
+{
+    if (packed->code == HATCH_TEXELS_PLAIN) {
+        *plain = *packed;
+        return HATCH_OK;
+    }
+    if (packed->code == HATCH_TEXELS_R32UI)
+        return hatch_fail(err, HATCH_BAD_INPUT, "whole numbers, where colours are wanted");
+    struct hatch_texels made = *packed;
+    struct sums sums = {0};
+    made.code = HATCH_TEXELS_PLAIN;
+    HATCH_TRY(hatch_texels_make(arena, &made, err));
+    for (uint32_t level = 0; level < made.level_count; level++) {
+        struct job job = job_of(&made, packed, level);
+        HATCH_TRY(for_rows(&job, NULL, unpack_row, arena, &sums, err));
+        if (sums.unknown)
+            return hatch_fail(err, HATCH_BAD_INPUT, "level %u: a BC7 block of another mode than 6", level);
+    }
+    *plain = made;
+    return HATCH_OK;
+}

@@ -1,0 +1,200 @@
+#include "tam/runs.h"
+
+#include <string.h>
+
+#include "image/texels.h"
+
+#define ROWS_A_TASK 16u
+
+/* A row's work, and what it found. codes: darkness over columns and texels, NULL where nobody asks. */
+struct job {
+    const struct hatch_tam *tam;
+    uint32_t level, size;
+    uint8_t *darkest;   /* size² texels: the largest so far */
+    uint8_t *codes;     /* size rows of columns x size */
+    uint32_t *count;    /* size²: runs of each texel, then the number of its next one */
+    uint32_t *fault;    /* size rows: first column that gets lighter, and at which texel; 0: none does */
+    struct hatch_run *runs;
+};
+
+/* Rows are long enough to be worth a vector loop, and their columns few enough to stay in a cache. */
+static void take_row(const struct job *job, uint32_t y)
+{
+    size_t size = job->size;
+    uint8_t *restrict darkest = job->darkest + y * size;
+    for (uint32_t c = 0; c < job->tam->tones; c++) {
+        const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
+        size_t stride = image->channel_count;
+        const float *pixels = image->pixels + y * size * stride;
+        bool lighter = false;
+        if (stride == 1)
+            for (size_t x = 0; x < size; x++) {
+                uint8_t code = (uint8_t)(255 - hatch_unorm8(pixels[x]));
+                lighter |= code + 1 < darkest[x];
+                darkest[x] = code > darkest[x] ? code : darkest[x];
+            }
+        else
+            for (size_t x = 0; x < size; x++) {
+                uint8_t code = (uint8_t)(255 - hatch_unorm8(pixels[x * stride]));
+                lighter |= code + 1 < darkest[x];
+                darkest[x] = code > darkest[x] ? code : darkest[x];
+            }
+        if (lighter && !job->fault[y])
+            job->fault[y] = c;
+        if (job->codes)
+            memcpy(job->codes + (y * (size_t)job->tam->tones + c) * size, darkest, size);
+    }
+}
+
+static void count_row(const struct job *job, uint32_t y)
+{
+    size_t size = job->size;
+    uint32_t *restrict count = job->count + y * size;
+    const uint8_t *codes = job->codes + y * (size_t)job->tam->tones * size;
+    for (size_t x = 0; x < size; x++)
+        count[x] = codes[x] != 0;
+    for (uint32_t c = 1; c < job->tam->tones; c++, codes += size)
+        for (size_t x = 0; x < size; x++)
+            count[x] += codes[x] != codes[size + x];
+}
+
+static void fill_row(const struct job *job, uint32_t y)
+{
+    size_t size = job->size;
+    uint32_t *restrict next = job->count + y * size;
+    const uint8_t *codes = job->codes + y * (size_t)job->tam->tones * size;
+    for (uint32_t c = 0; c < job->tam->tones; c++, codes += size)
+        for (size_t x = 0; x < size; x++)
+            if (codes[x] != (c ? codes[x - size] : 0))
+                job->runs[next[x]++] = (struct hatch_run){(uint8_t)c, codes[x]};
+}
+
+static void for_rows(void (*row)(const struct job *, uint32_t), const struct job *job, uint32_t task)
+{
+    for (uint32_t y = task * ROWS_A_TASK; y < (task + 1) * ROWS_A_TASK && y < job->size; y++)
+        row(job, y);
+}
+
+static void take(void *context, uint32_t task)
+{
+    const struct job *job = context;
+    for_rows(take_row, job, task);
+    if (job->codes)
+        for_rows(count_row, job, task);
+}
+
+static void fill(void *context, uint32_t task)
+{
+    for_rows(fill_row, context, task);
+}
+
+static uint32_t task_count(const struct job *job)
+{
+    return (job->size + ROWS_A_TASK - 1) / ROWS_A_TASK;
+}
+
+/* The first texel of the row that gets lighter in the column that was found. */
+static enum hatch_status tell_fault(const struct job *job, uint32_t y, struct hatch_err *err)
+{
+    uint32_t column = job->fault[y], x = 0;
+    uint8_t before = 0, now = 0;
+    for (; x < job->size; x++, before = 0) {
+        for (uint32_t c = 0; c <= column; c++) {
+            const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
+            size_t at = ((size_t)y * job->size + x) * image->channel_count;
+            now = (uint8_t)(255 - hatch_unorm8(image->pixels[at]));
+            before = c < column && now > before ? now : before;
+        }
+        if (now + 1 < before)
+            break;
+    }
+    return hatch_fail(err, HATCH_BAD_INPUT,
+                      "tone.%03u: level %u: pixel (%u, %u) gets lighter, from %.3f to %.3f: strokes do not nest",
+                      column, job->level, x, y, 1 - before / 255.0, 1 - now / 255.0);
+}
+
+static enum hatch_status run_level(struct job *job, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                   struct hatch_err *err)
+{
+    size_t texels = (size_t)job->size * job->size;
+    job->darkest = HATCH_NEW(scratch, uint8_t, texels, err);
+    job->fault = HATCH_NEW(scratch, uint32_t, job->size, err);
+    if (!job->darkest || !job->fault)
+        return HATCH_LIMIT;
+    hatch_parallel_for(pool, task_count(job), take, job);
+    for (uint32_t y = 0; y < job->size; y++)
+        if (job->fault[y])
+            return tell_fault(job, y, err);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
+                                          struct hatch_arena *scratch, struct hatch_err *err)
+{
+    enum hatch_status status = HATCH_OK;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    for (uint32_t level = 0; !tam->color && level < tam->columns[0].level_count && status == HATCH_OK; level++) {
+        struct job job = {.tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level)};
+        status = run_level(&job, pool, scratch, err);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
+/* Each texel's count becomes the number of its first run. */
+static enum hatch_status sum_counts(const uint32_t *count, size_t texels, uint64_t *total, uint32_t *first,
+                                    struct hatch_err *err)
+{
+    for (size_t i = 0; i <= texels; i++) {
+        if (*total > UINT32_MAX)
+            return hatch_fail(err, HATCH_LIMIT, "2^32 changes of texels, or more");
+        first[i] = (uint32_t)*total;
+        *total += i < texels ? count[i] : 0;
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_pool *pool,
+                                     struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct job *jobs, struct hatch_runs *made, struct hatch_err *err)
+{
+    uint64_t total = 0;
+    for (uint32_t level = 0; level < made->level_count; level++) {
+        struct job *job = &jobs[level];
+        *job = (struct job){.tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level)};
+        size_t texels = (size_t)job->size * job->size;
+        job->codes = HATCH_NEW(scratch, uint8_t, texels * tam->tones, err);
+        job->count = HATCH_NEW(scratch, uint32_t, texels, err);
+        made->first[level] = HATCH_NEW(arena, uint32_t, texels + 1, err);
+        if (!job->codes || !job->count || !made->first[level])
+            return HATCH_LIMIT;
+        HATCH_TRY(run_level(job, pool, scratch, err));
+        HATCH_TRY(sum_counts(job->count, texels, &total, made->first[level], err));
+        memcpy(job->count, made->first[level], texels * sizeof *job->count);
+    }
+    made->count = (uint32_t)total;
+    made->runs = HATCH_NEW(arena, struct hatch_run, made->count, err);
+    if (!made->runs)
+        return HATCH_LIMIT;
+    for (uint32_t level = 0; level < made->level_count; level++) {
+        jobs[level].runs = made->runs;
+        hatch_parallel_for(pool, task_count(&jobs[level]), fill, &jobs[level]);
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool *pool,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_runs *runs, struct hatch_err *err)
+{
+    if (tam->color)
+        return hatch_fail(err, HATCH_BAD_INPUT, "the map is coloured: steps of darkness tell of grey alone");
+    struct job jobs[HATCH_MIP_LEVELS_MAX];
+    struct hatch_runs made = {.level_count = tam->columns[0].level_count};
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = take_levels(tam, pool, arena, scratch, jobs, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *runs = made;
+    return status;
+}

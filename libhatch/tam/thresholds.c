@@ -1,0 +1,236 @@
+#include "tam/thresholds.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "tam/steps.h"
+
+#define FULL 255u
+
+/* One level's work; a task is a row. */
+struct job {
+    const struct hatch_tam *tam;
+    const struct hatch_threshold_options *options;
+    const struct hatch_runs *runs;
+    const struct hatch_texels *texels;
+    const uint8_t *code;   /* x of each column */
+    const uint32_t *first; /* codes at which the bins begin */
+    uint32_t level, size;
+    struct sums {
+        uint64_t steps, merged, error, error_max; /* error: of 255² */
+    } *rows;
+};
+
+/* Bin b's x (value 0) or height (value 1) of a texel. */
+static uint8_t *place_of(const struct job *job, uint32_t level, size_t texel, uint32_t bin, uint32_t value)
+{
+    uint32_t size = hatch_mip_size(job->texels->width, level), layer = value * 2 + bin / 4;
+    return job->texels->texels[level] + (((size_t)layer * size * size + texel) * 4 + bin % 4);
+}
+
+/* The area between the stair of count steps and the one step that stands for them. */
+static uint64_t area_between(const struct hatch_step *steps, uint32_t count, uint32_t x, uint32_t height)
+{
+    uint64_t area = 0;
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        sum += steps[i].height;
+        uint32_t one = steps[i].x >= x ? height : 0;
+        area += (uint64_t)(one > sum ? one - sum : sum - one) * (steps[i + 1].x - steps[i].x);
+    }
+    return area;
+}
+
+/* One of the steps, with a chance in proportion to its height. */
+static uint32_t pick(const struct job *job, const struct hatch_step *steps, uint32_t height, uint32_t bin,
+                     size_t texel)
+{
+    uint64_t stream = (uint64_t)job->level << 8 | bin;
+    uint64_t at = hatch_random_u64(job->options->seed, stream, texel) % height, i = 0;
+    for (; at >= steps[i].height; i++)
+        at -= steps[i].height;
+    return steps[i].x;
+}
+
+static void merge_texel(const struct job *job, size_t texel, struct sums *sums)
+{
+    struct hatch_step steps[HATCH_TAM_TONES_MAX];
+    uint32_t count = hatch_steps_of(job->runs, job->code, job->level, texel, steps), from = 0;
+    uint64_t error = 0;
+    for (uint32_t bin = 0; bin < job->options->bins; bin++) {
+        uint32_t to = from, height = 0;
+        for (; to < count && steps[to].x < job->first[bin + 1]; to++)
+            height += steps[to].height;
+        if (to == from)
+            continue;
+        uint32_t x = to == from + 1 ? steps[from].x : pick(job, steps + from, height, bin, texel);
+        *place_of(job, job->level, texel, bin, 0) = (uint8_t)x;
+        *place_of(job, job->level, texel, bin, 1) = (uint8_t)height;
+        sums->merged += to > from + 1 ? to - from : 0;
+        error += area_between(steps + from, to - from, x, height);
+        from = to;
+    }
+    sums->steps += count;
+    sums->error += error;
+    sums->error_max = error > sums->error_max ? error : sums->error_max;
+}
+
+static void merge_row(void *context, uint32_t y)
+{
+    const struct job *job = context;
+    for (uint32_t x = 0; x < job->size; x++)
+        merge_texel(job, (size_t)y * job->size + x, &job->rows[y]);
+}
+
+/* The mean x of the neighbours that have a step, weighted by their heights, those at a corner half. The
+ * sum of heights is 0 where none has. */
+static uint32_t mean_around(const struct job *job, uint32_t x, uint32_t y, uint32_t bin, uint32_t *heights)
+{
+    static const uint32_t weights[] = {1, 2, 1, 2, 0, 2, 1, 2, 1};
+    uint32_t size = job->size, sum = 0;
+    *heights = 0;
+    for (uint32_t i = 0; i < 9; i++) {
+        size_t at = (size_t)((y + size - 1 + i / 3) % size) * size + (x + size - 1 + i % 3) % size;
+        uint32_t height = weights[i] * *place_of(job, job->level, at, bin, 1);
+        if (!height) /* its x may just be given */
+            continue;
+        sum += height * *place_of(job, job->level, at, bin, 0);
+        *heights += height;
+    }
+    return *heights ? (sum + *heights / 2) / *heights : 0;
+}
+
+/* Gives x to what has no step: it only reads those that have one. */
+static void settle_row(void *context, uint32_t y)
+{
+    const struct job *job = context;
+    uint32_t coarser = hatch_mip_size(job->texels->width, job->level + 1);
+    bool is_last = job->level + 1 == job->texels->level_count;
+    for (uint32_t x = 0; x < job->size; x++)
+        for (uint32_t bin = 0; bin < HATCH_THRESHOLD_BINS; bin++) {
+            size_t texel = (size_t)y * job->size + x;
+            uint32_t used = bin < job->options->bins ? bin : job->options->bins - 1, heights = 0;
+            if (*place_of(job, job->level, texel, bin, 1))
+                continue;
+            uint32_t code = mean_around(job, x, y, bin, &heights);
+            if (!heights && is_last)
+                code = (job->first[used] + job->first[used + 1] - 1) / 2;
+            else if (!heights) {
+                uint32_t across = x / 2 < coarser ? x / 2 : coarser - 1;
+                uint32_t down = y / 2 < coarser ? y / 2 : coarser - 1;
+                code = *place_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
+            }
+            *place_of(job, job->level, texel, bin, 0) = (uint8_t)code;
+        }
+}
+
+/* A picture's first channel, box filtered to size² texels; NULL is 1 everywhere. */
+static uint8_t mean_of(const struct hatch_image *image, uint32_t x, uint32_t y, uint32_t size)
+{
+    if (!image)
+        return FULL;
+    uint32_t from[2], to[2];
+    const uint32_t at[2] = {x, y}, sides[2] = {image->width, image->height};
+    for (int axis = 0; axis < 2; axis++) {
+        from[axis] = (uint32_t)((uint64_t)at[axis] * sides[axis] / size);
+        to[axis] = (uint32_t)(((uint64_t)at[axis] + 1) * sides[axis] / size);
+        to[axis] = to[axis] > from[axis] ? to[axis] : from[axis] + 1;
+    }
+    double sum = 0;
+    for (uint32_t row = from[1]; row < to[1]; row++)
+        for (uint32_t column = from[0]; column < to[0]; column++)
+            sum += (double)image->pixels[((size_t)row * image->width + column) * image->channel_count];
+    return hatch_unorm8((float)(sum / (to[0] - from[0]) / (to[1] - from[1])));
+}
+
+static void mask_row(void *context, uint32_t y)
+{
+    const struct job *job = context;
+    for (uint32_t x = 0; x < job->size; x++) {
+        size_t texel = (size_t)y * job->size + x;
+        *place_of(job, job->level, texel, 7, 0) = mean_of(job->options->modulation, x, y, job->size);
+        *place_of(job, job->level, texel, 7, 1) = mean_of(job->options->mask, x, y, job->size);
+    }
+}
+
+static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                     struct sums *sums, struct hatch_err *err)
+{
+    job->rows = HATCH_NEW(scratch, struct sums, job->tam->size_px, err);
+    if (!job->rows)
+        return HATCH_LIMIT;
+    for (uint32_t level = job->texels->level_count; level-- > 0;) {
+        job->level = level;
+        job->size = hatch_mip_size(job->texels->width, level);
+        memset(job->rows, 0, job->size * sizeof *job->rows);
+        hatch_parallel_for(pool, job->size, merge_row, job);
+        hatch_parallel_for(pool, job->size, settle_row, job);
+        hatch_parallel_for(pool, job->size, mask_row, job);
+        for (uint32_t y = 0; level < job->tam->levels && y < job->size; y++) {
+            const struct sums *row = &job->rows[y];
+            sums->steps += row->steps;
+            sums->merged += row->merged;
+            sums->error += row->error;
+            sums->error_max = row->error_max > sums->error_max ? row->error_max : sums->error_max;
+        }
+    }
+    return HATCH_OK;
+}
+
+static void sum_figures(const struct hatch_tam *tam, const struct sums *sums,
+                        struct hatch_threshold_figures *figures)
+{
+    double texels = 0;
+    for (uint32_t level = 0; level < tam->levels; level++) {
+        double size = hatch_mip_size(tam->size_px, level);
+        texels += size * size;
+    }
+    figures->steps = (double)sums->steps / texels;
+    figures->merged = sums->steps ? (double)sums->merged / (double)sums->steps : 0;
+    figures->error = (double)sums->error / texels / (FULL * FULL);
+    figures->error_max = (double)sums->error_max / (FULL * FULL);
+}
+
+/* Takes the map's runs, fits the borders where none are given, and makes all levels of them. */
+static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
+                              struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_thresholds *made, struct sums *sums, struct hatch_err *err)
+{
+    struct hatch_runs runs;
+    uint8_t code[HATCH_TAM_TONES_MAX];
+    uint32_t first[HATCH_THRESHOLD_BINS + 1];
+    HATCH_TRY(hatch_runs_make(tam, pool, scratch, arena, &runs, err));
+    if (options->border)
+        memcpy(made->border, options->border, (options->bins + 1) * sizeof *made->border);
+    else
+        HATCH_TRY(hatch_steps_fit(tam, &runs, options->bins, scratch, made->border, err));
+    hatch_step_codes(tam, code);
+    hatch_bin_codes(made->border, options->bins, first);
+    struct job job = {.tam = tam, .options = options, .runs = &runs, .texels = &made->texels, .code = code,
+                      .first = first};
+    return make_levels(&job, pool, scratch, sums, err);
+}
+
+enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam,
+                                        const struct hatch_threshold_options *options,
+                                        struct hatch_pool *pool, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct hatch_thresholds *thresholds,
+                                        struct hatch_threshold_figures *figures, struct hatch_err *err)
+{
+    assert(options->bins >= 1 && options->bins <= HATCH_THRESHOLD_BINS);
+    struct sums sums = {0};
+    struct hatch_thresholds made = {.levels = tam->levels, .bins = options->bins};
+    made.texels = (struct hatch_texels){.width = tam->size_px, .height = tam->size_px,
+                                        .layers = HATCH_THRESHOLD_LAYERS, .channels = 4,
+                                        .level_count = tam->columns[0].level_count};
+    HATCH_TRY(hatch_texels_make(arena, &made.texels, err));
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = make(tam, options, pool, arena, scratch, &made, &sums, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status != HATCH_OK)
+        return status;
+    *thresholds = made;
+    sum_figures(tam, &sums, figures);
+    return HATCH_OK;
+}

@@ -1,0 +1,157 @@
+#include "tam/volume.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Two columns, blended; -1 is paper. */
+struct blend {
+    int below, above;
+    float share; /* of above */
+};
+
+struct slice {
+    uint32_t level, index;
+    struct blend blend;
+};
+
+struct job {
+    const struct hatch_tam *tam;
+    const struct hatch_texels *texels;
+    const struct slice *slices;
+};
+
+static float tone_of(const struct hatch_tam *tam, int column)
+{
+    return column < 0 ? 0 : tam->target[column];
+}
+
+/* The columns around a tone, and how far the nearer one is. */
+static struct blend find_columns(const struct hatch_tam *tam, double tone, double *distance)
+{
+    int above = 0, last = (int)tam->tones - 1;
+    while (above <= last && (double)tam->target[above] < tone)
+        above++;
+    *distance = 0;
+    if (above > last)
+        return (struct blend){last, last, 0};
+    double down = tone - (double)tone_of(tam, above - 1), up = (double)tam->target[above] - tone;
+    *distance = fmin(down, up);
+    return (struct blend){above - 1, above, (float)(down / (down + up))};
+}
+
+static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, uint32_t index, uint32_t depth,
+                                 struct hatch_volume_figures *figures)
+{
+    double distance, step = 1.0 / depth;
+    struct slice slice = {level, index, find_columns(tam, (index + 0.5) * step, &distance)};
+    bool drawn = level < tam->levels;
+    if (distance <= step / 4)
+        slice.blend.share = slice.blend.share > 0.5f ? 1 : 0;
+    else if (drawn)
+        figures->blended++;
+    figures->slices += drawn;
+    if (drawn && distance > figures->distance)
+        figures->distance = distance;
+    return slice;
+}
+
+static void fill_slice(void *context, uint32_t number)
+{
+    const struct job *job = context;
+    const struct slice *slice = &job->slices[number];
+    const struct hatch_texels *texels = job->texels;
+    size_t count = (size_t)hatch_mip_size(texels->width, slice->level) *
+                   hatch_mip_size(texels->height, slice->level);
+    uint8_t *out = texels->texels[slice->level] + slice->index * count * texels->channels;
+    const struct hatch_image *image[2];
+    const int columns[2] = {slice->blend.below, slice->blend.above};
+    for (int i = 0; i < 2; i++)
+        image[i] = columns[i] < 0 ? NULL : &job->tam->columns[columns[i]].levels[slice->level];
+    float share = slice->blend.share;
+    size_t stride = job->tam->columns[0].levels[0].channel_count;
+    for (uint32_t c = 0; c < texels->channels; c++)
+        for (size_t i = 0; i < count; i++) {
+            float below = image[0] && c < 3 ? image[0]->pixels[i * stride + c] : 1;
+            float above = image[1] && c < 3 ? image[1]->pixels[i * stride + c] : 1;
+            out[i * texels->channels + c] = hatch_unorm8(below + share * (above - below));
+        }
+}
+
+/* A texel of a filtered level is the mean of those under it, which are two each way but where a side of
+ * the finer level is odd or 1. */
+static void filter_level(const struct hatch_texels *texels, uint32_t level)
+{
+    uint32_t from[3], to[3], reach[3], at[3], channels = texels->channels;
+    const uint32_t sizes[3] = {texels->width, texels->height, texels->depth};
+    for (int axis = 0; axis < 3; axis++) {
+        from[axis] = hatch_mip_size(sizes[axis], level - 1);
+        to[axis] = hatch_mip_size(sizes[axis], level);
+        reach[axis] = from[axis] > 1 ? 2 : 1;
+    }
+    const uint8_t *in = texels->texels[level - 1];
+    uint8_t *out = texels->texels[level];
+    uint32_t cells = reach[0] * reach[1] * reach[2];
+    for (at[2] = 0; at[2] < to[2]; at[2]++)
+        for (at[1] = 0; at[1] < to[1]; at[1]++)
+            for (at[0] = 0; at[0] < to[0]; at[0]++)
+                for (uint32_t c = 0; c < channels; c++) {
+                    uint32_t sum = cells / 2;
+                    for (uint32_t i = 0; i < cells; i++) {
+                        size_t x = at[0] * reach[0] + i % reach[0];
+                        size_t y = at[1] * reach[1] + i / reach[0] % reach[1];
+                        size_t z = at[2] * reach[2] + i / (reach[0] * reach[1]);
+                        sum += in[((z * from[1] + y) * from[0] + x) * channels + c];
+                    }
+                    *out++ = (uint8_t)(sum / cells);
+                }
+}
+
+/* The slices that come from columns: of an array all, of a volume those of the drawn levels. */
+static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels,
+                                     uint32_t levels, struct hatch_pool *pool, struct hatch_arena *arena,
+                                     struct hatch_volume_figures *figures, struct hatch_err *err)
+{
+    uint32_t count = 0, layers = texels->layers;
+    struct slice *slices = HATCH_NEW(arena, struct slice, (size_t)levels * HATCH_VOLUME_TONES_MAX, err);
+    if (!slices)
+        return HATCH_LIMIT;
+    for (uint32_t level = 0; level < levels; level++) {
+        uint32_t depth = layers ? layers : hatch_mip_size(texels->depth, level);
+        for (uint32_t index = 0; index < depth; index++)
+            slices[count++] = choose_slice(tam, level, index, depth, figures);
+    }
+    if (figures->distance > HATCH_VOLUME_DISTANCE_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "tones up to %.3f from any of the %u columns: too coarse a map for a volume",
+                          figures->distance, tam->tones);
+    struct job job = {tam, texels, slices};
+    hatch_parallel_for(pool, count, fill_slice, &job);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena,
+                                    struct hatch_volume *volume, struct hatch_volume_figures *figures,
+                                    struct hatch_err *err)
+{
+    uint32_t tones = options->tones;
+    bool array = options->layout == HATCH_VOLUME_ARRAY;
+    assert(tones >= HATCH_VOLUME_TONES_MIN && tones <= HATCH_VOLUME_TONES_MAX && !(tones & (tones - 1)));
+    struct hatch_volume_figures found = {0};
+    struct hatch_volume made = {.levels = tam->levels, .darkest = tam->target[tam->tones - 1]};
+    struct hatch_texels *texels = &made.texels;
+    texels->width = texels->height = tam->size_px;
+    texels->channels = tam->color ? (options->alpha ? 4 : 3) : 1;
+    texels->depth = array ? 0 : tones;
+    texels->layers = array ? tones : 0;
+    texels->level_count = hatch_texels_chain_length(texels);
+    HATCH_TRY(hatch_texels_make(arena, texels, err));
+    uint32_t drawn = array ? texels->level_count : tam->levels;
+    HATCH_TRY(fill_slices(tam, texels, drawn, pool, arena, &found, err));
+    for (uint32_t level = drawn; level < texels->level_count; level++)
+        filter_level(texels, level);
+    *volume = made;
+    *figures = found;
+    return HATCH_OK;
+}

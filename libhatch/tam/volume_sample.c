@@ -1,0 +1,62 @@
+#include <stdlib.h>
+
+#include "tam/taps.h"
+#include "tam/volume.h"
+
+enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, const char *const *key_values,
+                                           struct hatch_volume *volume, struct hatch_err *err)
+{
+    const char *levels = hatch_texels_value(key_values, HATCH_TAM_ATTR_LEVELS);
+    const char *darkest = hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST);
+    if (texels->code != HATCH_TEXELS_PLAIN || (!texels->depth && !texels->layers) || !levels || !darkest)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no volume: see tamvol(5)");
+    struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL)};
+    if (made.levels < 1 || made.levels > texels->level_count || !(made.darkest >= 0 && made.darkest <= 1))
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, " HATCH_VOLUME_KEY_DARKEST " %s",
+                          levels, darkest);
+    *volume = made;
+    return HATCH_OK;
+}
+
+/* The two slices around a tone, held at the first and the last, bilinear. */
+static float sample_level(const struct hatch_texels *texels, uint32_t level, uint32_t depth,
+                          const struct hatch_taps *taps, float tone, uint32_t channel)
+{
+    size_t plane = (size_t)hatch_mip_size(texels->width, level) * hatch_mip_size(texels->height, level);
+    float last = (float)(depth - 1), place = tone * (float)depth - 0.5f, sum = 0;
+    place = place > 0 ? (place < last ? place : last) : 0;
+    uint32_t slice = (uint32_t)place, next = slice + 1 < depth ? slice + 1 : slice;
+    float share = place - (float)slice;
+    const uint8_t *below = texels->texels[level] + slice * plane * texels->channels + channel;
+    const uint8_t *above = texels->texels[level] + next * plane * texels->channels + channel;
+    for (int i = 0; i < 4; i++) {
+        size_t at = taps->texel[i] * texels->channels;
+        sum += taps->weight[i] * ((1 - share) * (float)below[at] + share * (float)above[at]);
+    }
+    return sum / 255;
+}
+
+void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod,
+                         bool corrected, float *value)
+{
+    const struct hatch_texels *texels = &volume->texels;
+    float held = tone > 0 ? (tone < 1 ? tone : 1) : 0, share;
+    uint32_t level = hatch_tap_levels(lod, texels->level_count, &share), finest = texels->depth;
+    for (uint32_t c = 0; c < texels->channels; c++)
+        value[c] = 0;
+    for (uint32_t i = 0; i < (share > 0 ? 2u : 1u); i++) {
+        uint32_t at = level + i, depth = finest ? hatch_mip_size(finest, at) : texels->layers;
+        struct hatch_taps taps = hatch_taps_at(u, v, hatch_mip_size(texels->width, at),
+                                               hatch_mip_size(texels->height, at));
+        for (uint32_t c = 0; c < texels->channels; c++)
+            value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, held, c);
+    }
+    float half = 0.5f / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
+    half = half < 0.5f ? half : 0.5f;
+    for (uint32_t c = 0; corrected && c < texels->channels && c < 3; c++) {
+        if (held < half)
+            value[c] = 1 + (value[c] - 1) * (held / half);
+        if (held > 1 - half && volume->darkest >= 1)
+            value[c] *= (1 - held) / half;
+    }
+}
