@@ -77,6 +77,35 @@ START_TEST(tones_are_met_and_no_seam_shows)
 }
 END_TEST
 
+/* Of one image the figure is a draw of mean 0 and deviation 1, whatever the map, as that of any other column
+ * would be: one in twenty is beyond 2. A seam would move the mean over many seeds. */
+START_TEST(no_seam_shows_over_many_seeds)
+{
+    enum { SEEDS = 20, LEVELS = 2, IMAGES = SEEDS * LEVELS * 6 };
+    double mean[2] = {0, 0};
+    uint32_t far_out = 0;
+    for (uint64_t seed = 1; seed <= SEEDS; seed++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(&map_arena);
+        map_style(map_styles[_i], "candidates 100 30", &map);
+        map.options.size_px = 128;
+        map.options.levels = LEVELS;
+        map.options.seed = seed;
+        map_fill(&map);
+        for (uint32_t tone = 0; tone < 6; tone++)
+            for (uint32_t level = 0; level < LEVELS; level++)
+                for (int axis = 0; axis < 2; axis++) {
+                    double z = figures_of(tone, level).seam_z[axis];
+                    mean[axis] += z / IMAGES;
+                    far_out += fabs(z) >= 2;
+                }
+        hatch_arena_rewind(&map_arena, mark);
+    }
+    ck_assert_double_lt(fabs(mean[0]), 0.5);
+    ck_assert_double_lt(fabs(mean[1]), 0.5);
+    ck_assert_uint_lt(far_out, 2 * IMAGES / 10);
+}
+END_TEST
+
 /* A stroke is taken only where it brings the mean closer, so no image is darker than its target by
  * more than half of the darkness that one stroke adds; the bound that is tested is one mean
  * stroke's. */
@@ -149,6 +178,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_loop_test(tests, strokes_nest_over_tones_and_levels, 0, 4 * MAP_STYLES);
     tcase_add_loop_test(tests, tones_are_met_and_no_seam_shows, 0, MAP_STYLES);
+    tcase_add_loop_test(tests, no_seam_shows_over_many_seeds, 0, MAP_STYLES);
     tcase_add_test(tests, no_seed_overshoots);
     tcase_add_test(tests, strokes_are_even);
     suite_add_tcase(suite, tests);
