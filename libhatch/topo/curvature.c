@@ -47,7 +47,7 @@ void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point
                            double radius)
 {
     struct hatch_curvature *out = run->curvature;
-    size_t at = run->order[point];
+    size_t at = run->terrain.order[point];
     double *direction = &out->direction[at * 3], *normal = &out->normal[at * 3];
     struct hatch_principal principal;
     out->radius[at] = radius;
@@ -96,7 +96,7 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
     uint32_t degree = run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
     struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, p, &run->normals[(size_t)p * 3], run->options->radius, degree,
+    hatch_curvature_fit(support, p, &run->terrain.normals[(size_t)p * 3], run->options->radius, degree,
                         &frame, &system);
     uint32_t terms = hatch_jet_terms(system.degree);
     if (system.degree == 0 || system.count <= terms) {
@@ -105,12 +105,13 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
     }
     double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_bend_variance variance;
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     hatch_jet_solve(&system, system.degree, coefficients);
     hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
-    hatch_bend_variance_of_jet(&frame, &system, system.degree, &variance);
+    hatch_jet_variances(&system, variances);
+    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[system.degree]);
     double square = hatch_jet_residual(&system, system.degree) / (system.count - terms);
-    double grain = hatch_curvature_grain(run->surface, p);
+    double grain = hatch_curvature_grain(&run->terrain.surface, p);
     square = fmax(square * frame.radius * frame.radius, grain * grain);
     variance.across *= square;
     variance.mean *= square;
@@ -132,22 +133,19 @@ enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *
     return HATCH_OK;
 }
 
-static enum hatch_status estimate(struct hatch_curvature_run *run, struct hatch_arena *scratch,
-                                  struct hatch_err *err)
+static enum hatch_status estimate(const struct hatch_surface *surface, struct hatch_curvature_run *run,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct hatch_curvature_terrain terrain;
-    HATCH_TRY(hatch_curvature_order(run->surface, run->frames, scratch, &terrain, err));
-    run->surface = &terrain.surface;
-    run->normals = terrain.normals;
-    run->order = terrain.order;
+    struct hatch_curvature_terrain *terrain = &run->terrain;
+    HATCH_TRY(hatch_curvature_order(surface, run->frames, scratch, terrain, err));
     run->supports = HATCH_NEW(scratch, struct hatch_support, run->workers, err);
     if (!run->supports)
         return HATCH_LIMIT;
     for (uint32_t w = 0; w < run->workers; w++)
-        HATCH_TRY(hatch_support_make(run->surface, run->normals, scratch, &run->supports[w], err));
+        HATCH_TRY(hatch_support_make(&terrain->surface, terrain->normals, scratch, &run->supports[w], err));
     if (!(run->options->radius > 0))
         return hatch_curvature_adapt(run, scratch, err);
-    hatch_curvature_each(run, run->surface->point_count, estimate_point, run);
+    hatch_curvature_each(run, surface->point_count, estimate_point, run);
     return HATCH_OK;
 }
 
@@ -162,14 +160,13 @@ enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
     assert(options->degree == 0 || (options->degree >= 2 && options->degree <= HATCH_JET_DEGREE_MAX));
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
-    struct hatch_curvature_run run = {.surface = surface,
-                                      .frames = frames,
+    struct hatch_curvature_run run = {.frames = frames,
                                       .options = options,
                                       .pool = pool,
                                       .workers = hatch_pool_threads(pool),
                                       .curvature = &made};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = estimate(&run, scratch, err);
+    enum hatch_status status = estimate(surface, &run, scratch, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *curvature = made;

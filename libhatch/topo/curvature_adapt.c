@@ -18,6 +18,7 @@
 #define SPACING 0.36       /* between fits, in radii */
 #define SPACING_FIRST 0.5
 #define SERVED 0.5         /* how far a fit reaches, in radii */
+#define LEVEL_THINNED 3u   /* the first whose supports hold means of points */
 #define LEAN_COSINE 0.5    /* from the second level on: a polynomial over a plane cannot follow steeper slopes */
 #define POINTS_LEAST 16u
 #define NOISE_ROUNDS 3     /* of averaging with neighbours: one fit's residual has few degrees of freedom */
@@ -47,9 +48,10 @@ struct fit {
 
 struct work {
     const struct hatch_curvature_run *run;
+    const struct hatch_curvature_terrain *terrain; /* the level's: the run's, or a thinned one */
     struct place *places;
     double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
-    uint32_t *centers;            /* points that a fit stands on */
+    uint32_t *centers;            /* the terrain's points that a fit stands on */
     struct fit *fits;
     double radius;
     bool first;
@@ -60,15 +62,29 @@ static double sum_of(const struct hatch_bend_variance *variance)
     return variance->across + variance->mean;
 }
 
+static uint32_t point_of(const struct work *w, uint32_t entry)
+{
+    return w->terrain->points ? w->terrain->points[entry] : entry;
+}
+
+static bool is_open(const struct work *w, uint32_t node)
+{
+    struct hatch_curvature_span span = hatch_curvature_points(w->terrain, node);
+    for (uint32_t i = span.first; i < span.end; i++)
+        if (w->places[point_of(w, i)].open)
+            return true;
+    return false;
+}
+
 /* Points that are open and further from all others chosen than the spacing, in the points' order. */
 static uint32_t choose_centers(struct work *w, uint32_t *covered, uint32_t level)
 {
     struct hatch_support *support = &w->run->supports[0];
     uint32_t count = 0;
-    for (uint32_t p = 0; p < w->run->surface->point_count; p++) {
-        if (!w->places[p].open || covered[p] == level)
+    for (uint32_t p = 0; p < w->terrain->surface.point_count; p++) {
+        if (covered[p] == level || !is_open(w, p))
             continue;
-        hatch_support_gather(support, p, &w->run->normals[(size_t)p * 3],
+        hatch_support_gather(support, p, &w->terrain->normals[(size_t)p * 3],
                              w->radius * (w->first ? SPACING_FIRST : SPACING));
         for (uint32_t i = 0; i < support->count; i++)
             covered[support->points[i]] = level;
@@ -99,18 +115,19 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
 {
     uint32_t asked = w->run->options->degree, top = system->degree;
     double unit = 1 / (fit->frame.radius * fit->frame.radius), highest[HATCH_JET_TERMS];
-    struct hatch_bend_variance widest, own;
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     double freedom = system->count - hatch_jet_terms(top);
     double excess = hatch_jet_residual(system, top) * fit->frame.radius * fit->frame.radius / freedom -
                     noise * (1 + 2 * sqrt(2 / freedom));
     hatch_jet_solve(system, top, highest);
-    hatch_bend_variance_of_jet(&fit->frame, system, top, &widest);
+    hatch_jet_variances(system, variances);
+    struct hatch_bend_variance widest = hatch_bend_variance_of_jet(&fit->frame, &variances[top]);
     fit->degree = 0;
     uint32_t lowest = asked ? asked : DEGREE_LEAST;
     for (uint32_t d = lowest < top ? lowest : top; d <= (asked && asked < top ? asked : top); d++) {
         double coefficients[HATCH_JET_TERMS];
         hatch_jet_solve(system, d, coefficients);
-        hatch_bend_variance_of_jet(&fit->frame, system, d, &own);
+        struct hatch_bend_variance own = hatch_bend_variance_of_jet(&fit->frame, &variances[d]);
         struct hatch_bend_variance error = {noise * own.across, noise * own.mean};
         struct hatch_bend_variance apart = difference(coefficients, highest);
         if (d < top) {
@@ -131,15 +148,27 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
 static void fit_first(struct work *w, uint32_t point, struct hatch_support *support, struct fit *fit)
 {
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, point, &w->run->normals[(size_t)point * 3], w->radius, HATCH_CURVATURE_DEGREE,
+    hatch_curvature_fit(support, point, &w->terrain->normals[(size_t)point * 3], w->radius, HATCH_CURVATURE_DEGREE,
                         &fit->frame, &system);
     fit->freedom = (double)system.count - hatch_jet_terms(system.degree);
     fit->degree = fit->freedom > 0 ? system.degree : 0;
     if (fit->degree == 0)
         return;
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     hatch_jet_solve(&system, fit->degree, fit->coefficients);
-    hatch_bend_variance_of_jet(&fit->frame, &system, fit->degree, &fit->variance);
+    hatch_jet_variances(&system, variances);
+    fit->variance = hatch_bend_variance_of_jet(&fit->frame, &variances[fit->degree]);
     fit->residual = hatch_jet_residual(&system, fit->degree) * fit->frame.radius * fit->frame.radius;
+}
+
+/* The noise's variance around a node. */
+static double noise_of(const struct work *w, uint32_t node)
+{
+    struct hatch_curvature_span span = hatch_curvature_points(w->terrain, node);
+    double sum = 0;
+    for (uint32_t i = span.first; i < span.end; i++)
+        sum += w->squares[point_of(w, i)];
+    return sum / (span.end - span.first);
 }
 
 static void fit_center(void *context, uint32_t i, struct hatch_support *support)
@@ -153,7 +182,7 @@ static void fit_center(void *context, uint32_t i, struct hatch_support *support)
     }
     struct hatch_jet_sums sums;
     struct hatch_jet_system system;
-    const double *normal = &w->run->normals[(size_t)point * 3];
+    const double *normal = &w->terrain->normals[(size_t)point * 3];
     fit->degree = 0;
     hatch_support_gather(support, point, normal, w->radius);
     if (support->count < POINTS_LEAST)
@@ -161,13 +190,13 @@ static void fit_center(void *context, uint32_t i, struct hatch_support *support)
     hatch_support_sums(support, normal, w->radius, &fit->frame, &sums);
     hatch_jet_factorise(&sums, HATCH_JET_DEGREE_MAX, &system);
     if (system.degree >= 2 && system.count > hatch_jet_terms(system.degree))
-        choose_degree(w, &system, w->squares[point], fit);
+        choose_degree(w, &system, noise_of(w, point), fit);
 }
 
 /* The noise around each point from the residuals of the first level's fits. */
 static void measure_noise(struct work *w, uint32_t count, double *scratch)
 {
-    const struct hatch_surface *surface = w->run->surface;
+    const struct hatch_surface *surface = &w->terrain->surface;
     struct hatch_support *support = &w->run->supports[0];
     for (uint32_t c = 0; c < count; c++) {
         const struct fit *fit = &w->fits[c];
@@ -213,29 +242,40 @@ static void add_bend(struct place *place, double weight, double side, const stru
     place->weight += weight;
 }
 
-/* Gives what a fit says to the points that it serves. The middle of its support weighs most. */
+/* Gives what a fit says to a point that it serves, which lies at an offset from its middle. The middle of its support
+ * weighs most. */
+static void serve_point(struct place *place, const struct fit *fit, double error, double side, const double offset[3])
+{
+    double reach = fit->frame.radius * SERVED, away = hatch_vec_dot(offset, offset) / (reach * reach);
+    if (!(away < 1))
+        return;
+    double weight = (1 - away) * (1 - away) * weight_of(error);
+    double x = hatch_vec_dot(offset, fit->frame.axes[0]) / fit->frame.radius;
+    double y = hatch_vec_dot(offset, fit->frame.axes[1]) / fit->frame.radius;
+    struct hatch_bend bend;
+    hatch_bend_of_jet(&fit->frame, fit->coefficients, fit->degree, x, y, &bend);
+    add_bend(place, weight, side, &bend);
+    place->variance.across += weight * fit->variance.across;
+    place->variance.mean += weight * fit->variance.mean;
+    place->radius += weight * fit->frame.radius;
+    if (away <= 4 * SPACING * SPACING)
+        place->now = fmin(place->now, error);
+}
+
 static void serve(struct work *w, const struct fit *fit, uint32_t center)
 {
+    const struct hatch_curvature_terrain *terrain = w->terrain;
     struct hatch_support *support = &w->run->supports[0];
-    double reach = fit->frame.radius * SERVED, error = sum_of(&fit->variance);
-    hatch_support_gather(support, center, fit->frame.axes[2], reach);
-    for (uint32_t i = 0; i < support->count; i++) {
-        struct place *place = &w->places[support->points[i]];
-        const double offset[3] = {support->offsets[0][i], support->offsets[1][i], support->offsets[2][i]};
-        double away = hatch_vec_dot(offset, offset) / (reach * reach);
-        if (!(away < 1))
-            continue;
-        double weight = (1 - away) * (1 - away) * weight_of(error);
-        double x = hatch_vec_dot(offset, fit->frame.axes[0]) / fit->frame.radius;
-        double y = hatch_vec_dot(offset, fit->frame.axes[1]) / fit->frame.radius;
-        struct hatch_bend bend;
-        hatch_bend_of_jet(&fit->frame, fit->coefficients, fit->degree, x, y, &bend);
-        add_bend(place, weight, support->sides[i], &bend);
-        place->variance.across += weight * fit->variance.across;
-        place->variance.mean += weight * fit->variance.mean;
-        place->radius += weight * fit->frame.radius;
-        if (away <= 4 * SPACING * SPACING)
-            place->now = fmin(place->now, error);
+    double error = sum_of(&fit->variance);
+    hatch_support_gather(support, center, fit->frame.axes[2], fit->frame.radius * SERVED);
+    for (uint32_t n = 0; n < support->count; n++) {
+        struct hatch_curvature_span span = hatch_curvature_points(terrain, support->points[n]);
+        for (uint32_t i = span.first; i < span.end; i++) {
+            uint32_t p = point_of(w, i);
+            double side = support->sides[n] * (terrain->sides ? terrain->sides[i] : 1), offset[3];
+            hatch_vec_sub(&w->run->terrain.surface.points[3 * (size_t)p], fit->frame.origin, offset);
+            serve_point(&w->places[p], fit, error, side, offset);
+        }
     }
 }
 
@@ -273,17 +313,18 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     struct hatch_jet_frame frame;
     if (!(deviation_of(place) < NEARLY_RAD))
         return;
-    hatch_curvature_fit(support, p, &w->run->normals[(size_t)p * 3], w->radius,
+    hatch_curvature_fit(support, p, &w->run->terrain.normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
                         &system);
     if (system.degree == 0)
         return;
     double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_bend_variance variance;
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     hatch_jet_solve(&system, system.degree, coefficients);
     hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
-    hatch_bend_variance_of_jet(&frame, &system, system.degree, &variance);
+    hatch_jet_variances(&system, variances);
+    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[system.degree]);
     variance.across *= w->squares[p];
     variance.mean *= w->squares[p];
     double error = sum_of(&variance), weight = weight_of(error);
@@ -297,7 +338,7 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
 /* Closes the points that need no larger support, or that a larger one has not helped. */
 static void settle(struct work *w)
 {
-    for (uint32_t p = 0; p < w->run->surface->point_count; p++) {
+    for (uint32_t p = 0; p < w->run->terrain.surface.point_count; p++) {
         struct place *place = &w->places[p];
         if (!place->open)
             continue;
@@ -306,8 +347,9 @@ static void settle(struct work *w)
         place->now = INFINITY;
         place->open = !worse && deviation_of(place) > CERTAIN_RAD;
         if (place->weight > 0) {
-            hatch_vec_copy(place->bend.normal, &w->run->normals[(size_t)p * 3]);
-            hatch_vec_normalize(&w->run->normals[(size_t)p * 3]);
+            double *normal = &w->run->terrain.normals[(size_t)p * 3];
+            hatch_vec_copy(place->bend.normal, normal);
+            hatch_vec_normalize(normal);
         }
     }
 }
@@ -335,7 +377,7 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
             serve(w, fit, w->centers[c]);
     }
     if (w->first)
-        hatch_curvature_each(w->run, w->run->surface->point_count, fit_itself, w);
+        hatch_curvature_each(w->run, w->run->terrain.surface.point_count, fit_itself, w);
     settle(w);
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
@@ -344,7 +386,7 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
 static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, uint32_t **covered,
                                   double **pool, struct hatch_err *err)
 {
-    uint32_t points = w->run->surface->point_count;
+    uint32_t points = w->run->terrain.surface.point_count;
     w->places = HATCH_NEW(scratch, struct place, points, err);
     w->squares = w->places ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->freedom = w->squares ? HATCH_NEW(scratch, double, points, err) : NULL;
@@ -354,17 +396,32 @@ static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, u
     return *pool ? HATCH_OK : HATCH_LIMIT;
 }
 
+/* A terrain of fewer points for the next level. */
+static enum hatch_status thin(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_curvature_terrain *coarse = HATCH_NEW(scratch, struct hatch_curvature_terrain, 1, err);
+    if (!coarse)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_curvature_thin(&w->run->terrain, w->terrain, scratch, coarse, err));
+    w->terrain = coarse;
+    for (uint32_t i = 0; i < w->run->workers; i++)
+        hatch_support_move(&w->run->supports[i], &coarse->surface, coarse->normals, coarse->weights);
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
                                         struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct work w = {.run = run, .radius = HATCH_CURVATURE_RADIUS, .first = true};
-    uint32_t points = run->surface->point_count, *covered;
+    struct work w = {.run = run, .terrain = &run->terrain, .radius = HATCH_CURVATURE_RADIUS, .first = true};
+    uint32_t points = run->terrain.surface.point_count, *covered;
     double *pool;
     HATCH_TRY(allocate(&w, scratch, &covered, &pool, err));
     for (uint32_t p = 0; p < points; p++)
         w.places[p] = (struct place){.least = INFINITY, .now = INFINITY, .open = true};
     bool more = true;
     for (uint32_t level = 1; more && w.radius <= RADIUS_MAX; level++, w.radius *= RADIUS_STEP) {
+        if (level >= LEVEL_THINNED)
+            HATCH_TRY(thin(&w, scratch, err));
         HATCH_TRY(run_level(&w, level, covered, pool, scratch, &more, err));
         w.first = false;
         for (uint32_t i = 0; i < run->workers; i++)

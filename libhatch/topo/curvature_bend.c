@@ -4,38 +4,28 @@
 
 #define PI 3.14159265358979323846
 
-static void add_product(double scale, const double a[3], const double b[3], double matrix[6])
-{
-    static const int row[6] = {0, 0, 0, 1, 1, 2}, column[6] = {0, 1, 2, 1, 2, 2};
-    for (int i = 0; i < 6; i++)
-        matrix[i] += scale * (a[row[i]] * b[column[i]] + a[column[i]] * b[row[i]]) / 2;
-}
-
-/* The second fundamental form in the orthonormal basis that Gram and Schmidt make of the two tangents. A normal
- * that the surface bends away from sees it fall: hence the signs. */
+/* The second fundamental form h_ij as a matrix in space: Σ h_ij g_i g_j, with the g_i of the tangents' dual basis. A
+ * normal that the surface bends away from sees it fall: hence the sign. */
 void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
                        uint32_t degree, double x, double y, struct hatch_bend *bend)
 {
     struct hatch_jet_point at;
     hatch_jet_at(coefficients, degree, x, y, &at);
-    double square = 1 + at.fx * at.fx, length = sqrt(square);
-    double slope = sqrt(square + at.fy * at.fy), skew = at.fx * at.fy / square;
-    double first[3], second[3];
+    double slope = 1 / sqrt(1 + at.fx * at.fx + at.fy * at.fy), square = slope * slope, unit = -slope / frame->radius;
+    double a = square * (1 + at.fy * at.fy), b = -square * at.fx * at.fy, c = square * (1 + at.fx * at.fx);
+    double d = square * at.fx, e = square * at.fy, xx = unit * at.fxx, xy = unit * at.fxy, yy = unit * at.fyy;
+    double first[3], second[3], p[3], q[3];
     for (int i = 0; i < 3; i++) {
-        double along = frame->axes[0][i] + at.fx * frame->axes[2][i];
-        double other = frame->axes[1][i] + at.fy * frame->axes[2][i];
-        first[i] = along / length;
-        second[i] = (other - skew * along) * length / slope;
+        double u = frame->axes[0][i], v = frame->axes[1][i], n = frame->axes[2][i];
+        bend->normal[i] = slope * (n - at.fx * u - at.fy * v);
+        first[i] = a * u + b * v + d * n;
+        second[i] = b * u + c * v + e * n;
+        p[i] = xx * first[i] + xy * second[i];
+        q[i] = xy * first[i] + yy * second[i];
     }
-    double unit = -1 / (frame->radius * slope);
-    double a = unit * at.fxx / square;
-    double b = unit * (at.fxy - skew * at.fxx) / slope;
-    double c = unit * (at.fyy - 2 * skew * at.fxy + skew * skew * at.fxx) * square / (slope * slope);
-    *bend = (struct hatch_bend){.matrix = {0}};
-    hatch_vec_cross(first, second, bend->normal);
-    add_product(a, first, first, bend->matrix);
-    add_product(2 * b, first, second, bend->matrix);
-    add_product(c, second, second, bend->matrix);
+    static const int row[6] = {0, 0, 0, 1, 1, 2}, column[6] = {0, 1, 2, 1, 2, 2};
+    for (int i = 0; i < 6; i++)
+        bend->matrix[i] = first[row[i]] * p[column[i]] + second[row[i]] * q[column[i]];
 }
 
 static double form(const double matrix[6], const double a[3], const double b[3])
@@ -51,13 +41,13 @@ void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal 
     hatch_vec_any_orthogonal(bend->normal, s);
     hatch_vec_cross(bend->normal, s, t);
     double a = form(bend->matrix, s, s), b = form(bend->matrix, s, t), c = form(bend->matrix, t, t);
-    double middle = (a + c) / 2, spread = hypot((a - c) / 2, b), sign = middle < 0 ? -1 : 1;
+    double middle = (a + c) / 2, spread = sqrt((a - c) * (a - c) / 4 + b * b), sign = middle < 0 ? -1 : 1;
     principal->value[0] = middle + sign * spread;
     principal->value[1] = middle - sign * spread;
     /* The eigenvector of a + sign * spread, by the longer of its two formulas. */
     double half = sign * (a - c) / 2, across = sign * b;
     double u = half >= 0 ? spread + half : across, v = half >= 0 ? across : spread - half;
-    double length = hypot(u, v);
+    double length = sqrt(u * u + v * v);
     u = length > 0 ? u / length : 1;
     v = length > 0 ? v / length : 0;
     for (int i = 0; i < 3; i++)
@@ -65,19 +55,11 @@ void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal 
     hatch_vec_normalize(principal->direction);
 }
 
-void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
-                                const struct hatch_jet_system *system, uint32_t degree,
-                                struct hatch_bend_variance *variance)
+struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
+                                                      const struct hatch_jet_variance *variance)
 {
-    double functional[HATCH_JET_TERMS], unit = 1 / (frame->radius * frame->radius);
-    unit *= unit;
-    hatch_jet_second(degree, 0.5, 0, -0.5, functional);
-    variance->across = hatch_jet_variance(system, degree, functional);
-    hatch_jet_second(degree, 0, 1, 0, functional);
-    variance->across += hatch_jet_variance(system, degree, functional);
-    variance->across *= unit / 2;
-    hatch_jet_second(degree, 0.5, 0, 0.5, functional);
-    variance->mean = unit * hatch_jet_variance(system, degree, functional);
+    double square = frame->radius * frame->radius, unit = 1 / (square * square);
+    return (struct hatch_bend_variance){unit * (variance->skew + variance->mixed) / 2, unit * variance->mean};
 }
 
 /* share: how much of the danger to take the second axis for the first counts. */

@@ -29,10 +29,9 @@ struct hatch_bend_variance {
     double across, mean;
 };
 
-/* Those of the fit of a degree at its middle, for points whose heights have variance 1. */
-void hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
-                                const struct hatch_jet_system *system, uint32_t degree,
-                                struct hatch_bend_variance *variance);
+/* Those of a fit at its middle, for points whose heights have variance 1 / their weight. */
+struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_frame *frame,
+                                                      const struct hatch_jet_variance *variance);
 
 /* The standard error of the direction, 0 .. π/4: the axes' own, and that of taking the second for the
  * first. */

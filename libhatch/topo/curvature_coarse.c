@@ -66,7 +66,7 @@ static uint32_t sum_face(const struct hatch_surface *coarse, uint32_t face, stru
             local[i][k] = hatch_vec_dot(offset, frame->axes[i]) / frame->radius;
     }
     *sums = (struct hatch_jet_sums){.count = 0};
-    hatch_jet_add(sums, count, local[0], local[1], local[2]);
+    hatch_jet_add(sums, count, local[0], local[1], local[2], NULL);
     return count;
 }
 
@@ -89,11 +89,12 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
         return;
     double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_bend_variance variance;
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     hatch_jet_solve(&system, 2, coefficients);
     hatch_bend_of_jet(&frame, coefficients, 2, 0, 0, &bend);
     hatch_bend_principal(&bend, &sample->principal);
-    hatch_bend_variance_of_jet(&frame, &system, 2, &variance);
+    hatch_jet_variances(&system, variances);
+    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[2]);
     double square = hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2));
     variance.across *= square * frame.radius * frame.radius;
     variance.mean *= square * frame.radius * frame.radius;

@@ -1,6 +1,7 @@
 #include "topo/curvature_jet.h"
 
 #include <math.h>
+#include <stddef.h>
 
 /* A pivot this small beside its diagonal entry: the points lie on a curve of the degree. */
 #define PIVOT_MIN 1e-9
@@ -24,7 +25,7 @@ typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
 #define POWERS (2 * HATCH_JET_DEGREE_MAX + 1)
 
 struct block {
-    lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK];
+    lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK]; /* x: times the weight */
     uint32_t count; /* of lanes */
 };
 
@@ -42,29 +43,33 @@ static inline __attribute__((always_inline)) void sum_row(const struct block *bl
         sums[place(i, k)] += sum[k][0] + sum[k][1];
 }
 
-static void fill_block(struct block *block, uint32_t count, const double *x, const double *y, const double *z)
+static void fill_block(struct block *block, uint32_t count, const double *x, const double *y, const double *z,
+                       const double *weight)
 {
+    lanes plain[BLOCK];
     block->count = (count + LANES - 1) / LANES;
     for (uint32_t n = 0; n < LANES * block->count; n++) {
         bool real = n < count;
-        block->x[0][n / LANES][n % LANES] = real ? 1 : 0;
-        block->x[1][n / LANES][n % LANES] = real ? x[n] : 0;
+        block->x[0][n / LANES][n % LANES] = real ? weight ? weight[n] : 1 : 0;
+        plain[n / LANES][n % LANES] = real ? x[n] : 0;
         block->y[1][n / LANES][n % LANES] = real ? y[n] : 0;
         block->z[n / LANES][n % LANES] = real ? z[n] : 0;
     }
-    for (uint32_t i = 2; i < POWERS; i++)
-        for (uint32_t n = 0; n < block->count; n++) {
-            block->x[i][n] = block->x[i - 1][n] * block->x[1][n];
+    for (uint32_t n = 0; n < block->count; n++) {
+        block->x[1][n] = block->x[0][n] * plain[n];
+        for (uint32_t i = 2; i < POWERS; i++) {
+            block->x[i][n] = block->x[i - 1][n] * plain[n];
             block->y[i][n] = block->y[i - 1][n] * block->y[1][n];
         }
+    }
 }
 
 static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                      const double *z)
+                      const double *z, const double *weight)
 {
     struct block block;
     lanes square = {0}, scaled[HATCH_JET_DEGREE_MAX + 1][BLOCK];
-    fill_block(&block, count, x, y, z);
+    fill_block(&block, count, x, y, z, weight);
     sum_row(&block, block.x[0], 0, 8, sums->moments);
     sum_row(&block, block.x[1], 1, 7, sums->moments);
     sum_row(&block, block.x[2], 2, 6, sums->moments);
@@ -83,53 +88,59 @@ static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double 
     sum_row(&block, scaled[3], 3, 1, sums->products);
     sum_row(&block, scaled[4], 4, 0, sums->products);
     for (uint32_t n = 0; n < block.count; n++)
-        square += block.z[n] * block.z[n];
+        square += scaled[0][n] * block.z[n];
     sums->squares += square[0] + square[1];
     sums->count += count;
 }
 
 void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                   const double *z)
+                   const double *z, const double *weight)
 {
     for (uint32_t n = 0; n < count; n += LANES * BLOCK)
-        add_block(sums, count - n < LANES * BLOCK ? count - n : LANES * BLOCK, &x[n], &y[n], &z[n]);
+        add_block(sums, count - n < LANES * BLOCK ? count - n : LANES * BLOCK, &x[n], &y[n], &z[n],
+                  weight ? &weight[n] : NULL);
 }
 
-/* powers[t]: i and k of term t. */
-static const uint32_t powers[HATCH_JET_TERMS][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1},
-                                                    {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3},
-                                                    {4, 0}, {3, 1}, {2, 2}, {1, 3}, {0, 4}};
+/* The degree of term t, and its power of y. */
+static const uint32_t degree_of[HATCH_JET_TERMS] = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
+static const uint32_t power_of[HATCH_JET_TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 3, 4};
 
-static double entry(const struct hatch_jet_sums *sums, uint32_t row, uint32_t column)
+static void fill_normal(const struct hatch_jet_sums *sums, uint32_t terms, struct hatch_jet_system *system)
 {
-    return sums->moments[place(powers[row][0] + powers[column][0], powers[row][1] + powers[column][1])];
+    for (uint32_t row = 0; row < terms; row++) {
+        for (uint32_t column = 0; column <= row; column++) {
+            uint32_t k = power_of[row] + power_of[column];
+            system->lower[row][column] = sums->moments[place(degree_of[row] + degree_of[column] - k, k)];
+        }
+        system->reduced[row] = sums->products[row];
+    }
 }
 
+/* Column after column, each taken from all that lies right of it: nothing waits for a sum. */
 void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
                          struct hatch_jet_system *system)
 {
-    uint32_t terms = hatch_jet_terms(degree), row = 0;
+    uint32_t terms = hatch_jet_terms(degree), done = 0;
+    double column[HATCH_JET_TERMS], whole[HATCH_JET_TERMS];
     while (terms > sums->count && degree > 0)
         terms = hatch_jet_terms(--degree);
-    for (; row < terms; row++) {
-        double *line = system->lower[row];
-        for (uint32_t column = 0; column < row; column++) {
-            double sum = entry(sums, row, column);
-            for (uint32_t k = 0; k < column; k++)
-                sum -= line[k] * system->lower[column][k];
-            line[column] = sum * system->lower[column][column];
-        }
-        double whole = entry(sums, row, row), pivot = whole, right = sums->products[row];
-        for (uint32_t k = 0; k < row; k++) {
-            pivot -= line[k] * line[k];
-            right -= line[k] * system->reduced[k];
-        }
-        if (!(pivot > PIVOT_MIN * whole))
+    fill_normal(sums, terms, system);
+    for (uint32_t row = 0; row < terms; row++)
+        whole[row] = system->lower[row][row];
+    for (; done < terms; done++) {
+        double pivot = system->lower[done][done];
+        if (!(pivot > PIVOT_MIN * whole[done]))
             break;
-        line[row] = 1 / sqrt(pivot);
-        system->reduced[row] = right * line[row];
+        pivot = system->lower[done][done] = 1 / sqrt(pivot);
+        double right = system->reduced[done] *= pivot;
+        for (uint32_t row = done + 1; row < terms; row++) {
+            double factor = column[row] = system->lower[row][done] *= pivot, *line = system->lower[row];
+            for (uint32_t k = done + 1; k <= row; k++)
+                line[k] -= factor * column[k];
+            system->reduced[row] -= factor * right;
+        }
     }
-    while (degree > 0 && hatch_jet_terms(degree) > row)
+    while (degree > 0 && hatch_jet_terms(degree) > done)
         degree--;
     system->degree = degree < 2 ? 0 : degree;
     system->count = sums->count;
@@ -155,21 +166,31 @@ double hatch_jet_residual(const struct hatch_jet_system *system, uint32_t degree
     return sum > 0 ? sum : 0;
 }
 
-double hatch_jet_variance(const struct hatch_jet_system *system, uint32_t degree,
-                          const double functional[HATCH_JET_TERMS])
+/* Three substitutions side by side; each degree's sums are the first ones of the next one's. */
+void hatch_jet_variances(const struct hatch_jet_system *system,
+                         struct hatch_jet_variance variance[HATCH_JET_DEGREE_MAX + 1])
 {
-    double solved[HATCH_JET_TERMS], sum = 0;
-    uint32_t first = 0;
-    while (first + 1 < hatch_jet_terms(degree) && functional[first] == 0)
-        first++;
-    for (uint32_t row = first; row < hatch_jet_terms(degree); row++) {
-        double value = functional[row];
-        for (uint32_t k = first; k < row; k++)
-            value -= system->lower[row][k] * solved[k];
-        solved[row] = value * system->lower[row][row];
-        sum += solved[row] * solved[row];
+    double skew[HATCH_JET_TERMS] = {[3] = 1, [5] = -1}, mixed[HATCH_JET_TERMS] = {[4] = 1};
+    double mean[HATCH_JET_TERMS] = {[3] = 1, [5] = 1};
+    struct hatch_jet_variance sum = {0, 0, 0};
+    for (uint32_t degree = 2, row = 3; degree <= system->degree; degree++) {
+        for (; row < hatch_jet_terms(degree); row++) {
+            double a = skew[row], b = mixed[row], c = mean[row], pivot = system->lower[row][row];
+            for (uint32_t k = 3; k < row; k++) {
+                double factor = system->lower[row][k];
+                a -= factor * skew[k];
+                b -= factor * mixed[k];
+                c -= factor * mean[k];
+            }
+            skew[row] = a * pivot;
+            mixed[row] = b * pivot;
+            mean[row] = c * pivot;
+            sum.skew += skew[row] * skew[row];
+            sum.mixed += mixed[row] * mixed[row];
+            sum.mean += mean[row] * mean[row];
+        }
+        variance[degree] = sum;
     }
-    return sum;
 }
 
 void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
@@ -196,14 +217,4 @@ void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, d
         point->fxy += 3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy;
         point->fyy += 2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy;
     }
-}
-
-void hatch_jet_second(uint32_t degree, double a, double b, double c,
-                      double functional[HATCH_JET_TERMS])
-{
-    for (uint32_t t = 0; t < hatch_jet_terms(degree); t++)
-        functional[t] = 0;
-    functional[3] = 2 * a;
-    functional[4] = b;
-    functional[5] = 2 * c;
 }

@@ -16,7 +16,7 @@ struct hatch_jet_frame {
     double radius;
 };
 
-/* Σ x^i y^k, Σ x^i y^k z, Σ z² over the points added. */
+/* Σ w x^i y^k, Σ w x^i y^k z, Σ w z² over the points added. */
 struct hatch_jet_sums {
     double moments[HATCH_JET_MOMENTS], products[HATCH_JET_TERMS], squares;
     uint32_t count;
@@ -39,9 +39,9 @@ struct hatch_jet_point {
 
 uint32_t hatch_jet_terms(uint32_t degree);
 
-/* Adds points. count: any. */
+/* Adds points. count: any. weight: the inverse of a z's variance, or NULL: all 1. */
 void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                   const double *z);
+                   const double *z, const double *weight);
 
 /* degree: 2 .. 4, the highest wanted. The system's is lower where the points do not determine it. */
 void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
@@ -54,15 +54,17 @@ void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree,
 /* The squares of the residuals, summed, in the frame's unit. */
 double hatch_jet_residual(const struct hatch_jet_system *system, uint32_t degree);
 
-/* The variance of Σ functional · coefficients when each z has variance 1. */
-double hatch_jet_variance(const struct hatch_jet_system *system, uint32_t degree,
-                          const double functional[HATCH_JET_TERMS]);
+/* Variances of c_xx - c_yy, c_xy and c_xx + c_yy (half the second derivatives, but for c_xy) of a fit when each z has
+ * variance 1 / its weight. */
+struct hatch_jet_variance {
+    double skew, mixed, mean;
+};
+
+/* Those of the fits of degree 2 .. system->degree; others are left alone. */
+void hatch_jet_variances(const struct hatch_jet_system *system,
+                         struct hatch_jet_variance variance[HATCH_JET_DEGREE_MAX + 1]);
 
 void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
                   struct hatch_jet_point *point);
-
-/* The functional that gives a·fxx + b·fxy + c·fyy at the origin. */
-void hatch_jet_second(uint32_t degree, double a, double b, double c,
-                      double functional[HATCH_JET_TERMS]);
 
 #endif

@@ -28,6 +28,14 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
     return HATCH_OK;
 }
 
+void hatch_support_move(struct hatch_support *support, const struct hatch_surface *surface, const double *normals,
+                        const double *weights)
+{
+    support->surface = surface;
+    support->normals = normals;
+    support->weights = weights;
+}
+
 /* Those met wait in the list behind those taken, which are never more than those looked at. What a ring holds is
  * written before it is known whether it was met before: a branch on that would be guessed wrongly too often. */
 bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
@@ -88,7 +96,7 @@ void hatch_support_sums(const struct hatch_support *support, const double normal
     hatch_vec_cross(normal, frame->axes[0], frame->axes[1]);
     frame->radius = radius;
     *sums = (struct hatch_jet_sums){.count = 0};
-    double local[3][BLOCK];
+    double local[3][BLOCK], weights[BLOCK];
     for (uint32_t n = 0; n < support->count; n += BLOCK) {
         uint32_t some = support->count - n < BLOCK ? support->count - n : BLOCK;
         for (int i = 0; i < 3; i++) {
@@ -96,6 +104,8 @@ void hatch_support_sums(const struct hatch_support *support, const double normal
             for (uint32_t k = 0; k < some; k++)
                 local[i][k] = a * x[n + k] + b * y[n + k] + c * z[n + k];
         }
-        hatch_jet_add(sums, some, local[0], local[1], local[2]);
+        for (uint32_t k = 0; support->weights && k < some; k++)
+            weights[k] = support->weights[support->points[n + k]];
+        hatch_jet_add(sums, some, local[0], local[1], local[2], support->weights ? weights : NULL);
     }
 }

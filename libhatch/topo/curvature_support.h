@@ -10,6 +10,7 @@
 struct hatch_support {
     const struct hatch_surface *surface;
     const double *normals;
+    const double *weights; /* per point, or NULL: 1 each */
     double lean_cosine;
     uint32_t *seen;   /* per point: the number of the last walk that met it */
     uint32_t walk;
@@ -23,6 +24,10 @@ struct hatch_support {
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
                                      struct hatch_arena *arena, struct hatch_support *support,
                                      struct hatch_err *err) HATCH_MUST_USE;
+
+/* Goes on to a surface of no more points. weights: how much each counts in sums, or NULL. */
+void hatch_support_move(struct hatch_support *support, const struct hatch_surface *surface, const double *normals,
+                        const double *weights);
 
 /* Walks from a point over edges to all points within a radius (a straight line, 0 .. ∞) whose normals do not
  * lean away from the given one by more than lean_cosine allows (78° at first): not through the air to the

@@ -14,8 +14,12 @@
  * in memory: files order them as they like, and walks then wait for memory most of the time. */
 struct hatch_curvature_terrain {
     struct hatch_surface surface; /* no faces */
-    double *normals;              /* 3 a point: the frames' */
-    uint32_t *order;              /* per point: its number in the whole surface */
+    double *normals;              /* 3 a point: the frames', later the best that is known */
+    uint32_t *order;              /* per point: its number in the whole surface; NULL on a thinned one */
+    /* Of a thinned one, whose points are nodes that stand for several; NULL on others. */
+    double *weights;              /* per node: how many points it stands for */
+    uint32_t *first, *points;     /* node n: points[first[n]] .. points[first[n + 1] - 1] */
+    int8_t *sides;                /* per entry of points: -1 where the point's outside is not the node's */
 };
 
 /* Memory of the terrain, and a little more: arena. */
@@ -24,11 +28,30 @@ enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
                                         struct hatch_curvature_terrain *terrain, struct hatch_err *err)
     HATCH_MUST_USE;
 
+/* The entries in points of a node; of a point, its own number. */
+struct hatch_curvature_span {
+    uint32_t first, end;
+};
+
+static inline struct hatch_curvature_span hatch_curvature_points(const struct hatch_curvature_terrain *terrain,
+                                                                 uint32_t node)
+{
+    if (!terrain->points)
+        return (struct hatch_curvature_span){node, node + 1};
+    return (struct hatch_curvature_span){terrain->first[node], terrain->first[node + 1]};
+}
+
+/* Joins two or three neighbouring nodes to one in the middle of their points: a large support need not hold them
+ * all. The mean of points has the mean of their noise, and a polynomial's mean over a patch much smaller than the
+ * support is its value in the middle, but for a constant. finest: the terrain of points, where normals are taken
+ * from; may be fine. Memory of the new one, and a little more: arena. */
+enum hatch_status hatch_curvature_thin(const struct hatch_curvature_terrain *finest,
+                                       const struct hatch_curvature_terrain *fine, struct hatch_arena *arena,
+                                       struct hatch_curvature_terrain *coarse, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Points are those of the terrain but in curvature and frames. */
 struct hatch_curvature_run {
-    const struct hatch_surface *surface; /* the terrain's */
-    double *normals;                     /* 3 a point: the terrain's at first, then the best that is known */
-    const uint32_t *order;
+    struct hatch_curvature_terrain terrain;
     const struct hatch_frames *frames;
     const struct hatch_curvature_options *options;
     struct hatch_pool *pool;

@@ -11,11 +11,12 @@ struct view {
     const struct hatch_surface *surface;
     const struct hatch_frames *frames;
     const double *direction;
+    const double *angle_rad; /* the direction's, per point; NULL: to be found */
 };
 
 static double field_angle(const struct view *v, uint32_t point)
 {
-    return hatch_frames_angle(v->frames, point, &v->direction[(size_t)point * 3]);
+    return v->angle_rad ? v->angle_rad[point] : hatch_frames_angle(v->frames, point, &v->direction[(size_t)point * 3]);
 }
 
 /* How the line turns along ring entry i of p, seen from p's ring: the shorter way, and exactly the opposite from
@@ -25,7 +26,11 @@ static double turn_along(const struct view *v, uint32_t p, uint32_t i)
     uint32_t q = v->surface->ring_point[i], mate = v->frames->mate[i];
     bool turned = v->surface->ring_turned[i], away = mate < i;
     double here = field_angle(v, away ? q : p), there = field_angle(v, away ? p : q);
-    double turn = remainder((turned ? -there : there) + v->frames->turn_rad[away ? mate : i] - here, PI);
+    double turn = (turned ? -there : there) + v->frames->turn_rad[away ? mate : i] - here;
+    while (turn > PI / 2)
+        turn -= PI;
+    while (turn < -PI / 2)
+        turn += PI;
     return away && !turned ? -turn : turn;
 }
 
@@ -53,7 +58,7 @@ static int face_index(const struct view *v, uint32_t face)
 int hatch_field_face_index(const struct hatch_surface *surface, const struct hatch_frames *frames,
                            const double *direction, uint32_t face)
 {
-    const struct view view = {surface, frames, direction};
+    const struct view view = {surface, frames, direction, NULL};
     return face_index(&view, face);
 }
 
@@ -78,13 +83,19 @@ enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,
                                             struct hatch_singularities *found, struct hatch_err *err)
 {
-    const struct view view = {surface, frames, direction};
+    struct view view = {surface, frames, direction, NULL};
     struct hatch_singularities made = {0};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     made.component_half_turns = HATCH_NEW(arena, int32_t, surface->component_count, err);
     int8_t *index = made.component_half_turns ? HATCH_NEW(scratch, int8_t, surface->face_count, err) : NULL;
-    if (!index)
+    double *angle_rad = index ? HATCH_NEW(scratch, double, surface->point_count, err) : NULL;
+    if (!angle_rad) {
+        hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
+    }
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        angle_rad[p] = field_angle(&view, p);
+    view.angle_rad = angle_rad;
     for (uint32_t c = 0; c < surface->component_count; c++) {
         const struct hatch_component *of = &surface->components[c];
         made.component_half_turns[c] = border_turns(&view, of);
@@ -138,7 +149,7 @@ static void corner_line(const struct view *v, uint32_t face, uint32_t c, const d
 void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
                       const double *direction, uint32_t face, double line[3], double *spread_rad)
 {
-    const struct view view = {surface, frames, direction};
+    const struct view view = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *a = &surface->points[(size_t)corner[0] * 3], *b = &surface->points[(size_t)corner[1] * 3];
     double normal[3], u[3], side[3], z[3][2], sum[2] = {0, 0};

@@ -1,4 +1,5 @@
 #include <math.h>
+#include <string.h>
 
 #include "math/vector.h"
 #include "topo/frames.h"
@@ -30,42 +31,54 @@ static double edge_angle(const struct hatch_surface *surface, const double *norm
     return atan2(hatch_vec_dot(edge, side), hatch_vec_dot(edge, axis));
 }
 
+/* Into -TURN / 2 .. TURN / 2. */
+static double shortest(double angle)
+{
+    while (angle > TURN / 2)
+        angle -= TURN;
+    while (angle < -TURN / 2)
+        angle += TURN;
+    return angle;
+}
+
 /* Goes around a ring in the plane of its new normal. false when that is not one time around: faces are folded over
- * one another there. */
-static bool lean_ring(const struct hatch_surface *surface, const double *normal, uint32_t p,
-                      struct hatch_frames *frames, bool write)
+ * one another there. angle_rad: of the ring's entries. */
+static bool lean_ring(const struct hatch_surface *surface, const double *normal, uint32_t p, double axis[3],
+                      double *angle_rad)
 {
     uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
     const double *n = &normal[(size_t)p * 3];
     bool open = surface->ring_face[end - 1] == HATCH_NO_SIDE;
-    double axis[3], sum = 0, before = 0;
+    double sum = 0, before = 0;
     lay_edge(surface, normal, p, first, axis);
     hatch_vec_add_scaled(axis, -hatch_vec_dot(axis, n), n, axis);
     if (!(hatch_vec_normalize(axis) > 0))
         return false;
     for (uint32_t i = first; i < end; i++) {
         double angle = i == first ? 0 : edge_angle(surface, normal, p, i, axis);
-        sum += remainder(angle - before, TURN);
+        sum += shortest(angle - before);
         before = angle;
-        if (write)
-            frames->angle_rad[i] = sum;
-        else if (sum < 0 || sum >= TURN)
+        angle_rad[i - first] = sum;
+        if (sum < 0 || sum >= TURN)
             return false;
     }
-    if (write) {
-        hatch_vec_copy(n, &frames->normal[(size_t)p * 3]);
-        hatch_vec_copy(axis, &frames->axis[(size_t)p * 3]);
-    }
-    return open || sum + remainder(-before, TURN) > TURN / 2;
+    return open || sum + shortest(-before) > TURN / 2;
 }
 
+/* Turns are found last: until then their place holds angles that may come to nothing. */
 void hatch_frames_lean(const struct hatch_surface *surface, const double *normal, struct hatch_frames *frames)
 {
-    for (uint32_t p = 0; p < surface->point_count; p++)
-        if (lean_ring(surface, normal, p, frames, false))
-            lean_ring(surface, normal, p, frames, true);
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        uint32_t first = surface->ring_first[p], count = surface->ring_first[p + 1] - first;
+        double axis[3];
+        if (!lean_ring(surface, normal, p, axis, &frames->turn_rad[first]))
+            continue;
+        memcpy(&frames->angle_rad[first], &frames->turn_rad[first], count * sizeof *frames->angle_rad);
+        hatch_vec_copy(&normal[(size_t)p * 3], &frames->normal[(size_t)p * 3]);
+        hatch_vec_copy(axis, &frames->axis[(size_t)p * 3]);
+    }
     for (uint32_t i = 0; i < surface->ring_first[surface->point_count]; i++) {
         double here = frames->angle_rad[i], there = frames->angle_rad[frames->mate[i]];
-        frames->turn_rad[i] = remainder(here + (surface->ring_turned[i] ? there : -there) + TURN / 2, TURN);
+        frames->turn_rad[i] = shortest(here + (surface->ring_turned[i] ? there : -there) + TURN / 2);
     }
 }
