@@ -26,8 +26,16 @@ enum cmd_type {
     CMD_REAL,   /* double; K, M and G suffixes are not taken */
     CMD_SIZE,   /* uint64_t bytes: a whole number with an optional K, M or G (1024-based) */
     CMD_TEXT,   /* const char * */
+    CMD_TEXTS,  /* struct cmd_texts: the option may be repeated */
     CMD_CHOICE, /* int: the index into choices */
     CMD_PAIR    /* double[2]: "A:B" or "AxB" */
+};
+
+#define CMD_TEXTS_MAX 64
+
+struct cmd_texts {
+    int count;
+    const char *at[CMD_TEXTS_MAX];
 };
 
 /* Terminated by an entry without a name. A value outside minimum .. maximum is refused, never
@@ -73,6 +81,9 @@ struct cmd_args {
 /* Parses; prints help or version and exits 0, or two lines and exits 2. Installs the handlers that
  * remove unfinished output on SIGINT, SIGTERM and SIGHUP. Call first. */
 void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
+
+/* Gives an option a value, as if it had stood on the command line; dies as that would. */
+void cmd_take(const struct cmd_option *option, const char *text);
 
 /* The pool of args->threads threads. */
 struct hatch_pool *cmd_pool(struct cmd_args *args);

@@ -142,6 +142,14 @@ static bool parse_pair(const struct cmd_option *option, const char *text)
     return true;
 }
 
+static void add_text(const struct cmd_option *option, const char *text)
+{
+    struct cmd_texts *texts = option->value;
+    if (texts->count == CMD_TEXTS_MAX)
+        cmd_usage("--%s: %d times is too often", option->name, CMD_TEXTS_MAX + 1);
+    texts->at[texts->count++] = text;
+}
+
 static void parse_choice(const struct cmd_option *option, const char *text)
 {
     char all[256] = "one of";
@@ -156,7 +164,7 @@ static void parse_choice(const struct cmd_option *option, const char *text)
     refuse(option, text, all);
 }
 
-static void take_value(const struct cmd_option *option, const char *text)
+void cmd_take(const struct cmd_option *option, const char *text)
 {
     int64_t whole = 0;
     double real = 0;
@@ -183,6 +191,9 @@ static void take_value(const struct cmd_option *option, const char *text)
         if (!*text)
             refuse(option, text, "a name: it is empty");
         *(const char **)option->value = text;
+        break;
+    case CMD_TEXTS:
+        add_text(option, text);
         break;
     case CMD_CHOICE:
         parse_choice(option, text);
@@ -290,7 +301,7 @@ static noreturn void print_help(const struct cmd_program *program, const struct 
 
 static noreturn void print_table(const struct table *table)
 {
-    static const char *const types[] = {"flag", "int", "real", "size", "text", "choice", "pair"};
+    static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
     printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\n");
     for (size_t i = 0; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
@@ -378,7 +389,7 @@ static void parse_words(const struct table *table, int argc, char **argv, struct
             refuse_abbreviation(option, argv[begin]);
         if (code == ':')
             cmd_usage("--%s wants a value: %s", option->name, option->metavariable);
-        take_value(option, optarg);
+        cmd_take(option, optarg);
     }
     while (optind < argc)
         argv[args->operand_count++] = argv[optind++];

@@ -52,7 +52,7 @@ tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
                 if (type[i] == "text") what = what "_files"
             }
             what = "[" described(help[i]) "]" what
-            names = "--" name[i] (type[i] == "flag" ? "" : "=")
+            names = (type[i] == "texts" ? "*" : "") "--" name[i] (type[i] == "flag" ? "" : "=")
             if (letter[i] != "")
                 print "    " quoted("(-" letter[i] " --" name[i] ")") "{-" letter[i] \
                     (type[i] == "flag" ? "" : "+") "," names "}" quoted(what) " \\"

@@ -6,6 +6,7 @@
 #include "render-gl/meter.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
+#include "render-gl/zoom.h"
 
 #define TWO_PI 6.28318530717958648
 #define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
@@ -124,7 +125,7 @@ void job_prepare(struct job *job)
     job->renderer = (struct renderer){.shaders = {options->shader_folder, scratch},
                                       .style = options->style,
                                       .map = options->map_path ? &job->map : NULL,
-                                      .rptam = job->rptam.layer_count ? &job->rptam : NULL,
+                                      .rptam = job->renderer.rptam,
                                       .all_seeds = options->seeds.all,
                                       .scene = &job->gpu,
                                       .size_max_px = job->context.size_max_px};
@@ -132,9 +133,8 @@ void job_prepare(struct job *job)
         cmd_check(job_make_lines(job, options->lines.kinds, &err), NULL, &err);
     if (options->map_path && !options->high_given)
         job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
-    /* Tones beyond what all layers of strokes reach together would be one flat dark. */
-    if (job->renderer.rptam && techniques[options->technique]->seeds && !options->high_given)
-        job->renderer.style.curve.high = job->rptam.layers[job->rptam.layer_count - 1].darkness[HATCH_RPTAM_STEPS - 1];
+    if (job->renderer.rptam)
+        job_set_darkest(job);
     struct view view;
     job_set_frame(job, 0, &view);
     if (!(options->style.curve.exposure > 0))
@@ -155,7 +155,7 @@ void job_prepare(struct job *job)
               &err);
 }
 
-void job_view(struct job *job, struct view *view)
+void job_view(struct job *job, double time_s, struct view *view)
 {
     struct hatch_err err;
     *view = job->fixed_view;
@@ -163,16 +163,24 @@ void job_view(struct job *job, struct view *view)
         cmd_check(view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
                             view->aspect, &job->args.scratch, view, &err),
                   cmd_input_name(job->options.scene_path), &err);
+    const struct pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
+    if (job->options.zoom != 1)
+        cmd_check(zoom_view(&job->gpu.pose, &now, &job->gpu.bounds, job->options.zoom, &job->args.scratch, view,
+                            &err),
+                  cmd_input_name(job->options.scene_path), &err);
 }
 
 void job_set_frame(struct job *job, uint32_t frame, struct view *view)
 {
     const struct options *options = &job->options;
     struct hatch_err err;
+    if (options->frames > 1)
+        params_move(job, (double)frame / (options->frames - 1));
+    cmd_check(job_refresh(job, &err), NULL, &err);
     cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame),
                              &job->args.scratch, &err),
               cmd_input_name(options->scene_path), &err);
-    job_view(job, view);
+    job_view(job, time_of(job, frame), view);
     if (options->turntable)
         view_turn(view, -TWO_PI * frame / options->frames);
 }
@@ -194,4 +202,6 @@ void job_end(struct job *job)
     material_free(&job->gpu);
     scene_free(&job->gpu);
     context_close(&job->context);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_free(&job->source.arenas[i]);
 }

@@ -6,6 +6,16 @@
 #include "render-gl/field.h"
 #include "render-gl/load.h"
 #include "render-gl/options.h"
+#include "tam/style.h"
+
+/* What the model of strokes at seeds is made from. */
+struct stroke_source {
+    struct hatch_seeds sets;
+    struct hatch_style drawing;
+    struct hatch_image stroke;
+    struct hatch_arena arenas[2]; /* the model lies in one; the next is made in the other */
+    int arena;
+};
 
 struct job {
     struct cmd_args args;
@@ -13,7 +23,11 @@ struct job {
     struct hatch_scene scene;
     struct patch_mesh *patches; /* of each of its meshes */
     struct hatch_tam map;
+    struct stroke_source source;
     struct hatch_rptam rptam; /* made when a technique first draws at seeds */
+    bool strokes_changed, view_changed; /* job_refresh has something to do */
+    uint32_t strokes_made;    /* how often the model was made anew */
+    double strokes_ms;        /* and how long that took */
     struct context context;
     struct gpu_scene gpu;
     struct renderer renderer;
@@ -30,6 +44,15 @@ void job_read(struct job *job);
 /* Reads the seeds and the style of strokes, and makes the model. Dies with one line on what is wrong. */
 void job_read_seeds(struct job *job);
 
+/* Makes the model from what has been read, and as the options are now; the old one stays on failure. */
+enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err) HATCH_MUST_USE;
+
+/* The darkest tone that is asked for, where the user says nothing: as dark as all layers of strokes. */
+void job_set_darkest(struct job *job);
+
+/* After parameters have changed: makes anew what hangs on them. */
+enum hatch_status job_refresh(struct job *job, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Opens the context and uploads. The scene is posed at the first frame then. */
 void job_prepare(struct job *job);
 
@@ -39,8 +62,8 @@ enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_e
 /* Poses the scene for a frame and finds its view. */
 void job_set_frame(struct job *job, uint32_t frame, struct view *view);
 
-/* The view that the options ask for at the current pose. */
-void job_view(struct job *job, struct view *view);
+/* The view that the options ask for at the current pose, which is that of the animation's time_s. */
+void job_view(struct job *job, double time_s, struct view *view);
 
 /* A target for the picture, or for its tiles. */
 void job_make_target(struct job *job, struct target *target);

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "cmd_style.h"
@@ -27,43 +28,97 @@ static void read_seeds(struct cmd_args *args, const char *path, struct hatch_see
         make_seeds(args, seeds);
 }
 
-/* Layers take the style's directions one after the other, and between them from the third time on. */
-static void set_strokes(const struct hatch_style *from, const struct seed_choice *choice,
-                        struct hatch_rptam_style *style)
+static void read_drawing(struct job *job)
 {
-    *style = choice->style;
-    style->ink = (double)from->ink;
+    struct stroke_source *source = &job->source;
+    struct hatch_brush brush;
+    struct hatch_err err;
+    cmd_read_style(&job->args, job->options.seeds.drawing, NULL, NULL, &source->drawing, &brush);
+    cmd_check(hatch_image_make(&job->args.keep, brush.width, brush.height, "A", &source->stroke, &err), NULL,
+              &err);
+    memcpy(source->stroke.pixels, brush.alpha, sizeof *source->stroke.pixels * brush.width * brush.height);
+}
+
+/* What the options leave to the drawing style. */
+static void settle(const struct hatch_style *drawing, struct seed_choice *choice)
+{
+    struct hatch_rptam_style *style = &choice->style;
+    if (!(style->ink > 0))
+        style->ink = (double)drawing->ink;
     if (!(style->length_px > 0)) {
-        style->length_px = STYLE_TILE_PX * ((double)from->length_min + (double)from->length_max) / 2;
-        style->width_px = (double)from->width_px;
+        style->length_px = STYLE_TILE_PX * ((double)drawing->length_min + (double)drawing->length_max) / 2;
+        style->width_px = (double)drawing->width_px;
     }
-    if (style->length_px < style->width_px)
-        style->length_px = style->width_px; /* a dot */
+    style->length_px = fmax(style->length_px, style->width_px); /* a dot */
+}
+
+/* Layers take the style's directions one after the other, and between them from the third time on. */
+static void set_angles(const struct hatch_style *from, const struct seed_choice *choice,
+                       struct hatch_rptam_style *style)
+{
     for (uint32_t i = 0; i < HATCH_RPTAM_LAYERS_MAX; i++) {
         uint32_t round = i / from->direction_count;
         style->angle_rad[i] = (double)from->directions[i % from->direction_count].angle_rad +
-                              choice->turn_rad * (round + 1) / 2 * (round % 2 ? 1 : -1);
+                              choice->turn_rad * (round + 1) / 2 * (round % 2 ? 1 : -1) +
+                              choice->stroke_turn_rad;
     }
+}
+
+enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
+{
+    struct seed_choice *choice = &job->options.seeds;
+    struct hatch_arena *arena = &job->source.arenas[job->source.arena ^ 1];
+    struct hatch_seeds sets = job->source.sets;
+    if (choice->layers < sets.layer_count)
+        sets.layer_count = (uint32_t)lround(choice->layers);
+    if (!choice->tone_overlap_given)
+        choice->style.tone_overlap = choice->style.overlap;
+    settle(&job->source.drawing, choice);
+    set_angles(&job->source.drawing, choice, &choice->style);
+    hatch_arena_free(arena);
+    hatch_arena_init(arena, job->args.max_memory);
+    HATCH_TRY(hatch_rptam_make(&sets, &choice->style, &job->source.stroke, arena, &job->args.scratch, &job->rptam,
+                               err));
+    job->source.arena ^= 1;
+    return HATCH_OK;
 }
 
 void job_read_seeds(struct job *job)
 {
     const struct seed_choice *choice = &job->options.seeds;
-    struct cmd_args *args = &job->args;
-    struct hatch_rptam_style style;
-    struct hatch_style drawing;
-    struct hatch_brush brush;
-    struct hatch_seeds seeds;
-    struct hatch_image stroke;
     struct hatch_err err;
-    read_seeds(args, choice->path, &seeds);
-    cmd_read_style(args, choice->drawing, NULL, NULL, &drawing, &brush);
-    set_strokes(&drawing, choice, &style);
-    cmd_check(hatch_image_make(&args->keep, brush.width, brush.height, "A", &stroke, &err), NULL, &err);
-    memcpy(stroke.pixels, brush.alpha, sizeof *stroke.pixels * brush.width * brush.height);
-    cmd_check(hatch_rptam_make(&seeds, &style, &stroke, &args->keep, &args->scratch, &job->rptam, &err),
-              choice->path ? cmd_input_name(choice->path) : NULL, &err);
-    if (!(style.length_px * 2 <= style.tile_px))
+    read_seeds(&job->args, choice->path, &job->source.sets);
+    read_drawing(job);
+    cmd_check(job_make_strokes(job, &err), choice->path ? cmd_input_name(choice->path) : NULL, &err);
+    job->renderer.rptam = &job->rptam;
+    if (!(choice->style.length_px * 2 <= choice->style.tile_px))
         cmd_warn(NULL, "strokes of %g pixels are cut: they grow to twice that in a tile of %g",
-                 style.length_px, style.tile_px);
+                 choice->style.length_px, choice->style.tile_px);
+}
+
+void job_set_darkest(struct job *job)
+{
+    const struct hatch_rptam *rptam = &job->rptam;
+    const struct options *options = &job->options;
+    bool last = techniques[options->technique]->seeds && !options->high_given && rptam->layer_count;
+    if (last)
+        job->renderer.style.curve.high = rptam->layers[rptam->layer_count - 1].darkness[HATCH_RPTAM_STEPS - 1];
+}
+
+enum hatch_status job_refresh(struct job *job, struct hatch_err *err)
+{
+    if (job->strokes_changed && job->renderer.rptam) {
+        double begin_ms = cmd_elapsed_ms();
+        HATCH_TRY(job_make_strokes(job, err));
+        job_set_darkest(job);
+        HATCH_TRY(renderer_take_strokes(&job->renderer, &job->args.scratch, err));
+        job->strokes_made++;
+        job->strokes_ms += cmd_elapsed_ms() - begin_ms;
+    }
+    job->strokes_changed = false;
+    if (job->view_changed && view_is_fixed(&job->options.view, &job->scene))
+        HATCH_TRY(view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
+                            job->fixed_view.aspect, &job->args.scratch, &job->fixed_view, err));
+    job->view_changed = false;
+    return HATCH_OK;
 }

@@ -21,12 +21,15 @@ static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *seeds, *drawing = "ink";
-static double stroke[2] = {0, 0}, seed_tile = 256, overlap = 0.3;
+static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile = 256, overlap = 0.3, tone_overlap;
+static double zoom = 1;
+static int64_t seed_layers = HATCH_RPTAM_LAYERS_MAX;
 static int fade, fade_by, seed_loop;
+static struct cmd_texts changes;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
 static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given;
-static bool frames_given, from_given;
+static bool frames_given, from_given, tone_overlap_given;
 
 static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
@@ -45,13 +48,21 @@ static struct cmd_option table[] = {
      NULL, NULL},
     {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "+rptam: length and width in pixels (default: the style's)",
      stroke, NULL, NULL},
+    {0, "stroke-ink", CMD_REAL, 0.01, 1, "X", "+rptam: how dark a stroke is (default: the style's)", &stroke_ink,
+     NULL, NULL},
+    {0, "stroke-turn", CMD_REAL, -360, 360, "DEGREES", "+rptam: turn the strokes about their middles (default 0)",
+     &stroke_turn, NULL, NULL},
     {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "+rptam: side of a set's tile (default 256)", &seed_tile, NULL,
      NULL},
+    {0, "seed-layers", CMD_INT, 0, HATCH_RPTAM_LAYERS_MAX, "N", "+rptam: draw no more than the first N sets",
+     &seed_layers, NULL, NULL},
     {0, "fade", CMD_CHOICE, 0, 0, "LAW", "+rptam: even, which keeps the tone (default), or paper", &fade,
      fades, NULL},
     {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "+rptam: opacity (default) or size", &fade_by, fades_by, NULL},
     {0, "overlap", CMD_REAL, 0, 1, "X", "+rptam: strokes fade together, 1, or one by one, 0 (default 0.3)",
      &overlap, NULL, NULL},
+    {0, "tone-overlap", CMD_REAL, 0, 1, "X", "+rptam: the same where the tone changes (default: as --overlap)",
+     &tone_overlap, NULL, &tone_overlap_given},
     {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "+rptam: coverage (default), or brute: every seed everywhere",
      &seed_loop, seed_loops, NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
@@ -100,11 +111,15 @@ static struct cmd_option table[] = {
      from, NULL, &from_given},
     {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)",
      &fov, NULL, &fov_given},
+    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+X times nearer to what the picture's middle shows", &zoom, NULL,
+     NULL},
     {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL,
      &frames_given},
     {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &turntable, NULL,
      NULL},
-    {0, "animation", CMD_INT, 0, 65535, "N", "play animation N (default 0 with --frames)",
+    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "an option's number changes over the frames; repeatable",
+     &changes, NULL, NULL},
+    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N (default 0 with --frames)",
      &animation, NULL, &animation_given},
     {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+the animation's time at the first frame", &time_s,
      NULL, &time_given},
@@ -190,9 +205,13 @@ static void read_seed_choice(struct seed_choice *choice)
                                              .width_px = stroke[1],
                                              .law = (enum hatch_fade_law)fade,
                                              .fade_size = fade_by == 1,
+                                             .ink = stroke_ink,
                                              .overlap = overlap,
-                                             .tone_overlap = overlap},
+                                             .tone_overlap = tone_overlap},
+                                   .tone_overlap_given = tone_overlap_given,
                                    .turn_rad = LAYER_TURN * RADIANS,
+                                   .stroke_turn_rad = stroke_turn * RADIANS,
+                                   .layers = (double)seed_layers,
                                    .all = seed_loop == 1};
 }
 
@@ -219,12 +238,21 @@ static double read_uv_scale(void)
     return value;
 }
 
+/* Techniques that draw no strokes draw lines only when they are asked to. */
+static bool draws_lines(void)
+{
+    bool strokes = technique_draws_strokes(techniques[technique]);
+    return words_line_kinds(lines ? lines : "all") != LINES_NONE && (strokes || lines);
+}
+
 static void check_frames(const struct cmd_args *args)
 {
     if (turntable && !frames_given)
         cmd_usage("--turntable needs --frames");
     if (frames_given && !window && !timed_frames && !probe && !words_have_place(args->output))
         cmd_usage("--frames needs -o with one place for the number, like -o name%%03d.png");
+    if (changes.count && (timed_frames || probe || (frames < 2 && !window)))
+        cmd_usage("--animate needs --frames 2 or more, or --window");
     if (args->json && !timed_frames && !probe)
         cmd_usage("--json is for --time and --probe");
     if ((timed_frames > 0) + probe + window > 1)
@@ -252,6 +280,8 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
     if (probe && !map_path)
         cmd_usage("--probe needs a tonal art map: --tam FILE");
     check_frames(args);
+    struct param_change moves[PARAMS_MAX];
+    uint32_t move_count = params_read(&changes, table, techniques[technique], draws_lines(), moves);
     *options = (struct options){.technique = technique,
                                 .map_path = map_path,
                                 .scene_path = args->operand_count ? args->operands[0] : NULL,
@@ -271,7 +301,10 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .animation_given = animation_given,
                                 .timed_frames = (uint32_t)timed_frames,
                                 .probe = probe,
-                                .window = window};
+                                .window = window,
+                                .zoom = zoom,
+                                .change_count = move_count};
+    memcpy(options->changes, moves, sizeof moves);
     read_style(&options->style);
     read_seed_choice(&options->seeds);
     read_lines(&options->lines);

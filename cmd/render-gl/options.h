@@ -3,14 +3,18 @@
 #define RENDER_OPTIONS_H
 
 #include "cmd.h"
+#include "render-gl/params.h"
 #include "render-gl/renderer.h"
 
 /* What draws at seeds. */
 struct seed_choice {
     const char *path;    /* of the sets; NULL: made */
     const char *drawing; /* the style: brush, ink, directions, width and length where none is given */
-    struct hatch_rptam_style style; /* length_px 0: the drawing style's */
+    struct hatch_rptam_style style; /* length_px, ink 0: the drawing style's */
+    bool tone_overlap_given; /* else as the other overlap */
     double turn_rad;     /* between layers that have one direction */
+    double stroke_turn_rad; /* of all */
+    double layers;       /* so many are drawn, rounded */
     bool all;            /* look at every seed at every place */
 };
 
@@ -23,6 +27,9 @@ struct options {
     struct seed_choice seeds;
     struct line_style lines;
     struct view_choice view;
+    double zoom;             /* so many times nearer */
+    struct param_change changes[PARAMS_MAX];
+    uint32_t change_count;
     bool high_given;         /* the darkest tone; else the map's darkest column */
     double repeat;           /* 0: chosen */
     uint32_t width, height;

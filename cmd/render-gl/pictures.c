@@ -52,6 +52,9 @@ void pictures_write(struct job *job)
         pictures_encode(job->args.output, &image, scratch, &bytes);
         files[frame] = (struct cmd_file){job->outputs[frame], bytes.data, bytes.size};
     }
+    if (job->strokes_made)
+        cmd_note("the model of strokes was made %u times, %.2f ms each", job->strokes_made,
+                 job->strokes_ms / job->strokes_made);
     cmd_write_all(files, options->frames);
     target_free(&target);
 }

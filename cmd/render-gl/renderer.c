@@ -72,6 +72,18 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     return HATCH_OK;
 }
 
+enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
+{
+    struct gpu_seeds fresh;
+    if (!renderer->seeds.layers)
+        return HATCH_OK;
+    HATCH_TRY(seeds_upload(renderer->rptam, renderer->all_seeds, scratch, &fresh, err));
+    seeds_free(&renderer->seeds);
+    renderer->seeds = fresh;
+    return HATCH_OK;
+}
+
 /* The programs that draw what is near: most pictures need none. */
 static enum hatch_status prepare_pieces(struct renderer *renderer, uint32_t technique, struct hatch_err *err)
 {

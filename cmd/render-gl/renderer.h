@@ -52,6 +52,10 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
                                    struct hatch_arena *scratch, struct hatch_err *err)
     HATCH_MUST_USE;
 
+/* After the model of strokes at seeds has changed. */
+enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_arena *scratch,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+
 /* Draws a tile of a frame into the target and averages its samples; then its lines, where there are
  * some. The scene is posed. HATCH_LIMIT when memory does not suffice for lines. */
 enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,

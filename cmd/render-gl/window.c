@@ -53,10 +53,8 @@ static void set_technique(struct window *window, uint32_t technique)
         return;
     }
     bool strokes = technique_draws_strokes(techniques[technique]);
-    if (techniques[technique]->seeds && !job->renderer.rptam) {
+    if (techniques[technique]->seeds && !job->renderer.rptam)
         job_read_seeds(job);
-        job->renderer.rptam = &job->rptam;
-    }
     if ((strokes && load_check_texcoords(&job->scene, &err) != HATCH_OK) ||
         renderer_prepare(&job->renderer, technique, &job->args.scratch, &err) != HATCH_OK) {
         cmd_say("%s", err.text);
@@ -285,7 +283,7 @@ static void pose(struct window *window, struct view *view)
                              &err),
               NULL, &err);
     if (!window->moved) {
-        job_view(job, view);
+        job_view(job, window->time_s, view);
         orbit_start(&window->orbit, view);
     }
     window->orbit.view.aspect = aspect;

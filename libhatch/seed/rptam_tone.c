@@ -45,7 +45,8 @@ static void put_sample(const struct tone *tone, const struct shown *stroke, uint
     }
     for (uint32_t step = 0; step < STEPS; step++) {
         double share = stroke->of_step[step];
-        paper[step] *= 1 - (share < 1 ? hatch_rptam_stroke_ink(tone->rptam, tone->layer, d, tile_px, whole * share) : ink);
+        paper[step] *= 1 - (share < 1 ? hatch_rptam_stroke_ink(tone->rptam, tone->layer, d, tile_px, whole * share)
+                                      : ink);
     }
 }
 

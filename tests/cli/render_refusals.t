@@ -38,6 +38,17 @@ refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam
 for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
     refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
 done
+many="render-gl --size 32x24 --frames 2 -o p%d.png"
+refuses "what animates nothing" 2 2 "PARAM=FROM..TO" $many torus.glb -t rptam --animate zoom=2
+refuses "an animated option that is none" 2 2 "want one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
+refuses "an animated number that the option would not take" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
+refuses "one that animates with half a pair" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
+refuses "a factor from nothing" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
+refuses "an animated option twice" 2 2 "one way only" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
+refuses "seeds of a technique without" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
+refuses "strokes of a technique without" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
+refuses "the width of no lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
+refuses "an animation of one picture" 2 2 "--frames 2" $draw torus.glb -t rptam --animate zoom=1..2
 refuses "a picture that memory does not hold" 5 1 memory \
     render-gl --size 65536x65536 torus.glb --tam map.exr --max-memory 100M -o picture.png
 if [ -z "$SANITIZE" ]; then

@@ -1,0 +1,49 @@
+# Parameters that change from frame to frame: each frame is the picture that its numbers alone give.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --levels 2 -o map.exr
+meshgen teapot --faces 1000 -o teapot.glb
+
+# same_as_still NAME OPTION A B C ARGUMENT ...: three frames from A to C, with B half-way
+same_as_still() {
+    name=$1 option=$2 first=$3 middle=$4 last=$5
+    shift 5
+    draw="render-gl teapot.glb --size 64x48 --samples 1 --tam map.exr $*"
+    $draw --frames 3 --animate "$option=$first..$last" -o way%d.png || fail "$name" "$option"
+    for frame in 0 1 2; do
+        eval "value=\$$(echo first middle last | cut -d ' ' -f $((frame + 1)))"
+        $draw "--$option=$value" -o still$frame.png
+        cmp -s way$frame.png still$frame.png || echo "frame $frame"
+    done >differing
+    is "$name: frames are the pictures of their numbers" "$(cat differing)" ""
+    is "$name: and differ" "$(cat still?.png | cksum)" \
+        "$(cmp -s still0.png still1.png || cmp -s still1.png still2.png || cat still?.png | cksum)"
+}
+same_as_still stroke stroke 10x1 20x2 40x4 -t rptam
+same_as_still stroke-ink stroke-ink 1 0.75 0.5 -t rptam
+same_as_still stroke-turn stroke-turn 0 20 40 -t rptam
+same_as_still seed-tile seed-tile 64 128 256 -t rptam
+same_as_still seed-layers seed-layers 1 2 3 -t rptam --tone-range 0:1
+same_as_still overlap overlap 0 0.25 0.5 -t rptam
+same_as_still tone-overlap tone-overlap 0 0.25 0.5 -t rptam
+same_as_still hatch-turn hatch-turn -30 0 30 -t tam
+same_as_still hatch-scale hatch-scale 0.8 1.2 1.8 -t rptam
+same_as_still tone-range tone-range 0:0.2 0.1:0.3 0.2:0.4 -t rptam
+same_as_still tone-gamma tone-gamma 0.5 1 2 -t tam
+same_as_still light light -80:0 0:20 80:40 -t gouraud
+same_as_still line-width line-width 1 2 4 -t tam
+same_as_still from from -20:0 10:20 40:40 -t tam --uv-scale 8
+same_as_still fov fov 10 30 50 -t tam --uv-scale 8 --camera 1,2,6:0,0,0
+same_as_still zoom zoom 0.5 1 2 -t rptam
+same_as_still "deep zoom" zoom 1 256 65536 -t rptam
+
+# Two at once, and over a turn.
+render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --animate zoom=1..4 --animate overlap=0..1 -o both%d.png
+render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --zoom 4 --overlap 1 -o turn%d.png
+ok "several go together, and with the turntable" cmp both1.png turn1.png
+
+is "the model is made once a frame" "$(render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 \
+    --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'made [0-9]* times')" "made 4 times"
+try render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 --animate zoom=1..9 -o five%d.png
+is "and not for what does not need it" "$status $(grep -c 'times' .err)" "0 0"
+finish
