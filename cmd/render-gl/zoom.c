@@ -49,8 +49,13 @@ enum hatch_status zoom_view(struct pose *pose, const struct pose_span *moment, c
     struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
     HATCH_TRY(pose_each_corner(pose, &now, scratch, take_corner, &ray, err));
     double distance = isfinite(ray.distance) ? ray.distance : view->pivot;
-    for (int k = 0; k < 3; k++)
-        view->eye[k] -= (distance - distance / factor) * view->back[k];
+    struct hatch_pair way = hatch_pair_sum(distance / factor, -distance);
+    for (int k = 0; k < 3; k++) {
+        struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
+        eye = hatch_pair_add(eye, hatch_pair_scale(way, view->back[k]));
+        view->eye[k] = eye.high;
+        view->eye_rest[k] = eye.low;
+    }
     view->pivot = distance / factor;
     if (view->orthographic)
         view->half_height /= factor;
