@@ -9,7 +9,8 @@
 static const char *const columns[] = {
     "patches",  "hidden",      "faces",       "patch_faces", "overlap",  "samples",  "covered",
     "opacity",  "flipped",     "stretch_p50", "stretch_p95", "stretch_p99", "stretch_max", "area_p50",
-    "area_p95", "area_p99",    "area_max",    "angle_p50",   "angle_p95", "angle_p99", "angle_max", NULL};
+    "area_p95", "area_p99",    "area_max",    "angle_p50",   "angle_p95", "angle_p99", "angle_max",
+    "angle_area_p50", "angle_area_p95", "angle_area_p99", NULL};
 
 /* The pixels of the textures that patches show themselves with. */
 static struct hatch_image *read_masks(struct cmd_args *args, const char *name, const struct hatch_scene *scene)
@@ -45,6 +46,8 @@ static void put(struct cmd_report *report, const struct hatch_lapped_figures *f)
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (int k = 0; k < HATCH_LAPPED_SHARES; k++)
             cmd_report_number(report, lists[i][k]);
+    for (int k = 0; k < HATCH_LAPPED_MAX; k++)
+        cmd_report_number(report, f->angle_area_deg[k]);
 }
 
 /* Each bar that is missed is a warning. NaN misses. */

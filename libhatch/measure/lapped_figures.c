@@ -178,7 +178,7 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
         w->out->flipped += !(stretch.uv_area < 0);
         double angle = angle_to_field(mesh, sheet->face, stretch.u);
         if (angle >= 0)
-            lists->angle[lists->angles++] = (struct hatch_weighted){angle, 1};
+            lists->angle[lists->angles++] = (struct hatch_weighted){angle, stretch.area};
         if (!isfinite(stretch.ratio))
             continue;
         area += stretch.area;
@@ -208,6 +208,9 @@ static enum hatch_status measure_stretch(struct work *w, struct hatch_err *err)
     }
     hatch_percentiles(lists.stretch, lists.stretches, shares, HATCH_LAPPED_SHARES, w->out->stretch);
     hatch_percentiles(lists.area, lists.stretches, shares, HATCH_LAPPED_SHARES, w->out->area);
+    hatch_percentiles(lists.angle, lists.angles, shares, HATCH_LAPPED_SHARES, w->out->angle_area_deg);
+    for (uint32_t i = 0; i < lists.angles; i++)
+        lists.angle[i].weight = 1;
     hatch_percentiles(lists.angle, lists.angles, shares, HATCH_LAPPED_SHARES, w->out->angle_deg);
     return HATCH_OK;
 }

@@ -22,6 +22,7 @@ struct hatch_lapped_figures {
     double area[HATCH_LAPPED_SHARES];    /* texture area over area, in units of the whole's, or the inverse,
                                             whichever is larger */
     double angle_deg[HATCH_LAPPED_SHARES]; /* between rising u and _HATCH_DIR; NaN where no face has one */
+    double angle_area_deg[HATCH_LAPPED_SHARES]; /* the same, each face weighed by its area */
 };
 
 /* Measures every lapped mesh that a node draws. masks: per texture of the scene, its pixels; pixels NULL

@@ -223,6 +223,24 @@ START_TEST(angles_are_those_to_rising_u)
 }
 END_TEST
 
+/* Two faces of area 1/2 along the field, and one of a sixteenth of that across it. */
+START_TEST(angles_are_weighed_by_area_too)
+{
+    struct made small = first_face;
+    small.field_deg = 30;
+    add_patch(&plain);
+    add_patch(&small);
+    float *at = hatch_mesh_find(&patches[1].mesh, "POSITION", 3);
+    for (uint32_t i = 0; i < 12; i++)
+        at[i] /= 4;
+    measure();
+    ck_assert_double_eq_tol(figures.angle_deg[HATCH_LAPPED_P50], 0, 1e-5);
+    ck_assert_double_eq_tol(figures.angle_deg[HATCH_LAPPED_P95], 30, 1e-5);
+    ck_assert_double_eq_tol(figures.angle_area_deg[HATCH_LAPPED_P95], 0, 1e-5);
+    ck_assert_double_eq_tol(figures.angle_area_deg[HATCH_LAPPED_P99], 30, 1e-5);
+}
+END_TEST
+
 /* A sheared square: the direction in which u rises and v stays is not the gradient of u. */
 START_TEST(u_rises_where_v_stays)
 {
@@ -300,6 +318,7 @@ static Suite *suite(void)
     tcase_add_test(tests, stretch_is_the_ratio);
     tcase_add_test(tests, mirrored_and_flat_faces_are_flipped);
     tcase_add_test(tests, angles_are_those_to_rising_u);
+    tcase_add_test(tests, angles_are_weighed_by_area_too);
     tcase_add_test(tests, u_rises_where_v_stays);
     tcase_add_test(tests, meshes_at_one_place_are_not_one);
     tcase_add_test(tests, what_is_no_lapped_file_is_refused);
