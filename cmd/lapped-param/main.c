@@ -9,7 +9,7 @@
 
 #define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */
 
-static double size, curved = 0.5, stretch = 1.5, turn_deg = 17, tile, roughness = 0.3, feather = 0.04;
+static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.04;
 static int64_t mask_size = 256;
 static bool atlas, mask_given, tile_given;
 
@@ -20,7 +20,7 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.5)", &stretch, NULL,
      NULL},
-    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 17)", &turn_deg,
+    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 14)", &turn_deg,
      NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
      "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL,

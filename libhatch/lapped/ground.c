@@ -60,6 +60,35 @@ static double normals_turn(const struct measure *of, uint32_t face)
     return sum / 3;
 }
 
+/* The line that the corners' directions make in a face's plane as they stand in space: so programs that
+ * know nothing of how a surface turns between its points read the field. Along a crease it follows the
+ * crease on both sides. spread: the largest angle between it and a corner's own. */
+static void find_line(const struct measure *of, const uint32_t *corner, const double normal[3], double line[3],
+                      double *spread)
+{
+    const struct hatch_surface *surface = of->ground->surface;
+    double u[3], v[3], z[3][2], sum[2] = {0, 0};
+    hatch_vec_sub(&surface->points[(size_t)corner[1] * 3], &surface->points[(size_t)corner[0] * 3], u);
+    hatch_vec_normalize(u);
+    hatch_vec_cross(normal, u, v);
+    for (int c = 0; c < 3; c++) {
+        const double *own = &of->direction[(size_t)corner[c] * 3];
+        double x = hatch_vec_dot(own, u), y = hatch_vec_dot(own, v), square = x * x + y * y;
+        z[c][0] = square > 0 ? (x * x - y * y) / square : 0;
+        z[c][1] = square > 0 ? 2 * x * y / square : 0;
+        sum[0] += z[c][0];
+        sum[1] += z[c][1];
+    }
+    double length = hypot(sum[0], sum[1]), nearest = 1;
+    double x = length > 0 ? sum[0] / length : 1, y = length > 0 ? sum[1] / length : 0;
+    for (int c = 0; c < 3; c++)
+        nearest = fmin(nearest, z[c][0] * x + z[c][1] * y);
+    *spread = acos(fmax(nearest, -1)) / 2;
+    double half = atan2(y, x) / 2, cosine = cos(half), sine = sin(half);
+    for (int k = 0; k < 3; k++)
+        line[k] = cosine * u[k] + sine * v[k];
+}
+
 static void measure_face(const struct measure *of, uint32_t face)
 {
     struct hatch_ground *ground = of->ground;
@@ -69,9 +98,9 @@ static void measure_face(const struct measure *of, uint32_t face)
     for (int c = 0; c < 3; c++)
         at[c] = &surface->points[(size_t)corner[c] * 3];
     double line[3], across[3], normal[3], spread;
-    hatch_field_face(surface, of->frames, of->direction, face, line, &spread);
     hatch_vec_triangle(at[0], at[1], at[2], normal);
     of->area[face] = hatch_vec_normalize(normal) / 2;
+    find_line(of, corner, normal, line, &spread);
     hatch_vec_cross(normal, line, across);
     for (int c = 1; c < 3; c++) {
         double side[3];
