@@ -30,7 +30,7 @@ endif
 
 # command: the package archives and packages that it links
 LINK_meshgen   :=
-LINK_tamgen    := exr png foreign
+LINK_tamgen    := exr png foreign svg
 LINK_tampack   := exr png container
 LINK_tamvol    := exr container
 LINK_tamthresh := exr png foreign container
@@ -45,10 +45,11 @@ libs_gltf      := -ltinygltf -lstdc++
 libs_openmesh  := -lOpenMeshTools -lOpenMeshCore -lstdc++
 libs_container := -lzstd
 libs_cholmod   := -lcholmod
+libs_svg       := -lexpat
 libs_gl        := -lepoxy -lglfw
 
 # A package's archive holds libhatch/*/PACKAGE*; all else of libhatch is C alone and one archive.
-PACKAGES := exr png foreign gltf openmesh container cholmod
+PACKAGES := exr png foreign gltf openmesh container cholmod svg
 SRC := $(wildcard libhatch/*/*.c libhatch/*/*.cc)
 PLUGIN_SRC := $(wildcard libhatch/io/oiio_plugin.cc)
 src_of = $(foreach s,$(SRC),$(if $(filter $(1)%,$(notdir $(s))),$(s)))
@@ -68,7 +69,7 @@ BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(if $(PLUGIN_SRC),$(B)/lib/hatch/hatch-oiio.so)
 # What is not a binary lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
-SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,man,man,man*/*) \
+SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
           $(call copies,cmd/render-gl/shaders,hatch/shaders,*)
 COMPLETIONS := $(COMMANDS:%=$(B)/share/bash-completion/completions/%) \
                $(COMMANDS:%=$(B)/share/zsh/site-functions/_%) \

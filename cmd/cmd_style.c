@@ -11,12 +11,12 @@ static bool is_path(const char *name)
     return strcmp(name, "-") == 0 || strpbrk(name, "/.");
 }
 
-/* NULL where none of that name comes with the commands. */
-static const char *own_style(struct cmd_args *args, const char *name)
+/* NULL where none of that name comes with the commands. kind: "style" or "palette". */
+static const char *own_file(struct cmd_args *args, const char *name, const char *kind)
 {
     struct hatch_err err;
     struct hatch_buffer relative = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.style%c", name, '\0'),
+    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.%s%c", name, kind, '\0'),
               NULL, &err);
     const char *path = cmd_own_file(args, (const char *)relative.data);
     return access(path, F_OK) == 0 ? path : NULL;
@@ -24,21 +24,20 @@ static const char *own_style(struct cmd_args *args, const char *name)
 
 bool cmd_has_style(struct cmd_args *args, const char *name)
 {
-    return !is_path(name) && own_style(args, name);
+    return !is_path(name) && own_file(args, name, "style");
 }
 
 /* A bare name is a style that comes with the commands before it is a file here, so that a folder's
  * content does not change what "ink" means. */
-static const char *find_style(struct cmd_args *args, const char *name)
+static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
 {
     if (is_path(name))
         return name;
-    const char *path = own_style(args, name);
+    const char *path = own_file(args, name, kind);
     if (path)
         return path;
     if (access(name, F_OK) != 0)
-        cmd_usage("no style '%s': it is neither a style that comes with the commands nor a file",
-                  name);
+        cmd_usage("no %s '%s': it is neither a %s that comes with the commands nor a file", kind, name, kind);
     return name;
 }
 
@@ -90,7 +89,7 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
                     const char *brush_path, struct hatch_style *style, struct hatch_brush *brush)
 {
     struct hatch_err err;
-    const char *path = find_style(args, name);
+    const char *path = find_file(args, name, "style");
     hatch_style_default(style);
     call_after(path, style);
     cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
@@ -102,4 +101,17 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
         read_brush_image(args, brush_path, brush);
     else
         cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
+}
+
+void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style)
+{
+    struct hatch_err err;
+    const char *path = find_file(args, name, "palette");
+    struct hatch_style read;
+    hatch_style_default(&read);
+    cmd_check(hatch_style_parse(cmd_read(args, path), &read, &err), cmd_input_name(path), &err);
+    if (read.color_count == 0)
+        cmd_die(cmd_input_name(path), &(struct hatch_err){HATCH_BAD_INPUT, "no color in it"});
+    style->color_count = read.color_count;
+    memcpy(style->colors, read.colors, sizeof style->colors);
 }

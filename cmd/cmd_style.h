@@ -14,6 +14,10 @@
 void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
                     const char *brush_path, struct hatch_style *style, struct hatch_brush *brush);
 
+/* The colours of a palette, by name or file as a style is, in place of the style's own: a file of "color"
+ * lines, or any style that has some. */
+void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style);
+
 /* Whether a style of that name comes with the commands. A path is no such name, so that what a file says
  * of its style opens no other file. */
 bool cmd_has_style(struct cmd_args *args, const char *name);

@@ -2,14 +2,7 @@
 
 #include <string.h>
 
-#include "image/image.h"
-
-static int digit(char c)
-{
-    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
-    const char *at = c ? strchr(digits, c) : NULL;
-    return at ? (int)((at - digits) % 16) : -1;
-}
+#include "image/color.h"
 
 bool color_parse(struct hatch_text text, float rgb[3])
 {
@@ -20,16 +13,9 @@ bool color_parse(struct hatch_text text, float rgb[3])
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (hatch_text_is(text, names[i][0]))
             text = (struct hatch_text){names[i][1], strlen(names[i][1])};
-    size_t each = text.length == 7 ? 2 : 1;
-    if ((text.length != 4 && text.length != 7) || text.at[0] != '#')
+    if (text.length == 0 || text.at[0] != '#')
         return false;
-    for (size_t c = 0; c < 3; c++) {
-        int high = digit(text.at[1 + c * each]), low = digit(text.at[each + c * each]);
-        if (high < 0 || low < 0)
-            return false;
-        rgb[c] = hatch_srgb_to_linear((float)(16 * high + low) / 255.0f);
-    }
-    return true;
+    return hatch_color_from_hex((struct hatch_text){text.at + 1, text.length - 1}, rgb);
 }
 
 bool vector_parse(struct hatch_text text, double xyz[3])

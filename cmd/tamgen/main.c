@@ -1,18 +1,17 @@
-/* tamgen: fills a tonal art map with strokes of a style. */
+/* tamgen: fills a tonal art map with strokes of a style, or with those of a drawing. */
 #include "cmd_style.h"
-#include "columns.h"
-#include "io/png.h"
-#include "stroke/script.h"
-#include "tam/fill.h"
+#include "io/svg.h"
+#include "job.h"
 
 #define SMALLEST_LEVEL_PX 32u
-#define SHEET_COLUMNS_MAX 12u
 
-static const char *style_name = "ink", *settings, *brush_path, *strokes_path, *sheet_path;
+static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path;
 static int64_t tones = 6, size_px = 256, levels;
 static double candidates[2], growth;
-static bool candidates_given, ids;
+static bool candidates_given, method_given, growth_given, keep_given;
 static int method;
+static struct replay_job replay = {.keep = 1};
+static bool ids;
 
 static const char *const methods[] = {"field", "exhaustive", NULL};
 
@@ -21,6 +20,8 @@ static const struct cmd_option options[] = {
      NULL},
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL,
      NULL},
+    {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by darkness: a palette's name, or a file", &palette,
+     NULL, NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "a grey image of one stroke, dark on white", &brush_path, NULL,
      NULL},
     {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "columns, lightest first (default 6)", &tones, NULL,
@@ -32,9 +33,15 @@ static const struct cmd_option options[] = {
     {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "strokes tried per stroke, light to dark columns",
      candidates, NULL, &candidates_given},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the paper's loop", &method,
-     methods, NULL},
+     methods, &method_given},
     {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes begin that much smaller and grow (default 0)",
-     &growth, NULL, NULL},
+     &growth, NULL, &growth_given},
+    {'R', "replay", CMD_TEXT, 0, 0, "FILE", "strokes of a script or an SVG drawing, in their order",
+     &replay.path, NULL, NULL},
+    {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "of a drawing's strokes, from level to level (default 1)",
+     &replay.keep, NULL, &keep_given},
+    {'f', "fit", CMD_FLAG, 0, 0, NULL, "find that share for each image; says the errors left", &replay.fit, NULL,
+     NULL},
     {'i', "ids", CMD_FLAG, 0, 0, NULL, "store which stroke each pixel belongs to", &ids, NULL, NULL},
     {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL,
      NULL},
@@ -45,6 +52,7 @@ static const struct cmd_option options[] = {
 
 static const char *const examples[] = {
     "tamgen --style pencil --contact-sheet sheet.png -o pencil.exr",
+    "tamgen --replay drawing.svg --tones 12 -o drawing.exr",
     "tamgen --size 512 --set 'width 3; direction 45 0 1' | tampack --layout rgb -o hatch",
     NULL,
 };
@@ -75,89 +83,76 @@ static void check_sizes(void)
         levels = deepest;
 }
 
-/* Everything that tamgen writes; opened before the work, written after it. */
-struct outputs {
-    struct cmd_output *map, *strokes, *sheet;
-};
-
-static struct outputs open_outputs(const struct cmd_args *args)
+/* What goes together. */
+static void check_replay(void)
 {
-    cmd_check_ending(args->output, "exr");
-    cmd_check_ending(sheet_path, "png");
-    return (struct outputs){cmd_open_output(args->output, true),
-                            strokes_path ? cmd_open_output(strokes_path, false) : NULL,
-                            sheet_path ? cmd_open_output(sheet_path, true) : NULL};
+    if (!replay.path && (keep_given || replay.fit))
+        cmd_usage("--keep and --fit tell how a drawing is replayed: --replay is missing");
+    if (keep_given && replay.fit)
+        cmd_usage("--fit finds the share that --keep gives");
+    if (replay.path && (method_given || growth_given || candidates_given))
+        cmd_usage("--replay draws strokes as they are: no --method, --growth or --candidates");
 }
 
-/* Encodes all, then writes all. */
-static void write_outputs(struct cmd_args *args, const struct outputs *outputs, struct columns *columns,
-                          const struct hatch_stroke_list *strokes)
+/* The drawing's bytes decide the style that it gets where none is named. */
+static void read_style(struct job *job)
 {
-    struct hatch_err err;
-    struct hatch_buffer map = {.arena = &args->keep}, script = map, picture = map;
-    cmd_check(columns_finish(columns, &map, &err), args->output, &err);
-    if (strokes_path)
-        cmd_check(hatch_script_print(strokes->items, strokes->count, (uint32_t)size_px, NULL, &script, &err),
-                  strokes_path, &err);
-    if (sheet_path)
-        cmd_check(hatch_png_write(&columns->sheet->picture, HATCH_PNG_SRGB, 8, NULL, &args->scratch, &picture,
-                                  &err),
-                  sheet_path, &err);
-    struct cmd_file files[] = {{outputs->map, map.data, map.size}, {NULL, NULL, 0}, {NULL, NULL, 0}};
-    size_t count = 1;
-    if (strokes_path)
-        files[count++] = (struct cmd_file){outputs->strokes, script.data, script.size};
-    if (sheet_path)
-        files[count++] = (struct cmd_file){outputs->sheet, picture.data, picture.size};
-    cmd_write_all(files, count);
-}
-
-/* Fills the map; columns receives it. */
-static void fill_map(struct cmd_args *args, const struct hatch_style *style, const struct hatch_brush *brush,
-                     struct columns *columns, struct hatch_stroke_list *strokes)
-{
-    struct hatch_err err;
-    struct hatch_fill_options fill = {.size_px = (uint32_t)size_px,
-                                      .tones = (uint32_t)tones,
-                                      .levels = (uint32_t)levels,
-                                      .method = (enum hatch_fill_method)method,
-                                      .seed = args->seed,
-                                      .growth = (float)growth,
-                                      .ids = ids};
-    if (columns->sheet) {
-        uint32_t shown = fill.tones < SHEET_COLUMNS_MAX ? fill.tones : SHEET_COLUMNS_MAX;
-        cmd_check(hatch_tam_sheet_make(fill.size_px, fill.levels, fill.tones, false, shown, &args->keep,
-                                       columns->sheet, &err),
-                  sheet_path, &err);
+    if (replay.path) {
+        replay.file = cmd_read(&job->args, replay.path);
+        replay.is_svg = hatch_svg_is(replay.file);
     }
-    cmd_check(hatch_tam_fill(style, brush, &fill, &args->keep, &args->scratch, columns_take, columns, strokes,
-                             &err),
+    if (!style_name)
+        style_name = replay.is_svg ? "drawing" : "ink";
+    cmd_read_style(&job->args, style_name, settings, brush_path, &job->style, &job->brush);
+    if (palette)
+        cmd_read_palette(&job->args, palette, &job->style);
+    if (candidates_given) {
+        job->style.candidates_light = (uint32_t)candidates[0];
+        job->style.candidates_dark = (uint32_t)candidates[1];
+    }
+}
+
+/* Fills the map; columns receive it. */
+static void fill_map(struct job *job)
+{
+    struct hatch_err err;
+    struct hatch_fill_options fill = {.size_px = job->size_px,
+                                      .tones = job->tones,
+                                      .levels = job->levels,
+                                      .method = (enum hatch_fill_method)method,
+                                      .seed = job->args.seed,
+                                      .growth = (float)growth,
+                                      .color = job->color,
+                                      .ids = job->ids};
+    cmd_check(hatch_tam_fill(&job->style, &job->brush, &fill, &job->args.keep, &job->args.scratch, columns_take,
+                             &job->columns, &job->strokes, &err),
               NULL, &err);
-    cmd_note("%u strokes", strokes->count);
+    cmd_note("%u strokes", job->strokes.count);
 }
 
 int main(int argc, char **argv)
 {
-    struct cmd_args args;
-    cmd_begin(&program, argc, argv, &args);
+    static struct job job;
+    cmd_begin(&program, argc, argv, &job.args);
     check_sizes();
-    struct outputs outputs = open_outputs(&args);
+    check_replay();
+    job.size_px = (uint32_t)size_px;
+    job.tones = (uint32_t)tones;
+    job.levels = (uint32_t)levels;
+    job.ids = ids;
+    job.strokes_path = strokes_path;
+    job.sheet_path = sheet_path;
+    struct outputs outputs = open_outputs(&job);
 
-    struct hatch_style style;
-    struct hatch_brush brush;
-    cmd_read_style(&args, style_name, settings, brush_path, &style, &brush);
-    if (candidates_given) {
-        style.candidates_light = (uint32_t)candidates[0];
-        style.candidates_dark = (uint32_t)candidates[1];
-    }
-
-    struct hatch_tam_sheet sheet;
-    struct columns columns = {.arena = &args.keep,
-                              .pool = cmd_pool(&args),
-                              .tones = (uint32_t)tones,
-                              .sheet = sheet_path ? &sheet : NULL};
-    struct hatch_stroke_list strokes = {0};
-    fill_map(&args, &style, &brush, &columns, &strokes);
-    write_outputs(&args, &outputs, &columns, &strokes);
-    return cmd_end(&args, HATCH_OK);
+    read_style(&job);
+    job.color = job.style.color_count > 0;
+    if (replay.path)
+        read_drawing(&job, &replay);
+    begin_columns(&job);
+    if (replay.path)
+        replay_drawing(&job, &replay);
+    else
+        fill_map(&job);
+    write_outputs(&job, &outputs);
+    return cmd_end(&job.args, HATCH_OK);
 }

@@ -22,21 +22,27 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
         style->length_max = fmaxf(style->length_max, stroke->length);
         style->width_px = fmaxf(style->width_px, stroke->width_px);
     }
-    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, false, canvas, err);
+    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, false, false, canvas, err);
 }
 
-static bool is_missing(const struct hatch_canvas *canvas, const struct hatch_image *image)
+/* Whether a pixel of the footprint is lighter in any channel than the stroke alone makes it. */
+static bool is_missing(const struct hatch_tam *tam, const struct hatch_canvas *canvas,
+                       const struct hatch_stroke *stroke, const struct hatch_image *image)
 {
     const struct hatch_footprint *f = &canvas->footprint;
+    float grey = (stroke->rgb[0] + stroke->rgb[1] + stroke->rgb[2]) / 3;
     for (uint32_t i = 0; i < f->count; i++)
-        if (image->pixels[(size_t)f->at[i] * image->channel_count] > 1 - f->alpha[i] + HALF_STEP)
-            return true;
+        for (uint32_t c = 0; c < (tam->color ? 3 : 1); c++)
+            if (image->pixels[(size_t)f->at[i] * image->channel_count + c] >
+                1 - f->alpha[i] * (1 - (tam->color ? stroke->rgb[c] : grey)) + HALF_STEP)
+                return true;
     return false;
 }
 
 static bool belongs(const struct hatch_tam *tam, const struct hatch_stroke *stroke)
 {
-    return stroke->column < tam->tones && stroke->level < tam->levels;
+    return stroke->level < tam->levels && stroke->level < HATCH_STROKE_LEVELS_MAX &&
+           stroke->column + stroke->delay[stroke->level] < tam->tones;
 }
 
 enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
@@ -59,7 +65,8 @@ enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
         }
         for (uint32_t level = 0; level <= stroke->level; level++) {
             (void)hatch_canvas_try(&canvas, stroke, level, 1 - strokes->growth);
-            count += is_missing(&canvas, &tam->columns[stroke->column].levels[level]);
+            uint32_t column = stroke->column + stroke->delay[level];
+            count += is_missing(tam, &canvas, stroke, &tam->columns[column].levels[level]);
         }
     }
     hatch_arena_rewind(scratch, mark);

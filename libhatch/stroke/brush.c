@@ -10,7 +10,8 @@
 
 const char *hatch_brush_name(enum hatch_brush_kind kind)
 {
-    static const char *const names[] = {"ink", "pencil", "crayon", "charcoal", "stipple"};
+    static const char *const names[] = {"ink",      "pencil",  "crayon",
+                                        "charcoal", "stipple", "round"};
     return (unsigned)kind < sizeof names / sizeof *names ? names[kind] : NULL;
 }
 

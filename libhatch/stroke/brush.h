@@ -12,6 +12,7 @@ enum hatch_brush_kind {
     HATCH_BRUSH_CRAYON,   /* coarse grain, ragged edge */
     HATCH_BRUSH_CHARCOAL, /* broad, very grainy, soft edge */
     HATCH_BRUSH_STIPPLE,  /* full alpha, for dots */
+    HATCH_BRUSH_ROUND,    /* full alpha, a half disc at each end: what drawing programs call a round cap */
     HATCH_BRUSH_IMAGE     /* the user's grey image */
 };
 
@@ -28,7 +29,7 @@ struct hatch_brush {
     float *grain;
 };
 
-/* "ink", "pencil" and so on; NULL beyond HATCH_BRUSH_STIPPLE. */
+/* "ink", "pencil" and so on; NULL for HATCH_BRUSH_IMAGE. */
 const char *hatch_brush_name(enum hatch_brush_kind kind);
 
 enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena,

@@ -1,11 +1,14 @@
 #include "stroke/script.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/text.h"
+#include "stroke/path.h"
 
 enum { X, Y, LENGTH, ANGLE, WIDTH, TONE, RED, GREEN, BLUE, REQUIRED };
-enum { ID = REQUIRED, COLUMN, LEVEL, GRAIN, KEYS };
+enum { BEND = REQUIRED, ID, COLUMN, LEVEL, GRAIN, NUMBERS };
+enum { ENTERS = NUMBERS, PATH, KEYS };
 
 static const struct {
     const char *name;
@@ -15,24 +18,69 @@ static const struct {
     [ANGLE] = {"angle", -1e3, 1e3}, [WIDTH] = {"width", 1e-9, 4}, [TONE] = {"tone", 0, 1},
     [RED] = {"r", 0, 1},          [GREEN] = {"g", 0, 1},    [BLUE] = {"b", 0, 1},
     [ID] = {"id", 0, 16777216},   [COLUMN] = {"column", 0, 255}, [LEVEL] = {"level", 0, 31},
-    [GRAIN] = {"grain", 0, 4294967295.0},
+    [GRAIN] = {"grain", 0, 4294967295.0}, [ENTERS] = {"enters", 0, 0}, [PATH] = {"path", 0, 0},
+    [BEND] = {"bend", -(double)HATCH_STROKE_BEND_MAX, (double)HATCH_STROKE_BEND_MAX},
 };
+
+/* Which of the columns that few scripts need this one does. */
+struct extras {
+    bool bend, enters, path;
+};
+
+static struct extras extras_of(const struct hatch_stroke *strokes, uint32_t count)
+{
+    struct extras extras = {false, false, false};
+    for (uint32_t i = 0; i < count; i++) {
+        extras.bend |= strokes[i].bend_rad != 0;
+        extras.path |= strokes[i].path != NULL;
+        for (uint32_t level = 0; level < HATCH_STROKE_LEVELS_MAX; level++)
+            extras.enters |= strokes[i].delay[level] != 0;
+    }
+    return extras;
+}
+
+static enum hatch_status print_header(const struct extras *extras, struct hatch_buffer *text,
+                                      struct hatch_err *err)
+{
+    for (int k = 0; k < REQUIRED; k++)
+        HATCH_TRY(hatch_buffer_print(text, err, "%s\t", keys[k].name));
+    return hatch_buffer_print(text, err, "id\tcolumn\tlevel\tgrain%s%s%s\n", extras->bend ? "\tbend" : "",
+                              extras->enters ? "\tenters" : "", extras->path ? "\tpath" : "");
+}
+
+static enum hatch_status print_extras(const struct hatch_stroke *s, const struct extras *extras,
+                                      struct hatch_buffer *text, struct hatch_err *err)
+{
+    if (extras->bend)
+        HATCH_TRY(hatch_buffer_print(text, err, "\t%.9g", (double)s->bend_rad));
+    if (extras->enters && s->level >= HATCH_STROKE_LEVELS_MAX)
+        HATCH_TRY(hatch_buffer_print(text, err, "\t"));
+    for (uint32_t level = 0; extras->enters && level <= s->level && s->level < HATCH_STROKE_LEVELS_MAX; level++)
+        HATCH_TRY(hatch_buffer_print(text, err, "%c%u", level ? ',' : '\t', s->column + s->delay[level]));
+    if (extras->path && !s->path)
+        HATCH_TRY(hatch_buffer_print(text, err, "\t"));
+    for (uint32_t i = 0; s->path && i < s->path->count; i++)
+        HATCH_TRY(hatch_buffer_print(text, err, "%c%.9g,%.9g", i ? ' ' : '\t', (double)s->path->xy[2 * i],
+                                     (double)s->path->xy[2 * i + 1]));
+    return hatch_buffer_print(text, err, "\n");
+}
 
 enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_t count,
                                      uint32_t size_px, const char *comment,
                                      struct hatch_buffer *text, struct hatch_err *err)
 {
+    struct extras extras = extras_of(strokes, count);
     if (comment)
         HATCH_TRY(hatch_buffer_print(text, err, "# %s\n", comment));
-    for (int k = 0; k < KEYS; k++)
-        HATCH_TRY(hatch_buffer_print(text, err, "%s%c", keys[k].name, k + 1 < KEYS ? '\t' : '\n'));
+    HATCH_TRY(print_header(&extras, text, err));
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_stroke *s = &strokes[i];
         HATCH_TRY(hatch_buffer_print(
-            text, err, "%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%u\t%u\t%u\t%u\n",
+            text, err, "%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%u\t%u\t%u\t%u",
             (double)s->x, (double)s->y, (double)s->length, (double)s->angle_rad,
             (double)s->width_px / size_px, (double)s->tone, (double)s->rgb[0], (double)s->rgb[1],
             (double)s->rgb[2], s->id, s->column, s->level, s->texture_seed));
+        HATCH_TRY(print_extras(s, &extras, text, err));
     }
     return HATCH_OK;
 }
@@ -67,28 +115,94 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
     return HATCH_OK;
 }
 
-static enum hatch_status parse_row(struct hatch_text line, const struct header *header, uint32_t row,
-                                   double *values, struct hatch_err *err)
+/* One line below the header: its numbers, and the fields that are none. */
+struct row {
+    double numbers[NUMBERS];
+    struct hatch_text enters, path;
+};
+
+static enum hatch_status parse_number(struct hatch_text field, int key, double *number, struct hatch_err *err)
+{
+    if (!hatch_text_number(field, number))
+        return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a number",
+                          (int)(field.length < 40 ? field.length : 40), field.at);
+    if (!(*number >= keys[key].low && *number <= keys[key].high))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want %g to %g", keys[key].name, *number,
+                          keys[key].low, keys[key].high);
+    if (key >= ID && *number != floor(*number))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want a whole number", keys[key].name, *number);
+    return HATCH_OK;
+}
+
+static enum hatch_status parse_row(struct hatch_text line, const struct header *header, struct row *row,
+                                   struct hatch_err *err)
 {
     struct hatch_text field;
     uint32_t column = 0;
     for (; hatch_text_field(&line, &field); column++) {
         int key = column < header->columns ? header->key_of[column] : -1;
-        if (key < 0)
-            continue;
-        if (!hatch_text_number(field, &values[key]))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: '%.*s' is not a number", row,
-                              (int)(field.length < 40 ? field.length : 40), field.at);
-        if (!(values[key] >= keys[key].low && values[key] <= keys[key].high))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %g, want %g to %g", row,
-                              keys[key].name, values[key], keys[key].low, keys[key].high);
-        if (key >= REQUIRED && values[key] != floor(values[key]))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %g, want a whole number", row,
-                              keys[key].name, values[key]);
+        if (key == ENTERS)
+            row->enters = field;
+        else if (key == PATH)
+            row->path = field;
+        else if (key >= 0)
+            HATCH_TRY(parse_number(field, key, &row->numbers[key], err));
     }
     if (column != header->columns)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %u fields, want %u", row, column,
-                          header->columns);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u fields, want %u", column, header->columns);
+    return HATCH_OK;
+}
+
+/* Takes what stands before the next `separator`, or all, off *rest. */
+static struct hatch_text take_until(struct hatch_text *rest, char separator)
+{
+    const char *end = rest->length ? memchr(rest->at, separator, rest->length) : NULL;
+    struct hatch_text taken = {rest->at, end ? (size_t)(end - rest->at) : rest->length};
+    size_t passed = taken.length + (end != NULL);
+    *rest = (struct hatch_text){rest->at + passed, rest->length - passed};
+    return taken;
+}
+
+static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_stroke *stroke,
+                                      struct hatch_err *err)
+{
+    uint32_t levels = 0;
+    for (; rest.length && levels < HATCH_STROKE_LEVELS_MAX; levels++) {
+        double column;
+        HATCH_TRY(parse_number(take_until(&rest, ','), COLUMN, &column, err));
+        if (column < stroke->column + (levels ? stroke->delay[levels - 1] : 0.0))
+            return hatch_fail(err, HATCH_BAD_INPUT, "enters: a coarser level has it before a finer one");
+        stroke->delay[levels] = (uint8_t)(column - stroke->column);
+    }
+    if (rest.length || (levels && (levels != stroke->level + 1 || stroke->delay[0])))
+        return hatch_fail(err, HATCH_BAD_INPUT, "enters: does not agree with column %u and level %u",
+                          stroke->column, stroke->level);
+    return HATCH_OK;
+}
+
+static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *arena,
+                                    struct hatch_stroke *stroke, struct hatch_err *err)
+{
+    uint32_t count = 1;
+    for (size_t i = 0; i < rest.length; i++)
+        count += rest.at[i] == ' ' && count < UINT32_MAX;
+    if (count < 2 || count > HATCH_PATH_POINTS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "path: %u points, want 2 to %u", count, HATCH_PATH_POINTS_MAX);
+    struct hatch_path *path = HATCH_NEW(arena, struct hatch_path, 1, err);
+    float *xy = path ? HATCH_NEW(arena, float, 2 * (size_t)count, err) : NULL;
+    if (!xy)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < 2 * count; i++) {
+        double number;
+        if (!hatch_text_number(take_until(&rest, i % 2 ? ' ' : ','), &number) ||
+            !(fabs(number) <= HATCH_PATH_REACH_MAX))
+            return hatch_fail(err, HATCH_BAD_INPUT, "path: point %u is not x,y within %g tiles", i / 2 + 1,
+                              HATCH_PATH_REACH_MAX);
+        xy[i] = (float)number;
+    }
+    *path = (struct hatch_path){count, xy};
+    stroke->path = path;
+    stroke->length = hatch_path_length(path);
     return HATCH_OK;
 }
 
@@ -105,6 +219,7 @@ static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
                                  .y = wrap_unit(v[Y]),
                                  .length = (float)v[LENGTH],
                                  .angle_rad = (float)v[ANGLE],
+                                 .bend_rad = (float)v[BEND],
                                  .width_px = (float)(v[WIDTH] * size_px),
                                  .tone = (float)v[TONE],
                                  .rgb = {(float)v[RED], (float)v[GREEN], (float)v[BLUE]},
@@ -112,6 +227,17 @@ static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
                                  .column = (uint32_t)v[COLUMN],
                                  .level = (uint32_t)v[LEVEL],
                                  .texture_seed = (uint32_t)v[GRAIN]};
+}
+
+static enum hatch_status parse_stroke(struct hatch_text line, const struct header *header, uint32_t size_px,
+                                      struct hatch_arena *arena, struct hatch_stroke *stroke,
+                                      struct hatch_err *err)
+{
+    struct row row = {.numbers = {0}};
+    HATCH_TRY(parse_row(line, header, &row, err));
+    *stroke = stroke_of(row.numbers, size_px);
+    HATCH_TRY(parse_enters(row.enters, stroke, err));
+    return row.path.length ? parse_path(row.path, arena, stroke, err) : HATCH_OK;
 }
 
 enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
@@ -128,9 +254,9 @@ enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
             HATCH_TRY(parse_header(line, &header, err));
             continue;
         }
-        double values[KEYS] = {0};
-        HATCH_TRY(parse_row(line, &header, row, values, err));
-        struct hatch_stroke stroke = stroke_of(values, size_px);
+        struct hatch_stroke stroke;
+        if (parse_stroke(line, &header, size_px, arena, &stroke, err) != HATCH_OK)
+            return hatch_fail_at(err, "line %u: ", row);
         HATCH_TRY(hatch_stroke_list_add(&list, arena, &stroke, err));
     }
     if (header.columns == 0)

@@ -1,6 +1,8 @@
 /* Stroke scripts: strokes as text, TSV with a header line: x y length angle width tone r g b, and
- * optionally id column level grain (the seed of its texture); fractions of the tile and radians; width
- * as a fraction of the tile at its finest size. In drawing order. What is printed reads back exactly. */
+ * optionally id column level grain (the seed of its texture), bend, enters (the column in which each level
+ * first has it, finest first, "3,3,5") and path ("x,y x,y" from its middle, of a drawn line); fractions of
+ * the tile and radians; width as a fraction of the tile at its finest size. In drawing order. What is
+ * printed reads back exactly. */
 #ifndef HATCH_STROKE_SCRIPT_H
 #define HATCH_STROKE_SCRIPT_H
 

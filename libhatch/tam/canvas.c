@@ -1,8 +1,11 @@
 #include "tam/canvas.h"
 
+#include <string.h>
+
 enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
                                     const struct hatch_brush *brush, uint32_t size_px, uint32_t levels,
-                                    bool ids, struct hatch_canvas *canvas, struct hatch_err *err)
+                                    bool color, bool ids, struct hatch_canvas *canvas,
+                                    struct hatch_err *err)
 {
     struct hatch_canvas made = {
         .style = style, .brush = brush, .size_px = size_px, .levels = levels};
@@ -13,6 +16,10 @@ enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatc
             return HATCH_LIMIT;
         for (size_t i = 0; i < pixels; i++)
             made.paper[level][i] = 1;
+        if (color && !(made.rgb[level] = HATCH_NEW(arena, float, 3 * pixels, err)))
+            return HATCH_LIMIT;
+        for (size_t i = 0; color && i < 3 * pixels; i++)
+            made.rgb[level][i] = 1;
         if (!ids)
             continue;
         made.id[level] = HATCH_NEW(arena, float, pixels, err);
@@ -31,23 +38,39 @@ enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatc
     return HATCH_OK;
 }
 
-/* What ink of that alpha leaves of a reflectance. Never more than there was, so that darker columns
- * nest pixel by pixel. */
-static float inked(const struct hatch_style *style, float paper, float alpha)
+/* What ink of that alpha and colour leaves of a reflectance. Never more than there was, so that darker
+ * columns nest pixel by pixel. */
+static float inked(enum hatch_overlap overlap, float paper, float alpha, float color)
 {
-    if (style->overlap_darkens)
-        return paper * (1 - alpha);
-    return paper < 1 - alpha ? paper : 1 - alpha;
+    float alone = 1 - alpha * (1 - color);
+    if (overlap == HATCH_OVERLAP_DARKENS)
+        return paper * alone;
+    float left = overlap == HATCH_OVERLAP_FLAT ? alone : paper * (1 - alpha) + alpha * color;
+    return paper < left ? paper : left;
 }
 
-static double measure_change(struct hatch_canvas *canvas, uint32_t level)
+/* The i-th pixel of the footprint after the stroke: its mean, and in colour its three. */
+static float inked_pixel(const struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
+                         uint32_t i, float rgb[3])
+{
+    size_t at = canvas->footprint.at[i];
+    float alpha = canvas->footprint.alpha[i];
+    if (!canvas->rgb[level])
+        return inked(canvas->style->overlap, canvas->paper[level][at], alpha,
+                     (stroke->rgb[0] + stroke->rgb[1] + stroke->rgb[2]) / 3);
+    for (uint32_t c = 0; c < 3; c++)
+        rgb[c] = inked(canvas->style->overlap, canvas->rgb[level][3 * at + c], alpha, stroke->rgb[c]);
+    return (rgb[0] + rgb[1] + rgb[2]) / 3;
+}
+
+static double measure_change(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level)
 {
     const struct hatch_footprint *f = &canvas->footprint;
     const float *paper = canvas->paper[level];
     double sum = 0;
     for (uint32_t i = 0; i < f->count; i++) {
-        float before = paper[f->at[i]];
-        canvas->change[i] = before - inked(canvas->style, before, f->alpha[i]);
+        float rgb[3];
+        canvas->change[i] = paper[f->at[i]] - inked_pixel(canvas, stroke, level, i, rgb);
         sum += (double)canvas->change[i];
     }
     double size = hatch_canvas_size(canvas, level);
@@ -65,7 +88,7 @@ double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *
 {
     hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale,
                          width_scale(scale), &canvas->footprint);
-    return measure_change(canvas, level);
+    return measure_change(canvas, stroke, level);
 }
 
 static void mark_ids(struct hatch_canvas *canvas, uint32_t level, uint32_t id)
@@ -86,15 +109,18 @@ void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *s
     uint32_t size_px = hatch_canvas_size(canvas, level);
     struct hatch_footprint *f = &canvas->footprint;
     hatch_footprint_draw(stroke, canvas->brush, size_px, scale, width_scale(scale), f);
-    if (scale_before > 0 && canvas->style->overlap_darkens) {
+    if (scale_before > 0 && canvas->style->overlap != HATCH_OVERLAP_FLAT) {
         hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, width_scale(scale_before),
                              &canvas->before);
         hatch_footprint_remove(f, &canvas->before);
     }
-    canvas->darkness[level] += measure_change(canvas, level);
-    float *paper = canvas->paper[level];
-    for (uint32_t i = 0; i < f->count; i++)
-        paper[f->at[i]] = inked(canvas->style, paper[f->at[i]], f->alpha[i]);
+    canvas->darkness[level] += measure_change(canvas, stroke, level);
+    for (uint32_t i = 0; i < f->count; i++) {
+        float rgb[3];
+        canvas->paper[level][f->at[i]] = inked_pixel(canvas, stroke, level, i, rgb);
+        if (canvas->rgb[level])
+            memcpy(canvas->rgb[level] + 3 * (size_t)f->at[i], rgb, sizeof rgb);
+    }
     if (canvas->id[level])
         mark_ids(canvas, level, stroke->id);
 }

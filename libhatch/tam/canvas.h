@@ -10,18 +10,20 @@ struct hatch_canvas {
     const struct hatch_style *style;
     const struct hatch_brush *brush;
     uint32_t size_px, levels;
-    float *paper[HATCH_MIP_LEVELS_MAX];     /* reflectance of each level, 1 = paper */
+    float *paper[HATCH_MIP_LEVELS_MAX];     /* reflectance of each level, 1 = paper; in colour, the mean of: */
+    float *rgb[HATCH_MIP_LEVELS_MAX];       /* three a pixel; NULL without colour */
     double darkness[HATCH_MIP_LEVELS_MAX];  /* 1 - mean reflectance */
     float *id[HATCH_MIP_LEVELS_MAX];        /* NULL without ids; the first stroke keeps its pixels */
     float *along[HATCH_MIP_LEVELS_MAX];
     struct hatch_footprint footprint;       /* of the last stroke drawn or tried */
-    float *change;                          /* reflectance that each of its pixels lost */
+    float *change;                          /* reflectance that each of its pixels lost, the mean of three */
     struct hatch_footprint before;          /* of a growing stroke, as it was */
 };
 
 enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
                                     const struct hatch_brush *brush, uint32_t size_px, uint32_t levels,
-                                    bool ids, struct hatch_canvas *canvas, struct hatch_err *err)
+                                    bool color, bool ids, struct hatch_canvas *canvas,
+                                    struct hatch_err *err)
     HATCH_MUST_USE;
 
 /* The size of a level. */

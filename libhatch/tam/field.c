@@ -180,26 +180,79 @@ void hatch_field_settle(struct hatch_field *field)
     expand(field->octave[1], field->size / 2, field->row, field->potential);
 }
 
+/* Steps along a stroke in 16.16 fixed point of cells; the wrap around the torus is the mask's. */
+struct walk {
+    uint32_t x, y, step_x, step_y;
+    float dx, dy, cosine, sine; /* of an arc: the next step, and how each turns */
+};
+
+static void set_step(struct walk *walk)
+{
+    walk->step_x = (uint32_t)(int32_t)(walk->dx * 65536.0f);
+    walk->step_y = (uint32_t)(int32_t)(walk->dy * 65536.0f);
+}
+
+static void turn(struct walk *walk)
+{
+    float dx = walk->dx * walk->cosine - walk->dy * walk->sine;
+    walk->dy = walk->dx * walk->sine + walk->dy * walk->cosine;
+    walk->dx = dx;
+    set_step(walk);
+}
+
+/* The steps of an arc are its chords; the first sample lies half of what all of them turn before the
+ * middle. */
+static void bend_walk(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples,
+                      struct walk *walk)
+{
+    double angle = (double)stroke->bend_rad / samples, back = angle * (samples - 1) / 2;
+    double radius = (double)cells / (double)stroke->bend_rad;
+    double first = (double)stroke->angle_rad - back + angle / 2, chord = 2 * radius * sin(angle / 2);
+    double aside = radius * (1 - cos(back)), before = -radius * sin(back);
+    double cosine = cos((double)stroke->angle_rad), sine = sin((double)stroke->angle_rad);
+    walk->dx = (float)(chord * cos(first));
+    walk->dy = (float)(chord * sin(first));
+    walk->cosine = (float)cos(angle);
+    walk->sine = (float)sin(angle);
+    walk->x = (uint32_t)(int32_t)((stroke->x * size + (float)(before * cosine - aside * sine)) * 65536.0f);
+    walk->y = (uint32_t)(int32_t)((stroke->y * size + (float)(before * sine + aside * cosine)) * 65536.0f);
+    set_step(walk);
+}
+
+static struct walk walk_of(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples)
+{
+    struct walk walk = {.dx = 0};
+    if (stroke->bend_rad != 0) {
+        bend_walk(stroke, size, cells, samples, &walk);
+        return walk;
+    }
+    walk.dx = (float)cos((double)stroke->angle_rad) * cells / (float)samples;
+    walk.dy = (float)sin((double)stroke->angle_rad) * cells / (float)samples;
+    float back = ((float)samples - 1) / 2;
+    walk.x = (uint32_t)(int32_t)((stroke->x * size - back * walk.dx) * 65536.0f);
+    walk.y = (uint32_t)(int32_t)((stroke->y * size - back * walk.dy) * 65536.0f);
+    set_step(&walk);
+    return walk;
+}
+
 float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
                         uint32_t samples_max)
 {
     float size = (float)field->size;
     float cells = stroke->length * size;
     uint32_t samples = cells < 1 ? 1 : cells > (float)samples_max ? samples_max : (uint32_t)cells;
-    /* 16.16 fixed point; the wrap around the torus is the mask's. */
-    float dx = (float)cos((double)stroke->angle_rad) * cells / (float)samples;
-    float dy = (float)sin((double)stroke->angle_rad) * cells / (float)samples;
-    float back = ((float)samples - 1) / 2;
-    uint32_t x = (uint32_t)(int32_t)((stroke->x * size - back * dx) * 65536.0f);
-    uint32_t y = (uint32_t)(int32_t)((stroke->y * size - back * dy) * 65536.0f);
-    uint32_t step_x = (uint32_t)(int32_t)(dx * 65536.0f), step_y = (uint32_t)(int32_t)(dy * 65536.0f);
+    struct walk walk = walk_of(stroke, size, cells, samples);
     uint32_t mask = field->size - 1, parts = samples < HATCH_FIELD_PARTS ? samples : HATCH_FIELD_PARTS;
     const float *share = shares_of(field->share, parts);
     float sum = 0, weight = 0;
-    for (uint32_t i = 0; i < samples; i++, x += step_x, y += step_y) {
+    for (uint32_t i = 0; i < samples; i++) {
         float ink = share[parts == samples ? i : (uint64_t)i * parts / samples];
-        sum += ink * field->potential[(y >> 16 & mask) * field->size + (x >> 16 & mask)];
+        sum += ink * field->potential[(walk.y >> 16 & mask) * field->size + (walk.x >> 16 & mask)];
         weight += ink;
+        walk.x += walk.step_x;
+        walk.y += walk.step_y;
+        if (stroke->bend_rad != 0)
+            turn(&walk);
     }
     return sum / weight;
 }

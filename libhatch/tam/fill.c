@@ -1,11 +1,9 @@
 #include "tam/fill.h"
 
 #include <assert.h>
-#include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "filter/pyramid.h"
+#include "tam/column.h"
 #include "tam/field.h"
 #include "tam/place.h"
 
@@ -21,7 +19,6 @@ struct filler {
     float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
     float targets[HATCH_TAM_TONES_MAX];
     struct hatch_arena *arena;
-    const char *seed; /* in arena: a sink may keep a column's attributes longer than its pixels */
     struct hatch_stroke_list strokes;
     uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
     float *scale;          /* of each stroke: the share of its full size that it is drawn at */
@@ -163,6 +160,8 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
                                   .length_max = f->style->length_max,
                                   .scale = 1 - f->options->growth};
     choice.direction_count = directions_of(f->style, f->targets[tone], choice.directions);
+    if (f->options->color)
+        hatch_style_color_at(f->style, f->targets[tone], choice.rgb);
     if (f->options->method == HATCH_FILL_FIELD && f->canvas.darkness[level] < target)
         hatch_field_start(&f->field, level);
     grow_strokes(f, tone, level);
@@ -190,72 +189,6 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     return HATCH_OK;
 }
 
-/* Joins reflectance, id and t of one level into one image. */
-static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level,
-                                  struct hatch_arena *scratch, struct hatch_image *image,
-                                  struct hatch_err *err)
-{
-    size_t pixels = (size_t)image->width * image->height;
-    float *joined = HATCH_NEW(scratch, float, 3 * pixels, err);
-    if (!joined)
-        return HATCH_LIMIT;
-    for (size_t i = 0; i < pixels; i++) {
-        joined[3 * i] = canvas->paper[level][i];
-        joined[3 * i + 1] = canvas->id[level][i];
-        joined[3 * i + 2] = canvas->along[level][i];
-    }
-    image->channel_count = 3;
-    image->channels[1] = (struct hatch_channel){"id", HATCH_UINT};
-    image->channels[2] = (struct hatch_channel){"t", HATCH_FLOAT};
-    image->pixels = joined;
-    return HATCH_OK;
-}
-
-/* Below the drawn levels a pixel holds a mixture of strokes: no identity. */
-static void clear_ids(struct hatch_mipmap *column, uint32_t first)
-{
-    for (uint32_t level = first; level < column->level_count; level++) {
-        struct hatch_image *image = &column->levels[level];
-        for (size_t i = 0; i < (size_t)image->width * image->height; i++)
-            image->pixels[3 * i + 1] = image->pixels[3 * i + 2] = 0;
-    }
-}
-
-/* The images of the canvas as mip levels: the drawn levels are the canvas's own, the rest is
- * box-filtered. */
-static enum hatch_status column_of(const struct filler *f, struct hatch_arena *scratch,
-                                   struct hatch_mipmap *column, struct hatch_err *err)
-{
-    for (uint32_t level = 0; level < f->options->levels; level++) {
-        uint32_t size = hatch_canvas_size(&f->canvas, level);
-        struct hatch_image *image = &column->levels[level];
-        *image = (struct hatch_image){.width = size, .height = size, .channel_count = 1};
-        image->channels[0] = (struct hatch_channel){"Y", HATCH_HALF};
-        image->pixels = f->canvas.paper[level];
-        if (f->options->ids)
-            HATCH_TRY(join_ids(&f->canvas, level, scratch, image, err));
-    }
-    HATCH_TRY(hatch_mipmap_complete(column, f->options->levels, scratch, err));
-    if (f->options->ids)
-        clear_ids(column, f->options->levels);
-    return HATCH_OK;
-}
-
-static enum hatch_status deliver(const struct filler *f, uint32_t tone, struct hatch_arena *scratch,
-                                 hatch_tam_sink sink, void *context, struct hatch_err *err)
-{
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
-    struct hatch_mipmap column = {.levels = levels};
-    struct hatch_tam_label label = {f->options->levels, f->seed, f->style->name, f->options->growth};
-    hatch_tam_label_column(&label, tone, f->targets[tone], &column);
-    enum hatch_status status = column_of(f, scratch, &column, err);
-    if (status == HATCH_OK)
-        status = sink(context, tone, &column, err);
-    hatch_arena_rewind(scratch, mark);
-    return status;
-}
-
 enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct hatch_brush *brush,
                                  const struct hatch_fill_options *options, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
@@ -266,14 +199,12 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
-    char seed[24];
-    int digits = snprintf(seed, sizeof seed, "%" PRIu64, options->seed);
-    f.seed = hatch_arena_text(arena, seed, (size_t)digits, err);
-    if (!f.seed)
-        return HATCH_LIMIT;
+    struct hatch_tam_label label;
+    HATCH_TRY(hatch_column_label(style, options->levels, options->seed, options->growth, arena, &label, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px,
-                                                 options->levels, options->ids, &f.canvas, err);
+                                                 options->levels, options->color, options->ids,
+                                                 &f.canvas, err);
     if (status == HATCH_OK)
         status = options->method == HATCH_FILL_FIELD
                      ? hatch_field_make(scratch, options->size_px, options->levels, brush, &f.field, err)
@@ -282,7 +213,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)
-            status = deliver(&f, tone, scratch, sink, context, err);
+            status = hatch_column_deliver(&f.canvas, &label, tone, f.targets[tone], scratch, sink, context,
+                                          err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && list)

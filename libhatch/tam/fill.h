@@ -20,6 +20,7 @@ struct hatch_fill_options {
     uint64_t seed;
     float growth;           /* 0 .. 0.9: a stroke begins that share shorter and thinner, and grows to
                                its full size over a third of the columns (§8, "stroke growth") */
+    bool color;             /* columns hold R, G and B, and strokes the style's colours */
     bool ids;               /* add the channels id (0: no stroke) and t (0..1 along it); where strokes
                                cross, the first one drawn keeps the pixel */
 };

@@ -34,10 +34,17 @@ struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struc
         .tone = style->ink,
         .level = choice->level,
         .texture_seed = (uint32_t)shape,
+        .rgb = {choice->rgb[0], choice->rgb[1], choice->rgb[2]},
     };
     float jitter = style->jitter_rad > 0
                        ? style->jitter_rad * normal(choice->seed, choice->number, index + 2)
                        : 0;
+    if (style->bend_max_rad > 0) {
+        uint64_t bend = hatch_random_u64(choice->seed, choice->number, index + 14);
+        float most = style->bend_max_rad - style->bend_min_rad;
+        stroke.bend_rad = style->bend_min_rad + most * ((float)(bend >> 40) * 0x1p-24f);
+        stroke.bend_rad = bend & 1 ? -stroke.bend_rad : stroke.bend_rad;
+    }
     stroke.angle_rad = choice->directions[candidate % choice->direction_count] + jitter;
     return stroke;
 }

@@ -12,6 +12,7 @@ struct hatch_choice {
     uint32_t candidates;
     float length_max;           /* fraction of the tile: the style's, or less for a last, small gap */
     float scale;                /* share of its full length at which the stroke is first drawn */
+    float rgb[3];               /* what it is drawn in */
     uint32_t direction_count;
     float directions[HATCH_STYLE_DIRECTIONS_MAX]; /* angles to draw from */
 };

@@ -17,24 +17,26 @@ struct hatch_replay_options {
     bool fit;         /* find the share for each image by bisection instead */
 };
 
-struct hatch_replay_result {
-    float darkest;          /* of the finest level with every stroke */
-    uint32_t short_columns; /* whose target is darker than that by over HATCH_REPLAY_TONE */
-    float tone_error;       /* largest, over all images, between the mean and the target */
-    float tone_bound;       /* what --fit promises: half of what the darkest stroke of any image adds, where
-                               no image ran out of strokes */
-    uint32_t exhausted;     /* images lighter than their target because the finer one's strokes all stand */
-    float color_error;      /* largest distance of an image's mean colour from that of its tone's finest */
-    float hue_error_deg;    /* largest, of images whose chroma is HATCH_REPLAY_CHROMA or more */
-    float hue_bound_deg;    /* what color_error allows any blend of images at that chroma */
-};
-
 /* Tone errors that nobody sees, and chromas below which a hue says nothing. Chroma and hue are those of
- * the mean reflectance: the length and the angle of (R - (G + B) / 2, (G - B) * sqrt(3) / 2). */
+ * the mean reflectance: the length and the angle of (R - (G + B) / 2, (G - B) sqrt(3) / 2). */
 #define HATCH_REPLAY_TONE 0.003f
 #define HATCH_REPLAY_CHROMA 0.02f
 
-/* Draws the strokes in their order. Their column, level and delay are set; their ids are to be 1 .. count.
+struct hatch_replay_result {
+    float darkest;          /* of the finest level with every stroke */
+    uint32_t short_columns; /* whose target is over HATCH_REPLAY_TONE darker than that */
+    float tone_error;       /* largest, over all images, between the mean and the target */
+    float tone_bound;       /* what it cannot pass where no image is exhausted: half of what the darkest stroke
+                               adds to an image */
+    uint32_t exhausted;     /* images over HATCH_REPLAY_TONE lighter than their target with all the strokes that
+                               the finer image has */
+    float chroma_error;     /* largest distance of an image's (chroma, hue) from that of its tone's finest
+                               image: as both are means, no blend of images is further off */
+    float hue_error_deg;    /* largest, where the finest image has HATCH_REPLAY_CHROMA or more */
+};
+
+/* Draws the strokes in their order. Where they stand is noted in their column, level and delay; those that
+ * stand nowhere, because the darkest column is reached before them, are left out.
  * Every stroke of an image is also in all darker images of its size and in all finer images of its tone.
  * targets: of each column, rising; NULL for even steps to what the whole drawing reaches, and then
  * style's tone_gamma counts. brush: of all strokes. Columns go to sink, lightest first. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "image/color.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
 
@@ -17,7 +18,7 @@ void hatch_style_default(struct hatch_style *style)
         .length_max = 1.0f,
         .jitter_rad = 0.01570796327f, /* 0.9 degrees */
         .ink = 1,
-        .overlap_darkens = true,
+        .overlap = HATCH_OVERLAP_DARKENS,
         .tone_max = 0.9f,
         .tone_gamma = 1,
         .direction_count = 3,
@@ -25,6 +26,24 @@ void hatch_style_default(struct hatch_style *style)
         .candidates_light = 1000,
         .candidates_dark = 100,
     };
+}
+
+void hatch_style_color_at(const struct hatch_style *style, float tone, float rgb[3])
+{
+    const struct hatch_style_color *colors = style->colors;
+    uint32_t above = 0;
+    while (above < style->color_count && colors[above].tone < tone)
+        above++;
+    for (int c = 0; c < 3; c++) {
+        if (style->color_count == 0)
+            rgb[c] = 0;
+        else if (above == 0 || above == style->color_count)
+            rgb[c] = colors[above ? above - 1 : 0].rgb[c];
+        else
+            rgb[c] = colors[above - 1].rgb[c] + (colors[above].rgb[c] - colors[above - 1].rgb[c]) *
+                                                    (tone - colors[above - 1].tone) /
+                                                    (colors[above].tone - colors[above - 1].tone);
+    }
 }
 
 void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target)
@@ -39,6 +58,7 @@ void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float 
 struct reading {
     struct hatch_style style;
     bool directions_given; /* the first "direction" line replaces the default schedule */
+    bool colors_given;     /* and the first "color" line the colours */
 };
 
 /* The keys whose values are plain numbers: how many, their range, where they go. */
@@ -54,6 +74,8 @@ struct number_key {
 static const struct number_key number_keys[] = {
     {"width", 1, 0.5, 64, 1, {AT(width_px), 0}},
     {"length", 2, 0, 4, 1, {AT(length_min), AT(length_max)}},
+    {"bend", 2, 0, HATCH_STROKE_BEND_MAX / RADIANS_PER_DEGREE, RADIANS_PER_DEGREE,
+     {AT(bend_min_rad), AT(bend_max_rad)}},
     {"jitter", 1, 0, 90, RADIANS_PER_DEGREE, {AT(jitter_rad), 0}},
     {"ink", 1, 0.01, 1, 1, {AT(ink), 0}},
     {"darkest", 1, 0.01, 1, 1, {AT(tone_max), 0}},
@@ -92,6 +114,27 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
     return HATCH_OK;
 }
 
+static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_style_color color;
+    struct hatch_text word;
+    double tone;
+    HATCH_TRY(take_number(rest, "color", 0, 1, &tone, err));
+    color.tone = (float)tone;
+    if (!hatch_text_word(rest, &word) || !hatch_color_from_hex(word, color.rgb))
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: want a darkness and six hexadecimal digits");
+    if (!r->colors_given)
+        r->style.color_count = 0;
+    r->colors_given = true;
+    uint32_t count = r->style.color_count;
+    if (count == HATCH_STYLE_COLORS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: more than %u", HATCH_STYLE_COLORS_MAX);
+    if (count && !(color.tone > r->style.colors[count - 1].tone))
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: darkness %g does not rise", tone);
+    r->style.colors[r->style.color_count++] = color;
+    return HATCH_OK;
+}
+
 static struct hatch_text trimmed(struct hatch_text text)
 {
     while (text.length && (*text.at == ' ' || *text.at == '\t')) {
@@ -115,7 +158,7 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
         }
     if (!hatch_text_is(word, "image"))
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple or image FILE",
+                          "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple, round or image FILE",
                           (int)(word.length < 40 ? word.length : 40), word.at);
     rest_of_line = trimmed(*rest); /* a file's name may hold spaces */
     if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
@@ -130,12 +173,15 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
 
 static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
-    struct hatch_text word;
-    if (hatch_text_word(rest, &word) && (hatch_text_is(word, "darkens") || hatch_text_is(word, "flat"))) {
-        r->style.overlap_darkens = hatch_text_is(word, "darkens");
-        return HATCH_OK;
-    }
-    return hatch_fail(err, HATCH_BAD_INPUT, "overlap: want darkens or flat");
+    static const char *const names[] = {"darkens", "flat", "covers"};
+    struct hatch_text word = {NULL, 0};
+    bool any = hatch_text_word(rest, &word);
+    for (unsigned i = 0; any && i < 3; i++)
+        if (hatch_text_is(word, names[i])) {
+            r->style.overlap = (enum hatch_overlap)i;
+            return HATCH_OK;
+        }
+    return hatch_fail(err, HATCH_BAD_INPUT, "overlap: want darkens, flat or covers");
 }
 
 static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r,
@@ -183,6 +229,7 @@ static enum hatch_status read_line(struct hatch_text line, struct reading *r, st
                 {"brush", read_brush},
                 {"direction", read_direction},
                 {"overlap", read_overlap},
+                {"color", read_color},
                 {"candidates", read_candidates}};
     struct hatch_text key, extra;
     if (!hatch_text_word(&line, &key))
@@ -197,12 +244,25 @@ static enum hatch_status read_line(struct hatch_text line, struct reading *r, st
         if (hatch_text_is(key, number_keys[i].name)) {
             known = true;
             HATCH_TRY(read_numbers(&number_keys[i], &line, r, err));
+            r->style.tone_max_given |= number_keys[i].at[0] == AT(tone_max);
         }
     int shown = (int)(key.length < 40 ? key.length : 40);
     if (!known)
         return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
     if (hatch_text_word(&line, &extra))
         return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", shown, key.at);
+    return HATCH_OK;
+}
+
+static enum hatch_status check_ranges(const struct hatch_style *style, struct hatch_err *err)
+{
+    if (style->length_min > style->length_max)
+        return hatch_fail(err, HATCH_BAD_INPUT, "length: the shortest, %g, is above the longest, %g",
+                          (double)style->length_min, (double)style->length_max);
+    if (style->bend_min_rad > style->bend_max_rad)
+        return hatch_fail(err, HATCH_BAD_INPUT, "bend: the least, %g, is above the most, %g",
+                          (double)style->bend_min_rad / RADIANS_PER_DEGREE,
+                          (double)style->bend_max_rad / RADIANS_PER_DEGREE);
     return HATCH_OK;
 }
 
@@ -217,10 +277,8 @@ enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style 
             line.length = (size_t)(comment - line.at);
         if (read_line(line, &r, err) != HATCH_OK)
             return hatch_fail_at(err, "line %u: ", number);
-        if (r.style.length_min > r.style.length_max)
-            return hatch_fail(err, HATCH_BAD_INPUT,
-                              "line %u: length: the shortest, %g, is above the longest, %g", number,
-                              (double)r.style.length_min, (double)r.style.length_max);
+        if (check_ranges(&r.style, err) != HATCH_OK)
+            return hatch_fail_at(err, "line %u: ", number);
     }
     *style = r.style;
     return HATCH_OK;

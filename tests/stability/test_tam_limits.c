@@ -24,7 +24,7 @@ static struct hatch_canvas canvas_of(uint32_t size_px)
 {
     struct hatch_canvas canvas;
     HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, size_px, 1, false, &canvas, &map_err),
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, size_px, 1, false, false, &canvas, &map_err),
         &map_err);
     return canvas;
 }

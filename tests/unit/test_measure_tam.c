@@ -135,7 +135,7 @@ static void redraw(const struct hatch_stroke *without, uint32_t tone, uint32_t l
 {
     struct hatch_canvas canvas;
     HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 2, false, &canvas, &map_err),
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 2, false, false, &canvas, &map_err),
         &map_err);
     for (uint32_t i = 0; i < map.strokes.count; i++) {
         const struct hatch_stroke *s = &map.strokes.items[i];
@@ -222,7 +222,7 @@ START_TEST(random_strokes_have_the_evenness_of_random_strokes)
     for (uint64_t run = 0; run < 8; run++) {
         struct hatch_canvas canvas;
         HATCH_TEST_OK(
-            hatch_canvas_make(&map_arena, &map.style, &map.brush, 128, 1, false, &canvas, &map_err),
+            hatch_canvas_make(&map_arena, &map.style, &map.brush, 128, 1, false, false, &canvas, &map_err),
             &map_err);
         for (uint32_t tone = 0, i = 0; tone < 6; tone++) {
             for (; i < map.strokes.count && map.strokes.items[i].column == tone; i++) {

@@ -22,7 +22,7 @@ static void begin(void)
     hatch_style_default(&style);
     style.width_px = 6;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_CRAYON, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, true, &canvas, &err),
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, true, &canvas, &err),
                   &err);
 }
 
@@ -54,7 +54,7 @@ static double darkness_of(const float *paper, uint32_t size)
 START_TEST(strokes_only_darken_and_the_mean_is_kept_count_of)
 {
     static float before[SIZE * SIZE];
-    style.overlap_darkens = _i;
+    style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
     for (uint64_t i = 0; i < 60; i++)
         for (uint32_t level = 0; level < LEVELS; level++) {
             uint32_t size = hatch_canvas_size(&canvas, level);
@@ -80,8 +80,8 @@ START_TEST(overlaps_are_as_the_style_says)
 {
     struct hatch_stroke stroke = random_stroke(3);
     for (int darkens = 0; darkens < 2; darkens++) {
-        style.overlap_darkens = darkens;
-        HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
+        style.overlap = darkens ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
+        HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
                       &err);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
@@ -99,10 +99,10 @@ END_TEST
 START_TEST(a_grown_stroke_is_the_stroke)
 {
     struct hatch_canvas whole;
-    style.overlap_darkens = _i;
+    style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err),
                   &err); /* no grain, no taper */
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &whole, &err),
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &whole, &err),
                   &err);
     struct hatch_stroke stroke = random_stroke(5);
     hatch_canvas_draw(&canvas, &stroke, 0, 0, 0.4f);
@@ -140,7 +140,7 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
                               struct hatch_err *said)
 {
     (void)scratch;
-    return hatch_canvas_make(to, &style, &brush, SIZE, LEVELS, true, context, said);
+    return hatch_canvas_make(to, &style, &brush, SIZE, LEVELS, true, true, context, said);
 }
 
 START_TEST(every_failed_allocation_is_a_status)

@@ -22,7 +22,7 @@ static void begin(void)
     hatch_arena_init(&keep, (size_t)64 << 20);
     hatch_style_default(&style);
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
                   &err);
     HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
@@ -110,7 +110,7 @@ START_TEST(the_field_has_no_borders)
     memcpy(was, field.potential, (size_t)size * size * sizeof *was);
     double scale = mean_potential();
     HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, &canvas, &err),
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
                   &err);
     stroke.x += 0.5f;
     stroke.y += 0.5f;

@@ -127,7 +127,7 @@ START_TEST(the_exhaustive_choice_goes_where_paper_is_left)
     struct hatch_mipmap chain = {.levels = levels};
     map_style(NULL, "jitter 0\ndirection 90 0 1\nlength 0.1 0.3", &map);
     HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, &canvas, &map_err),
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
         &map_err);
     for (uint32_t i = 0; i < 64 * 64; i++)
         canvas.paper[0][i] = i % 64 >= 32;
@@ -190,7 +190,7 @@ static uint32_t full_grown(uint32_t tone)
     struct hatch_canvas canvas;
     uint32_t count = 0;
     HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, &canvas, &map_err),
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
         &map_err);
     for (uint32_t i = 0; i < map.strokes.count && map.strokes.items[i].column == 0; i++) {
         bool whole = true;

@@ -54,7 +54,7 @@ START_TEST(every_key_reaches_its_field)
     ck_assert_float_eq(style.ink, 0.5f);
     ck_assert_float_eq(style.tone_max, 0.75f);
     ck_assert_float_eq(style.tone_gamma, 2);
-    ck_assert(!style.overlap_darkens);
+    ck_assert_int_eq(style.overlap, HATCH_OVERLAP_FLAT);
     ck_assert_uint_eq(style.direction_count, 2); /* the default's three are gone */
     ck_assert_float_eq_tol(style.directions[0].angle_rad, 0.785398163f, 1e-6f);
     ck_assert_float_eq(style.directions[0].from, 0.25f);
@@ -63,7 +63,7 @@ START_TEST(every_key_reaches_its_field)
     ck_assert_uint_eq(style.candidates_light, 500);
     ck_assert_uint_eq(style.candidates_dark, 7);
     HATCH_TEST_OK(parse("overlap darkens"), &err);
-    ck_assert(style.overlap_darkens);
+    ck_assert_int_eq(style.overlap, HATCH_OVERLAP_DARKENS);
 }
 END_TEST
 
@@ -120,8 +120,8 @@ static const struct {
     {"darkest 1.01", "line 1: darkest: 1.01"},
     {"gamma 0.05", "line 1: gamma: 0.05"},
     {"gamma 11", "line 1: gamma: 11"},
-    {"overlap", "line 1: overlap: want darkens or flat"},
-    {"overlap both", "line 1: overlap: want darkens or flat"},
+    {"overlap", "line 1: overlap: want darkens, flat or covers"},
+    {"overlap both", "line 1: overlap: want darkens, flat or covers"},
     {"overlap flat flat", "line 1: overlap: more values"},
     {"direction 0 0", "line 1: direction: a value is missing"},
     {"direction 361 0 1", "line 1: direction: 361"},

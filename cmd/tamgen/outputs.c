@@ -1,0 +1,49 @@
+#include "io/png.h"
+#include "job.h"
+#include "stroke/script.h"
+
+#define SHEET_COLUMNS_MAX 12u
+
+struct outputs open_outputs(const struct job *job)
+{
+    cmd_check_ending(job->args.output, "exr");
+    cmd_check_ending(job->sheet_path, "png");
+    return (struct outputs){cmd_open_output(job->args.output, true),
+                            job->strokes_path ? cmd_open_output(job->strokes_path, false) : NULL,
+                            job->sheet_path ? cmd_open_output(job->sheet_path, true) : NULL};
+}
+
+void begin_columns(struct job *job)
+{
+    struct hatch_err err;
+    job->columns = (struct columns){.arena = &job->args.keep,
+                                    .pool = cmd_pool(&job->args),
+                                    .tones = job->tones,
+                                    .sheet = job->sheet_path ? &job->sheet : NULL};
+    uint32_t shown = job->tones < SHEET_COLUMNS_MAX ? job->tones : SHEET_COLUMNS_MAX;
+    if (job->sheet_path)
+        cmd_check(hatch_tam_sheet_make(job->size_px, job->levels, job->tones, job->color, shown,
+                                       &job->args.keep, &job->sheet, &err),
+                  job->sheet_path, &err);
+}
+
+void write_outputs(struct job *job, const struct outputs *outputs)
+{
+    struct hatch_err err;
+    struct hatch_buffer map = {.arena = &job->args.keep}, script = map, picture = map;
+    cmd_check(columns_finish(&job->columns, &map, &err), job->args.output, &err);
+    if (job->strokes_path)
+        cmd_check(hatch_script_print(job->strokes.items, job->strokes.count, job->size_px, NULL, &script, &err),
+                  job->strokes_path, &err);
+    if (job->sheet_path)
+        cmd_check(hatch_png_write(&job->sheet.picture, HATCH_PNG_SRGB, 8, NULL, &job->args.scratch, &picture,
+                                  &err),
+                  job->sheet_path, &err);
+    struct cmd_file files[] = {{outputs->map, map.data, map.size}, {NULL, NULL, 0}, {NULL, NULL, 0}};
+    size_t count = 1;
+    if (job->strokes_path)
+        files[count++] = (struct cmd_file){outputs->strokes, script.data, script.size};
+    if (job->sheet_path)
+        files[count++] = (struct cmd_file){outputs->sheet, picture.data, picture.size};
+    cmd_write_all(files, count);
+}

@@ -1,0 +1,85 @@
+/* tamgen --replay: the strokes of a drawing in place of strokes of its own. */
+#include "io/svg.h"
+#include "job.h"
+#include "stroke/script.h"
+
+/* "3 fills, 1 image": what of a drawing is no stroke. */
+static void warn_of_rest(const char *file, const struct hatch_svg_notes *notes)
+{
+    uint32_t sum = notes->fills + notes->texts + notes->images + notes->gradients + notes->others;
+    if (sum)
+        cmd_warn(file,
+                 "only plain strokes are replayed: %u fills, %u texts, %u images, %u strokes of a gradient, "
+                 "%u others passed over",
+                 notes->fills, notes->texts, notes->images, notes->gradients, notes->others);
+    if (notes->outside)
+        cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside,
+                 notes->outside + notes->strokes);
+}
+
+static bool is_colored(const struct hatch_stroke_list *strokes)
+{
+    for (uint32_t i = 0; i < strokes->count; i++)
+        if (strokes->items[i].rgb[0] != strokes->items[i].rgb[1] ||
+            strokes->items[i].rgb[1] != strokes->items[i].rgb[2])
+            return true;
+    return false;
+}
+
+void read_drawing(struct job *job, const struct replay_job *replay)
+{
+    struct hatch_err err;
+    const char *name = cmd_input_name(replay->path);
+    struct hatch_svg_notes notes = {0};
+    cmd_check(replay->is_svg ? hatch_svg_read(replay->file, job->size_px, &job->args.keep, &job->args.scratch,
+                                              &job->strokes, &notes, &err)
+                             : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes,
+                                                  &err),
+              name, &err);
+    warn_of_rest(name, &notes);
+    if (job->strokes.count == 0)
+        cmd_die(name, &(struct hatch_err){HATCH_BAD_INPUT, "no strokes to replay"});
+    job->color = job->style.color_count > 0 || is_colored(&job->strokes);
+}
+
+static void warn_of_range(const struct job *job, const char *name, const struct hatch_replay_result *result)
+{
+    if (result->short_columns)
+        cmd_warn(name,
+                 "the drawing reaches a darkness of %.3f: %u of %u columns are to be darker, and hold all of it",
+                 (double)result->darkest, result->short_columns, job->tones);
+    if (result->exhausted)
+        cmd_warn(name, "%u images stay lighter than their tone, by up to %.4f: the drawing has no more strokes",
+                 result->exhausted, (double)result->tone_error);
+}
+
+void replay_drawing(struct job *job, const struct replay_job *replay)
+{
+    struct hatch_err err;
+    struct hatch_replay_result result;
+    struct hatch_replay_options options = {.size_px = job->size_px,
+                                           .tones = job->tones,
+                                           .levels = job->levels,
+                                           .seed = job->args.seed,
+                                           .ids = job->ids,
+                                           .color = job->color,
+                                           .keep = (float)replay->keep,
+                                           .fit = replay->fit};
+    float targets[HATCH_TAM_TONES_MAX];
+    const char *name = cmd_input_name(replay->path);
+    uint32_t drawn = job->strokes.count;
+    hatch_style_targets(&job->style, job->tones, targets);
+    cmd_check(hatch_tam_replay(&job->style, &job->brush, &options, job->style.tone_max_given ? targets : NULL,
+                               &job->strokes, &job->args.keep, &job->args.scratch, columns_take, &job->columns,
+                               &result, &err),
+              name, &err);
+    warn_of_range(job, name, &result);
+    cmd_note("%u of %u strokes, darkness up to %.3f", job->strokes.count, drawn, (double)result.darkest);
+    if (replay->fit && job->color)
+        cmd_say("tone within %.4f (bound %.4f), hue within %.1f degrees and chroma within %.4f on every level",
+                (double)result.tone_error, (double)result.tone_bound, (double)result.hue_error_deg,
+                (double)result.chroma_error);
+    else if (replay->fit)
+        cmd_say("tone within %.4f (bound %.4f) on every level", (double)result.tone_error,
+                (double)result.tone_bound);
+}

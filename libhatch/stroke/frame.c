@@ -1,0 +1,141 @@
+#include "stroke/frame.h"
+
+#include <math.h>
+
+#include "base/random.h"
+
+#define CAP_SAMPLES 8u
+
+struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
+                                  uint32_t size_px, float length_scale, float width_scale)
+{
+    struct hatch_frame f;
+    f.centre_x = stroke->x * (float)size_px;
+    f.centre_y = stroke->y * (float)size_px;
+    f.cosine = (float)cos((double)stroke->angle_rad);
+    f.sine = (float)sin((double)stroke->angle_rad);
+    f.half_width = stroke->width_px * width_scale * 0.5f;
+    f.half_length = stroke->length * (float)size_px * length_scale * 0.5f;
+    f.radius = stroke->bend_rad != 0 && !stroke->path ? stroke->length * (float)size_px / stroke->bend_rad : 0;
+    /* A drawn line's ends are put to it; a stroke's length is all that is seen of it. */
+    f.core = f.half_length - (stroke->path ? 0 : f.half_width);
+    f.core = f.core > 0 ? f.core : 0;
+    if (f.half_length < f.half_width)
+        f.half_length = f.half_width;
+    f.per_length = 0.5f / f.half_length;
+    f.per_width = 0.5f / f.half_width;
+    f.columns = (float)brush->width;
+    f.columns_per_px = f.columns * f.per_length;
+    f.opacity = stroke->tone;
+    f.tone = stroke->tone * 2 * f.half_width;
+    uint64_t place = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
+    f.grain_x = (uint32_t)(place % HATCH_GRAIN_SIZE);
+    f.grain_y = (uint32_t)(place / HATCH_GRAIN_SIZE % HATCH_GRAIN_SIZE);
+    return f;
+}
+
+/* The sum of alpha from the stroke's edge to `across` (0..1 of the width), by linear interpolation:
+ * exact for a brush image whose pixels are boxes. */
+static float cumulative_at(const float *column, uint32_t height, float across)
+{
+    if (across <= 0)
+        return 0;
+    if (across >= 1)
+        return column[height];
+    float row = across * (float)height;
+    uint32_t below = (uint32_t)row;
+    return column[below] + (column[below + 1] - column[below]) * (row - (float)below);
+}
+
+static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along,
+                      float across)
+{
+    /* Half-pixel steps would blur the tooth away: nearest is what a rough paper looks like. */
+    uint32_t x = (uint32_t)(int32_t)floorf(along + f->half_length) + f->grain_x;
+    uint32_t y = (uint32_t)(int32_t)floorf(across + f->half_width) + f->grain_y;
+    return brush->grain[y % HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE + x % HATCH_GRAIN_SIZE];
+}
+
+/* What one column of the brush covers between two places across. */
+static float covered_by(const struct hatch_brush *brush, uint32_t x, float from, float to)
+{
+    const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
+    return cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
+}
+
+/* The same, times the coverage along. Where pixels are smaller than columns the column under the pixel's
+ * centre is taken, else the mean of all that lie in the pixel: taking one of many would lose or double
+ * the ink of a stroke drawn small. */
+static float covered_around(const struct hatch_brush *brush, const struct hatch_frame *f, float along,
+                            float from, float to)
+{
+    float place = (along * f->per_length + 0.5f) * f->columns;
+    if (f->columns_per_px <= 1) {
+        float inside = f->half_length - fabsf(along) + 0.5f;
+        uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
+        return covered_by(brush, x, from, to) * (inside < 1 ? inside : 1);
+    }
+    float low = place - 0.5f * f->columns_per_px, high = place + 0.5f * f->columns_per_px, sum = 0;
+    low = low > 0 ? low : 0;
+    high = high < f->columns ? high : f->columns;
+    for (uint32_t x = (uint32_t)low; (float)x < high; x++) {
+        float left = low > (float)x ? low : (float)x, right = high < (float)x + 1 ? high : (float)x + 1;
+        sum += (right - left) * covered_by(brush, x, from, to);
+    }
+    return sum / f->columns_per_px;
+}
+
+/* How much of a pixel's side lies within half_width of the line. */
+static float chord(float across, float half_width)
+{
+    float low = across - 0.5f > -half_width ? across - 0.5f : -half_width;
+    float high = across + 0.5f < half_width ? across + 0.5f : half_width;
+    return high > low ? high - low : 0;
+}
+
+/* A line with half discs at its ends. Where the pixel sees an end it is cut into slices, so that the
+ * coverages sum to the area, however thin the line. */
+static float covered_by_round(const struct hatch_frame *f, float along, float across)
+{
+    along = fabsf(along);
+    if (along + 0.5f <= f->core)
+        return chord(across, f->half_width);
+    if (along - 0.5f >= f->core + f->half_width)
+        return 0;
+    float sum = 0;
+    for (uint32_t i = 0; i < CAP_SAMPLES; i++) {
+        float at = along + ((float)i + 0.5f) / (float)CAP_SAMPLES - 0.5f, beyond = fabsf(at) - f->core;
+        float square = f->half_width * f->half_width - (beyond > 0 ? beyond * beyond : 0);
+        if (square > 0)
+            sum += chord(across, sqrtf(square));
+    }
+    return sum / (float)CAP_SAMPLES;
+}
+
+/* Coverage × envelope × grain, box-filtered over a pixel. */
+float hatch_frame_alpha(const struct hatch_frame *f, const struct hatch_brush *brush, float along,
+                        float across)
+{
+    if (brush->kind == HATCH_BRUSH_ROUND)
+        return covered_by_round(f, along, across) * f->opacity;
+    if (fabsf(along) >= f->half_length + 0.5f)
+        return 0;
+    float from = (across - 0.5f) * f->per_width + 0.5f, to = (across + 0.5f) * f->per_width + 0.5f;
+    float alpha = covered_around(brush, f, along, from, to) * f->tone;
+    if (brush->grain && alpha > 0)
+        alpha *= grain_at(brush, f, along, across);
+    return alpha > 1 ? 1 : alpha;
+}
+
+void hatch_frame_clip(float a, float b, float reach, float *low, float *high)
+{
+    if (fabsf(a) < 1e-6f) {
+        if (fabsf(b) > reach)
+            *high = *low - 1;
+        return;
+    }
+    float first = (-reach - b) / a, second = (reach - b) / a;
+    float from = first < second ? first : second, to = first < second ? second : first;
+    *low = from > *low ? from : *low;
+    *high = to < *high ? to : *high;
+}

@@ -1,0 +1,138 @@
+#include "stroke/path.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#define CURVE_PIECES_MAX 4096.0
+
+static enum hatch_status grow(struct hatch_path_builder *b, struct hatch_err *err)
+{
+    if (b->count == HATCH_PATH_POINTS_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "a line of more than %u points", HATCH_PATH_POINTS_MAX);
+    uint32_t capacity = b->capacity ? 2 * b->capacity : 64;
+    double *larger = HATCH_NEW(b->arena, double, 2 * (size_t)capacity, err);
+    if (!larger)
+        return HATCH_LIMIT;
+    if (b->count)
+        memcpy(larger, b->xy, 2 * (size_t)b->count * sizeof *larger);
+    b->xy = larger;
+    b->capacity = capacity;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_path_line(struct hatch_path_builder *b, double x, double y, struct hatch_err *err)
+{
+    if (!isfinite(x) || !isfinite(y))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a point is not finite");
+    if (b->count && b->xy[2 * b->count - 2] == x && b->xy[2 * b->count - 1] == y)
+        return HATCH_OK;
+    if (b->count == b->capacity)
+        HATCH_TRY(grow(b, err));
+    b->xy[2 * b->count] = x;
+    b->xy[2 * b->count + 1] = y;
+    b->count++;
+    return HATCH_OK;
+}
+
+/* Into how many equal steps of its parameter the curve must be cut. A chord of a step h is off by at most
+ * h²/8 of the second derivative, which for a cubic is largest at an end. */
+static double pieces_of(const double *from, const double *control, double tolerance)
+{
+    double first = hypot(from[0] - 2 * control[0] + control[2], from[1] - 2 * control[1] + control[3]);
+    double second = hypot(control[0] - 2 * control[2] + control[4], control[1] - 2 * control[3] + control[5]);
+    double bend = 6 * fmax(first, second);
+    double pieces = ceil(sqrt(bend / (8 * tolerance)));
+    return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN: one, whose end is refused */
+}
+
+enum hatch_status hatch_path_cubic(struct hatch_path_builder *b, const double control[6],
+                                   struct hatch_err *err)
+{
+    assert(b->count > 0 && b->tolerance > 0);
+    double from[2] = {b->xy[2 * b->count - 2], b->xy[2 * b->count - 1]};
+    uint32_t pieces = (uint32_t)pieces_of(from, control, b->tolerance);
+    for (uint32_t i = 1; i < pieces; i++) {
+        double t = (double)i / pieces, s = 1 - t;
+        double w0 = s * s * s, w1 = 3 * s * s * t, w2 = 3 * s * t * t, w3 = t * t * t;
+        double x = w0 * from[0] + w1 * control[0] + w2 * control[2] + w3 * control[4];
+        double y = w0 * from[1] + w1 * control[1] + w2 * control[3] + w3 * control[5];
+        HATCH_TRY(hatch_path_line(b, x, y, err));
+    }
+    return hatch_path_line(b, control[4], control[5], err);
+}
+
+/* The middle of its extent, so that it lies as near as can be to all of its points. */
+static void middle_of(const struct hatch_path_builder *b, double *middle, double *reach)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < b->count; i++)
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = fmin(low[axis], b->xy[2 * i + (uint32_t)axis]);
+            high[axis] = fmax(high[axis], b->xy[2 * i + (uint32_t)axis]);
+        }
+    for (int axis = 0; axis < 2; axis++)
+        middle[axis] = (low[axis] + high[axis]) / 2;
+    *reach = fmax(high[0] - middle[0], high[1] - middle[1]);
+}
+
+static enum hatch_status points_of(const struct hatch_path_builder *b, const double *middle,
+                                   struct hatch_arena *arena, const struct hatch_path **path,
+                                   struct hatch_err *err)
+{
+    struct hatch_path *made = HATCH_NEW(arena, struct hatch_path, 1, err);
+    float *xy = made ? HATCH_NEW(arena, float, 2 * (size_t)b->count, err) : NULL;
+    if (!xy)
+        return HATCH_LIMIT;
+    *made = (struct hatch_path){0, xy};
+    for (uint32_t i = 0; i < b->count; i++) {
+        float x = (float)(b->xy[2 * i] - middle[0]), y = (float)(b->xy[2 * i + 1] - middle[1]);
+        const float *before = xy + 2 * (size_t)made->count - 2;
+        if (made->count && before[0] == x && before[1] == y)
+            continue;
+        xy[2 * made->count] = x;
+        xy[2 * made->count + 1] = y;
+        made->count++;
+    }
+    *path = made->count > 1 ? made : NULL;
+    return HATCH_OK;
+}
+
+float hatch_path_length(const struct hatch_path *path)
+{
+    double length = 0;
+    for (const float *at = path->xy; at < path->xy + 2 * ((size_t)path->count - 1); at += 2)
+        length += sqrt(((double)at[2] - (double)at[0]) * ((double)at[2] - (double)at[0]) +
+                       ((double)at[3] - (double)at[1]) * ((double)at[3] - (double)at[1]));
+    return (float)length;
+}
+
+static float wrap_unit(double x)
+{
+    float wrapped = (float)(x - floor(x));
+    return wrapped < 1 ? wrapped : 0;
+}
+
+enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct hatch_arena *arena,
+                                    struct hatch_stroke *stroke, struct hatch_err *err)
+{
+    assert(b->count > 0);
+    double middle[2], reach;
+    const struct hatch_path *path;
+    middle_of(b, middle, &reach);
+    if (!(reach <= HATCH_PATH_REACH_MAX) ||
+        !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a line that reaches over %g tiles", HATCH_PATH_REACH_MAX);
+    HATCH_TRY(points_of(b, middle, arena, &path, err));
+    float length = path ? hatch_path_length(path) : 0;
+    if (!(length <= HATCH_PATH_LENGTH_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a line of %g tiles", (double)length);
+    const double *end = b->xy + 2 * (size_t)b->count - 2;
+    stroke->x = wrap_unit(middle[0]);
+    stroke->y = wrap_unit(middle[1]);
+    stroke->length = length;
+    stroke->angle_rad = (float)atan2(end[1] - b->xy[1], end[0] - b->xy[0]);
+    stroke->bend_rad = 0;
+    stroke->path = path;
+    return HATCH_OK;
+}
