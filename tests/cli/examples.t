@@ -31,7 +31,7 @@ manual_examples() {
 run_examples() {
     cp -R given "in.$1"
     # One frame is as good as forty-eight; what is installed stands in the build folder.
-    sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share|$BUILD/share|" .lines >lines
+    sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share\\(/[^ ]*\\)|\"$BUILD/share\\1\"|" .lines >lines
     while IFS= read -r line; do
         (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
         status=$?
