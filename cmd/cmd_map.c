@@ -9,7 +9,7 @@ void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map
     struct hatch_err err;
     struct hatch_mipmap *parts;
     uint32_t count;
-    cmd_check(hatch_exr_read(file, &args->keep, &args->scratch, &parts, &count, &err), name, &err);
+    cmd_check(hatch_exr_read(file, cmd_pool(args), &args->keep, &args->scratch, &parts, &count, &err), name, &err);
     cmd_check(hatch_tam_from_mipmaps(parts, count, map, &err), name, &err);
 }
 

@@ -98,11 +98,16 @@ static void *take(struct hatch_arena *arena, size_t bytes)
 #endif
     void *at = block->payload + block->used;
     block->used += bytes;
-    memset(at, 0, bytes);
     return at;
 }
 
 void *hatch_arena_array(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err)
+{
+    void *at = hatch_arena_unset(arena, count, size, err);
+    return at ? memset(at, 0, count * size) : NULL;
+}
+
+void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err)
 {
     assert(size > 0);
     void *at = NULL;

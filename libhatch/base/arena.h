@@ -43,6 +43,12 @@ void hatch_arena_free(struct hatch_arena *arena);
  * fills err with HATCH_LIMIT. size: at least 1. */
 void *hatch_arena_array(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
 
+/* The same without the zeros, for what is large and filled at once: its pages are then touched first by
+ * the threads that fill them. */
+void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
+#define HATCH_NEW_UNSET(arena, type, count, err)                                                   \
+    ((type *)hatch_arena_unset((arena), (count), sizeof(type), (err)))
+
 /* HATCH_NEW(arena, float, n, err): n zeroed floats, or NULL with err filled. */
 #define HATCH_NEW(arena, type, count, err)                                                         \
     ((type *)hatch_arena_array((arena), (count), sizeof(type), (err)))

@@ -13,10 +13,12 @@
  * data, rip-maps, sub-sampled channels and cut or damaged files are HATCH_BAD_INPUT; so is a header
  * that claims more than its compression can have packed into the file. Sizes are checked against
  * the arena's limit before anything is allocated: HATCH_LIMIT. Pixels that are not finite are kept;
- * the caller decides. arena and scratch may be one. */
-enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mipmap **parts,
-                                 uint32_t *part_count, struct hatch_err *err) HATCH_MUST_USE;
+ * the caller decides. arena and scratch may be one. Parts are decoded on pool's threads, NULL: on one;
+ * what comes out is the same. */
+enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool,
+                                 struct hatch_arena *arena, struct hatch_arena *scratch,
+                                 struct hatch_mipmap **parts, uint32_t *part_count,
+                                 struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_exr_writer;
 

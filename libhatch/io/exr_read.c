@@ -1,5 +1,6 @@
 #include "io/exr.h"
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -26,6 +27,12 @@ struct layout {
     int32_t top;                        /* scanlines count from the data window's top */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in the order of the image */
     uint32_t place[HATCH_IMAGE_CHANNELS_MAX]; /* where the n-th channel of the file stands in it */
+};
+
+struct part {
+    int number;
+    struct layout layout;
+    struct hatch_mipmap *mipmap;
 };
 
 static enum hatch_status bad(const struct reading *r, exr_result_t result)
@@ -248,7 +255,7 @@ static enum hatch_status make_levels(const struct reading *r, const struct layou
         level->channel_count = layout->channel_count;
         memcpy(level->channels, layout->channels, sizeof level->channels);
         size_t count = (size_t)level->width * level->height * level->channel_count;
-        level->pixels = HATCH_NEW(r->arena, float, count, r->err);
+        level->pixels = HATCH_NEW_UNSET(r->arena, float, count, r->err);
         if (!level->pixels)
             return HATCH_LIMIT;
     }
@@ -309,25 +316,33 @@ static enum hatch_status check_whole(const struct reading *r, const struct hatch
     return HATCH_OK;
 }
 
-static enum hatch_status read_part(const struct reading *r, int part, struct hatch_mipmap *mipmap)
+static enum hatch_status begin_part(const struct reading *r, struct part *part)
 {
-    struct layout layout = {0};
-    HATCH_TRY(read_layout(r, part, &layout));
-    HATCH_TRY(read_attributes(r, part, mipmap));
-    HATCH_TRY(make_levels(r, &layout, mipmap));
-    size_t raw_max = (size_t)smaller(layout.chunk_width, layout.width) *
-                     smaller(layout.chunk_height, layout.height) * layout.channel_count *
-                     sizeof(float);
+    HATCH_TRY(read_layout(r, part->number, &part->layout));
+    HATCH_TRY(read_attributes(r, part->number, part->mipmap));
+    return make_levels(r, &part->layout, part->mipmap);
+}
+
+static size_t raw_bytes(const struct layout *layout)
+{
+    return (size_t)smaller(layout->chunk_width, layout->width) *
+           smaller(layout->chunk_height, layout->height) * layout->channel_count * sizeof(float);
+}
+
+static enum hatch_status decode_part(const struct reading *r, const struct part *part)
+{
+    const struct layout *layout = &part->layout;
     struct hatch_arena_mark mark = hatch_arena_mark(r->scratch);
     struct hatch_exr_chunks chunks;
-    enum hatch_status status = hatch_exr_chunks_begin(&r->stream, r->context, part, raw_max,
-                                                      layout.place, r->scratch, &chunks, r->err);
+    enum hatch_status status =
+        hatch_exr_chunks_begin(&r->stream, r->context, part->number, raw_bytes(layout), layout->place,
+                               r->scratch, &chunks, r->err);
     if (status == HATCH_OK)
-        status = layout.tiled ? read_tiles(r, &layout, mipmap, &chunks)
-                              : read_scanlines(r, &layout, &mipmap->levels[0], &chunks);
+        status = layout->tiled ? read_tiles(r, layout, part->mipmap, &chunks)
+                               : read_scanlines(r, layout, &part->mipmap->levels[0], &chunks);
     hatch_exr_chunks_end(&chunks);
     hatch_arena_rewind(r->scratch, mark);
-    return status == HATCH_OK ? check_whole(r, mipmap) : status;
+    return status == HATCH_OK ? check_whole(r, part->mipmap) : status;
 }
 
 static enum hatch_status check_parts(const struct reading *r, int count)
@@ -344,19 +359,72 @@ static enum hatch_status check_parts(const struct reading *r, int count)
     return HATCH_OK;
 }
 
-static enum hatch_status read_parts(const struct reading *r, struct hatch_mipmap **parts,
-                                    uint32_t *part_count)
+/* Threads take the next part that nobody has. Each has a context of its own, whose messages nobody else
+ * sees, and its own memory; r.scratch is not to be shared. */
+struct crew {
+    const struct reading *r;
+    const struct part *parts;
+    uint32_t count;
+    atomic_uint next;
+    atomic_bool failed;
+};
+
+static void decode_some(void *context, uint32_t worker)
+{
+    (void)worker;
+    struct crew *crew = context;
+    struct hatch_arena scratch;
+    struct hatch_err err;
+    struct reading own = {
+        .stream = {.file = crew->r->stream.file}, .arena = crew->r->arena, .scratch = &scratch, .err = &err};
+    if (hatch_exr_open_read(&own.stream, &own.context) != EXR_ERR_SUCCESS) {
+        atomic_store(&crew->failed, true);
+        return;
+    }
+    hatch_arena_init(&scratch, crew->r->scratch->limit_bytes);
+    for (uint32_t at = atomic_fetch_add(&crew->next, 1); at < crew->count && !atomic_load(&crew->failed);
+         at = atomic_fetch_add(&crew->next, 1))
+        if (decode_part(&own, &crew->parts[at]) != HATCH_OK)
+            atomic_store(&crew->failed, true);
+    hatch_arena_free(&scratch);
+    exr_finish(&own.context);
+}
+
+/* Where a thread fails, all is done once more in order, so that the first fault is told. */
+static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool *pool,
+                                      const struct part *parts, uint32_t count)
+{
+    uint32_t threads = hatch_pool_threads(pool) < count ? hatch_pool_threads(pool) : count;
+    if (threads > 1) {
+        struct crew crew = {.r = r, .parts = parts, .count = count};
+        hatch_parallel_for(pool, threads, decode_some, &crew);
+        if (!atomic_load(&crew.failed))
+            return HATCH_OK;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        if (decode_part(r, &parts[i]) != HATCH_OK)
+            return hatch_fail_at(r->err, "part %d: ", parts[i].number);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *pool,
+                                    struct hatch_mipmap **mipmaps, uint32_t *part_count)
 {
     int count = 0;
     TRY_EXR(r, exr_get_count(r->context, &count));
     HATCH_TRY(check_parts(r, count));
     struct hatch_mipmap *made = HATCH_NEW(r->arena, struct hatch_mipmap, (size_t)count, r->err);
-    if (!made)
+    struct part *parts = made ? HATCH_NEW(r->arena, struct part, (size_t)count, r->err) : NULL;
+    if (!parts)
         return HATCH_LIMIT;
-    for (int part = 0; part < count; part++)
-        if (read_part(r, part, &made[part]) != HATCH_OK)
+    for (int part = 0; part < count; part++) {
+        parts[part].number = part;
+        parts[part].mipmap = &made[part];
+        if (begin_part(r, &parts[part]) != HATCH_OK)
             return hatch_fail_at(r->err, "part %d: ", part);
-    *parts = made;
+    }
+    HATCH_TRY(decode_parts(r, pool, parts, (uint32_t)count));
+    *mipmaps = made;
     *part_count = (uint32_t)count;
     return HATCH_OK;
 }
@@ -367,9 +435,10 @@ static bool is_exr(struct hatch_bytes file)
     return file.size >= sizeof magic && memcmp(file.data, magic, sizeof magic) == 0;
 }
 
-enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mipmap **parts,
-                                 uint32_t *part_count, struct hatch_err *err)
+enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool,
+                                 struct hatch_arena *arena, struct hatch_arena *scratch,
+                                 struct hatch_mipmap **parts, uint32_t *part_count,
+                                 struct hatch_err *err)
 {
     struct hatch_err own;
     struct reading r = {
@@ -380,7 +449,7 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_arena *ar
     exr_result_t result = hatch_exr_open_read(&r.stream, &r.context);
     if (result != EXR_ERR_SUCCESS)
         return bad(&r, result);
-    enum hatch_status status = read_parts(&r, parts, part_count);
+    enum hatch_status status = read_parts(&r, pool, parts, part_count);
     exr_finish(&r.context);
     if (status != HATCH_OK)
         hatch_arena_rewind(arena, mark);

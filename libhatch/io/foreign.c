@@ -136,7 +136,7 @@ static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *a
     struct hatch_mipmap *parts = NULL;
     uint32_t count = 0;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = hatch_exr_read(file, scratch, scratch, &parts, &count, err);
+    enum hatch_status status = hatch_exr_read(file, NULL, scratch, scratch, &parts, &count, err);
     if (status == HATCH_OK)
         status = take_colors(&parts[0].levels[0], arena, image, err);
     hatch_arena_rewind(scratch, mark);

@@ -5,6 +5,7 @@
 #include "image/texels.h"
 
 #define ROWS_A_TASK 16u
+#define PIECE 256u
 
 /* A row's work, and what it found. codes: darkness over columns and texels, NULL where nobody asks. */
 struct job {
@@ -17,28 +18,51 @@ struct job {
     struct hatch_run *runs;
 };
 
-/* Rows are long enough to be worth a vector loop, and their columns few enough to stay in a cache. */
+/* The darkness of a row's texels into codes, one after another. */
+static void codes_of(const float *pixels, size_t stride, size_t count, uint8_t *restrict codes)
+{
+    if (stride == 1)
+        for (size_t x = 0; x < count; x++)
+            codes[x] = (uint8_t)(255 - hatch_unorm8(pixels[x]));
+    else
+        for (size_t x = 0; x < count; x++)
+            codes[x] = (uint8_t)(255 - hatch_unorm8(pixels[x * stride]));
+}
+
+/* Raises darkest to codes; whether any code was below it by more than one. */
+static bool raise(const uint8_t *restrict codes, size_t count, uint8_t *restrict darkest)
+{
+    uint8_t lighter = 0;
+    for (size_t x = 0; x < count; x++) {
+        uint8_t most = codes[x] > darkest[x] ? codes[x] : darkest[x];
+        uint8_t below = (uint8_t)(most - codes[x]);
+        lighter |= below > 1;
+        darkest[x] = most;
+    }
+    return lighter;
+}
+
+/* In pieces, so that what a loop needs stays in registers and the first cache. */
+static bool take_columns(const float *pixels, size_t stride, size_t size, uint8_t *darkest)
+{
+    uint8_t codes[PIECE];
+    bool lighter = false;
+    for (size_t x = 0; x < size; x += PIECE) {
+        size_t count = size - x < PIECE ? size - x : PIECE;
+        codes_of(pixels + x * stride, stride, count, codes);
+        lighter |= raise(codes, count, darkest + x);
+    }
+    return lighter;
+}
+
 static void take_row(const struct job *job, uint32_t y)
 {
     size_t size = job->size;
-    uint8_t *restrict darkest = job->darkest + y * size;
+    uint8_t *darkest = job->darkest + y * size;
     for (uint32_t c = 0; c < job->tam->tones; c++) {
         const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
-        size_t stride = image->channel_count;
-        const float *pixels = image->pixels + y * size * stride;
-        bool lighter = false;
-        if (stride == 1)
-            for (size_t x = 0; x < size; x++) {
-                uint8_t code = (uint8_t)(255 - hatch_unorm8(pixels[x]));
-                lighter |= code + 1 < darkest[x];
-                darkest[x] = code > darkest[x] ? code : darkest[x];
-            }
-        else
-            for (size_t x = 0; x < size; x++) {
-                uint8_t code = (uint8_t)(255 - hatch_unorm8(pixels[x * stride]));
-                lighter |= code + 1 < darkest[x];
-                darkest[x] = code > darkest[x] ? code : darkest[x];
-            }
+        const float *pixels = image->pixels + y * size * image->channel_count;
+        bool lighter = take_columns(pixels, image->channel_count, size, darkest);
         if (lighter && !job->fault[y])
             job->fault[y] = c;
         if (job->codes)
@@ -163,7 +187,7 @@ static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_p
         struct job *job = &jobs[level];
         *job = (struct job){.tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level)};
         size_t texels = (size_t)job->size * job->size;
-        job->codes = HATCH_NEW(scratch, uint8_t, texels * tam->tones, err);
+        job->codes = HATCH_NEW_UNSET(scratch, uint8_t, texels * tam->tones, err);
         job->count = HATCH_NEW(scratch, uint32_t, texels, err);
         made->first[level] = HATCH_NEW(arena, uint32_t, texels + 1, err);
         if (!job->codes || !job->count || !made->first[level])

@@ -17,6 +17,7 @@ struct job {
     const uint8_t *code;   /* x of each column */
     const uint32_t *first; /* codes at which the bins begin */
     uint32_t level, size;
+    uint8_t *settled;      /* eight a texel */
     struct sums {
         uint64_t steps, merged, error, error_max; /* error: of 255² */
     } *rows;
@@ -83,46 +84,66 @@ static void merge_row(void *context, uint32_t y)
         merge_texel(job, (size_t)y * job->size + x, &job->rows[y]);
 }
 
-/* The mean x of the neighbours that have a step, weighted by their heights, those at a corner half. The
- * sum of heights is 0 where none has. */
-static uint32_t mean_around(const struct job *job, uint32_t x, uint32_t y, uint32_t bin, uint32_t *heights)
+/* The mean x of a texel's neighbours that have a step, weighted by their heights, those at a corner half,
+ * for the four bins of a layer. heights: 0 where none has. */
+static void mean_around(const struct job *job, uint32_t x, uint32_t y, uint32_t layer, uint32_t mean[4],
+                        uint32_t heights[4])
 {
     static const uint32_t weights[] = {1, 2, 1, 2, 0, 2, 1, 2, 1};
-    uint32_t size = job->size, sum = 0;
-    *heights = 0;
+    uint32_t size = job->size, sums[4] = {0};
+    const uint8_t *steps = place_of(job, job->level, 0, layer * 4, 0);
+    const uint8_t *tall = place_of(job, job->level, 0, layer * 4, 1);
+    memset(heights, 0, 4 * sizeof *heights);
     for (uint32_t i = 0; i < 9; i++) {
         size_t at = (size_t)((y + size - 1 + i / 3) % size) * size + (x + size - 1 + i % 3) % size;
-        uint32_t height = weights[i] * *place_of(job, job->level, at, bin, 1);
-        if (!height) /* its x may just be given */
-            continue;
-        sum += height * *place_of(job, job->level, at, bin, 0);
-        *heights += height;
+        for (uint32_t bin = 0; bin < 4; bin++) {
+            uint32_t height = weights[i] * tall[at * 4 + bin];
+            sums[bin] += height * steps[at * 4 + bin];
+            heights[bin] += height;
+        }
     }
-    return *heights ? (sum + *heights / 2) / *heights : 0;
+    for (uint32_t bin = 0; bin < 4; bin++)
+        mean[bin] = heights[bin] ? (sums[bin] + heights[bin] / 2) / heights[bin] : 0;
 }
 
-/* Gives x to what has no step: it only reads those that have one. */
+/* The x of the coarser level, which has settled; of the last level the middle of the bin. */
+static uint32_t x_above(const struct job *job, uint32_t x, uint32_t y, uint32_t bin)
+{
+    if (job->level + 1 == job->texels->level_count) {
+        uint32_t used = bin < job->options->bins ? bin : job->options->bins - 1;
+        return (job->first[used] + job->first[used + 1] - 1) / 2;
+    }
+    uint32_t coarser = hatch_mip_size(job->texels->width, job->level + 1);
+    uint32_t across = x / 2 < coarser ? x / 2 : coarser - 1, down = y / 2 < coarser ? y / 2 : coarser - 1;
+    return *place_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
+}
+
+/* Finds an x for what has no step. Kept aside until all rows are done, which read their neighbours'. */
 static void settle_row(void *context, uint32_t y)
 {
     const struct job *job = context;
-    uint32_t coarser = hatch_mip_size(job->texels->width, job->level + 1);
-    bool is_last = job->level + 1 == job->texels->level_count;
     for (uint32_t x = 0; x < job->size; x++)
-        for (uint32_t bin = 0; bin < HATCH_THRESHOLD_BINS; bin++) {
+        for (uint32_t layer = 0; layer < 2; layer++) {
+            uint32_t mean[4], heights[4];
             size_t texel = (size_t)y * job->size + x;
-            uint32_t used = bin < job->options->bins ? bin : job->options->bins - 1, heights = 0;
-            if (*place_of(job, job->level, texel, bin, 1))
+            const uint8_t *own = place_of(job, job->level, texel, layer * 4, 1);
+            if (own[0] && own[1] && own[2] && own[3])
                 continue;
-            uint32_t code = mean_around(job, x, y, bin, &heights);
-            if (!heights && is_last)
-                code = (job->first[used] + job->first[used + 1] - 1) / 2;
-            else if (!heights) {
-                uint32_t across = x / 2 < coarser ? x / 2 : coarser - 1;
-                uint32_t down = y / 2 < coarser ? y / 2 : coarser - 1;
-                code = *place_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
-            }
-            *place_of(job, job->level, texel, bin, 0) = (uint8_t)code;
+            mean_around(job, x, y, layer, mean, heights);
+            for (uint32_t bin = 0; bin < 4; bin++)
+                job->settled[texel * 8 + layer * 4 + bin] =
+                    (uint8_t)(heights[bin] ? mean[bin] : x_above(job, x, y, layer * 4 + bin));
         }
+}
+
+static void keep_row(void *context, uint32_t y)
+{
+    const struct job *job = context;
+    size_t end = ((size_t)y + 1) * job->size;
+    for (size_t texel = (size_t)y * job->size; texel < end; texel++)
+        for (uint32_t bin = 0; bin < HATCH_THRESHOLD_BINS; bin++)
+            if (!*place_of(job, job->level, texel, bin, 1))
+                *place_of(job, job->level, texel, bin, 0) = job->settled[texel * 8 + bin];
 }
 
 /* A picture's first channel, box filtered to size² texels; NULL is 1 everywhere. */
@@ -158,7 +179,8 @@ static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, s
                                      struct sums *sums, struct hatch_err *err)
 {
     job->rows = HATCH_NEW(scratch, struct sums, job->tam->size_px, err);
-    if (!job->rows)
+    job->settled = HATCH_NEW_UNSET(scratch, uint8_t, (size_t)job->tam->size_px * job->tam->size_px * 8, err);
+    if (!job->rows || !job->settled)
         return HATCH_LIMIT;
     for (uint32_t level = job->texels->level_count; level-- > 0;) {
         job->level = level;
@@ -166,6 +188,7 @@ static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, s
         memset(job->rows, 0, job->size * sizeof *job->rows);
         hatch_parallel_for(pool, job->size, merge_row, job);
         hatch_parallel_for(pool, job->size, settle_row, job);
+        hatch_parallel_for(pool, job->size, keep_row, job);
         hatch_parallel_for(pool, job->size, mask_row, job);
         for (uint32_t y = 0; level < job->tam->levels && y < job->size; y++) {
             const struct sums *row = &job->rows[y];

@@ -8,7 +8,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct hatch_mipmap *parts = NULL;
     uint32_t count = 0;
     struct hatch_err err;
-    enum hatch_status status = hatch_exr_read((struct hatch_bytes){data, size}, &arenas.keep,
+    enum hatch_status status = hatch_exr_read((struct hatch_bytes){data, size}, NULL, &arenas.keep,
                                               &arenas.scratch, &parts, &count, &err);
     fuzz_check(status, &err, &arenas);
     for (uint32_t i = 0; status == HATCH_OK && i < count; i++)

@@ -128,7 +128,7 @@ START_TEST(what_is_written_is_read)
     for (uint32_t i = 0; i < count; i++)
         make_part(kind, i, &parts[i]);
     struct hatch_buffer file = write_all(parts, count, 1);
-    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, &keep, &scratch, &got,
+    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got,
                                  &got_count, &err),
                   &err);
     ck_assert_uint_eq(got_count, count);
@@ -157,7 +157,7 @@ START_TEST(every_cut_is_refused)
     struct hatch_buffer file = write_all(parts, 2, 1);
     for (size_t size = 0; size < file.size; size += size < 1500 ? 1 : 97) {
         struct hatch_bytes cut = {file.data, size};
-        enum hatch_status status = hatch_exr_read(cut, &keep, &scratch, &got, &count, &err);
+        enum hatch_status status = hatch_exr_read(cut, NULL, &keep, &scratch, &got, &count, &err);
         ck_assert_msg(status == HATCH_BAD_INPUT, "%zu of %zu bytes: status %d", size, file.size,
                       (int)status);
         ck_assert(err.text[0] && !got && count == 77);
@@ -170,9 +170,9 @@ START_TEST(what_is_no_exr_file_is_told_so)
     struct hatch_mipmap *got = NULL;
     uint32_t count = 0;
     struct hatch_bytes glb = {(const uint8_t *)"glTF....", 8}, nothing = {0};
-    ck_assert_int_eq(hatch_exr_read(glb, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_exr_read(glb, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "not an OpenEXR file");
-    ck_assert_int_eq(hatch_exr_read(nothing, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_exr_read(nothing, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "empty");
 }
 END_TEST
@@ -185,7 +185,7 @@ START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
     struct hatch_buffer file = write_all(&part, 1, 1);
     struct hatch_arena small;
     hatch_arena_init(&small, 65536);
-    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, &small, &scratch,
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &small, &scratch,
                                     &got, &count, &err),
                      HATCH_LIMIT);
     ck_assert_uint_eq(small.peak_bytes, 0);
@@ -208,7 +208,7 @@ START_TEST(a_window_that_lies_is_refused_before_anything_is_taken)
         at++;
     memcpy(file.data + at + sizeof name + 4 + 8, corner, sizeof corner);
     hatch_arena_init(&large, SIZE_MAX);
-    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, &large, &scratch,
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &large, &scratch,
                                     &got, &count, &err),
                      HATCH_BAD_INPUT);
     ck_assert_uint_eq(large.peak_bytes, 0);
@@ -241,7 +241,7 @@ static enum hatch_status read_file(void *context, struct hatch_arena *arena,
 {
     struct reading *reading = context;
     uint32_t count = 0;
-    return hatch_exr_read(reading->file, arena, temporary, &reading->parts, &count, error);
+    return hatch_exr_read(reading->file, NULL, arena, temporary, &reading->parts, &count, error);
 }
 
 static enum hatch_status write_file(void *context, struct hatch_arena *arena,
