@@ -69,8 +69,8 @@ enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
     struct seed_choice *choice = &job->options.seeds;
     struct hatch_arena *arena = &job->source.arenas[job->source.arena ^ 1];
     struct hatch_seeds sets = job->source.sets;
-    if (choice->layers < sets.layer_count)
-        sets.layer_count = (uint32_t)lround(choice->layers);
+    choice->layers = fmin(choice->layers, sets.layer_count);
+    sets.layer_count = (uint32_t)lround(choice->layers);
     if (!choice->tone_overlap_given)
         choice->style.tone_overlap = choice->style.overlap;
     settle(&job->source.drawing, choice);

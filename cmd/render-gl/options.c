@@ -152,6 +152,11 @@ static const struct cmd_program program = {
     .binary = true,
 };
 
+const struct cmd_option *options_table(void)
+{
+    return table;
+}
+
 static void read_view(struct view_choice *view)
 {
     *view = (struct view_choice){.kind = VIEW_FIRST_CAMERA,
@@ -281,7 +286,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
         cmd_usage("--probe needs a tonal art map: --tam FILE");
     check_frames(args);
     struct param_change moves[PARAMS_MAX];
-    uint32_t move_count = params_read(&changes, table, techniques[technique], draws_lines(), moves);
+    uint32_t move_count = params_read(&changes, techniques[technique], draws_lines(), moves);
     *options = (struct options){.technique = technique,
                                 .map_path = map_path,
                                 .scene_path = args->operand_count ? args->operands[0] : NULL,

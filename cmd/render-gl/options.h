@@ -47,4 +47,7 @@ struct options {
 /* Parses, checks and prints help as cmd_begin does; dies with two lines on what is wrong. */
 void options_read(int argc, char **argv, struct cmd_args *args, struct options *options);
 
+/* All options but those that every command has; the last has no name. */
+const struct cmd_option *options_table(void);
+
 #endif

@@ -91,7 +91,15 @@ static void take(const struct cmd_option *option, const char *text, size_t lengt
         memcpy(values, option->value, (option->type == CMD_PAIR ? 2 : 1) * sizeof *values);
 }
 
-static void read_one(const char *text, const struct cmd_option *options, struct param_change *change)
+const struct cmd_option *params_option(uint32_t param)
+{
+    const struct cmd_option *option = options_table();
+    while (strcmp(option->name, params[param].name) != 0)
+        option++;
+    return option;
+}
+
+static void read_one(const char *text, struct param_change *change)
 {
     size_t length = strcspn(text, "=");
     const char *from = text + length + 1, *gap = text[length] ? strstr(from, "..") : NULL;
@@ -100,9 +108,7 @@ static void read_one(const char *text, const struct cmd_option *options, struct 
     uint32_t param = find(text, length);
     if (param == PARAM_NONE)
         refuse_name(text, length);
-    const struct cmd_option *option = options;
-    while (strcmp(option->name, params[param].name) != 0)
-        option++;
+    const struct cmd_option *option = params_option(param);
     *change = (struct param_change){.param = param};
     take(option, gap + 2, strlen(gap + 2), change->to);
     take(option, from, (size_t)(gap - from), change->from);
@@ -111,14 +117,14 @@ static void read_one(const char *text, const struct cmd_option *options, struct 
             cmd_usage("--animate %s: it changes by factors, from and to numbers over 0", text);
 }
 
-uint32_t params_read(const struct cmd_texts *texts, const struct cmd_option *options,
-                     const struct technique *technique, bool lines, struct param_change *changes)
+uint32_t params_read(const struct cmd_texts *texts, const struct technique *technique, bool lines,
+                     struct param_change *changes)
 {
     bool seen[PARAMS_MAX] = {false};
     uint32_t count = 0;
     for (int i = 0; i < texts->count; i++) {
         struct param_change change;
-        read_one(texts->at[i], options, &change);
+        read_one(texts->at[i], &change);
         const char *name = params[change.param].name;
         if (seen[change.param])
             cmd_usage("--animate %s: it changes in one way only", name);

@@ -32,16 +32,19 @@ struct param {
 extern const struct param params[];
 uint32_t params_count(void);
 
+/* The option of options_table that it belongs to. */
+const struct cmd_option *params_option(uint32_t param);
+
 /* A parameter on its way over all frames. */
 struct param_change {
     uint32_t param;
     double from[2], to[2];
 };
 
-/* Reads PARAM=FROM..TO, takes FROM as the option's value and dies on wrong usage. options: the table of
- * them, for names and ranges; lines: some are drawn; changes: PARAMS_MAX. Returns how many there are. */
-uint32_t params_read(const struct cmd_texts *texts, const struct cmd_option *options,
-                     const struct technique *technique, bool lines, struct param_change *changes);
+/* Reads PARAM=FROM..TO, takes FROM as the option's value and dies on wrong usage. lines: some are drawn;
+ * changes: PARAMS_MAX. Returns how many there are. */
+uint32_t params_read(const struct cmd_texts *texts, const struct technique *technique, bool lines,
+                     struct param_change *changes);
 
 /* Has it an effect on what a technique draws? */
 bool params_are_used(uint32_t param, const struct technique *technique, bool lines);

@@ -113,7 +113,7 @@ xdotool key question key q
 wait $window
 is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
-is "nothing else is said" "$(grep -vE '^render-gl: ([1-8] |saved shot|drag|arrows|1 to 8|\[ and|s: )' err)" ""
+is "nothing else is said" "$(grep -vE '^render-gl: ([1-8] |saved shot|drag|arrows|1 to 8|p and P|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn
 shot turn1
@@ -128,6 +128,64 @@ ok "space pauses them" cmp turn3.png turn4.png
 xdotool key Escape
 wait $window
 is "escape closes" $? 0
+
+# Parameters: the window redraws its title at each of their keys.
+# titled NAME TITLE: but for the milliseconds, and as soon as it is drawn
+titled() {
+    tries=0
+    until title=$(xdotool search --name render-gl getwindowname | sed 's/, [0-9.]* ms//')
+        [ "$title" = "$2" ] || [ $tries -ge 50 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    is "$1" "$title" "$2"
+}
+render-gl teapot.glb --technique rptam --tam map.exr --stroke 20x2 --overlap 0.5 --window --size 320x240 \
+    --samples 1 -o set%d.png 2>err &
+window=$!
+timeout 60 xdotool search --sync --name render-gl >/dev/null
+shot set1
+xdotool key p
+titled "p chooses a parameter, and the title shows it" "render-gl: rptam, stroke [20]x2"
+xdotool key period period period period
+titled ". makes it more" "render-gl: rptam, stroke [29.28]x2"
+shot set2
+ok "and the picture follows" changed set1 set2
+xdotool key p comma
+titled "p goes on, and , makes less" "render-gl: rptam, stroke 29.28x[1.818]"
+xdotool key d
+titled "d takes both numbers back" "render-gl: rptam, stroke 20x[2]"
+shot set3
+ok "and the picture is as it was" cmp set1.png set3.png
+xdotool key p p p p p
+titled "other parameters follow" "render-gl: rptam, overlap [0.5]"
+xdotool key period period period period period period period
+titled "none leaves its option's range" "render-gl: rptam, overlap [1]"
+xdotool key P comma comma comma comma
+titled "P goes back" "render-gl: rptam, seed-layers [0]"
+shot set4
+ok "no layers: no strokes" changed set1 set4
+xdotool key 7
+titled "a technique that does not use it does not show it" "render-gl: gouraud"
+xdotool key q
+wait $window
+is "and nothing is said" "$(grep -v 'saved set' err)" ""
+
+render-gl teapot.glb --technique rptam --window --size 320x240 --samples 1 --animate overlap=0..1 \
+    --animate stroke=10x1..40x4 -o way%d.png 2>err &
+window=$!
+timeout 60 xdotool search --sync --name render-gl >/dev/null
+shot way1
+sleep 0.4
+shot way2
+ok "--animate plays in the window" changed way1 way2
+xdotool key space
+shot way3
+sleep 0.4
+shot way4
+ok "and pauses" cmp way3.png way4.png
+xdotool key q
+wait $window
 
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >bare.off
 render-gl bare.off --technique gouraud --tam map.exr --window --size 320x240 -o bare%d.png 2>err &
