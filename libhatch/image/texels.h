@@ -3,6 +3,8 @@
 #ifndef HATCH_IMAGE_TEXELS_H
 #define HATCH_IMAGE_TEXELS_H
 
+#include <string.h>
+
 #include "image/image.h"
 
 enum hatch_texels_code {
@@ -25,11 +27,18 @@ struct hatch_texels {
     enum hatch_texels_code code;
 };
 
-/* 0 .. 1 as eight bits, rounded to nearest; what lies outside is cut off. */
+/* 0 .. 1 as eight bits, rounded to nearest; what lies outside is cut off. The bits of floats that are not
+ * negative are in the order of their values; selections are made with masks, because gcc makes vector code
+ * of nothing else. */
 static inline uint8_t hatch_unorm8(float value)
 {
-    float clamped = value > 0 ? (value < 1 ? value : 1) : 0;
-    return (uint8_t)(clamped * 255 + 0.5f);
+    int32_t bits, one = 0x3f800000;
+    memcpy(&bits, &value, sizeof bits);
+    bits &= ~(bits >> 31);
+    int32_t over = -(int32_t)(bits > one);
+    bits = (bits & ~over) | (one & over);
+    memcpy(&value, &bits, sizeof value);
+    return (uint8_t)(int32_t)(value * 255 + 0.5f);
 }
 
 /* A block's texels each way, and its bytes; of what is not packed in blocks it is one texel. */

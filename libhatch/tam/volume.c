@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define PIECE 256u
+
 /* Two columns, blended; -1 is paper. */
 struct blend {
     int below, above;
@@ -46,14 +48,34 @@ static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, ui
     double distance, step = 1.0 / depth;
     struct slice slice = {level, index, find_columns(tam, (index + 0.5) * step, &distance)};
     bool drawn = level < tam->levels;
-    if (distance <= step / 4)
-        slice.blend.share = slice.blend.share > 0.5f ? 1 : 0;
-    else if (drawn)
+    if (distance <= step / 4) {
+        int nearest = slice.blend.share > 0.5f ? slice.blend.above : slice.blend.below;
+        slice.blend = (struct blend){nearest, nearest, 0};
+    } else if (drawn) {
         figures->blended++;
+    }
     figures->slices += drawn;
     if (drawn && distance > figures->distance)
         figures->distance = distance;
     return slice;
+}
+
+/* Some texels of one channel: gathered, blended, coded, and spread, each in a plain loop. NULL is paper. */
+static void fill_piece(const float *below, const float *above, float share, size_t stride, size_t count,
+                       uint8_t *out, size_t out_stride)
+{
+    float values[PIECE], others[PIECE];
+    uint8_t codes[PIECE];
+    for (size_t i = 0; i < count; i++)
+        values[i] = below ? below[i * stride] : 1;
+    for (size_t i = 0; share > 0 && i < count; i++)
+        others[i] = above ? above[i * stride] : 1;
+    for (size_t i = 0; share > 0 && i < count; i++)
+        values[i] += share * (others[i] - values[i]);
+    for (size_t i = 0; i < count; i++)
+        codes[i] = hatch_unorm8(values[i]);
+    for (size_t i = 0; i < count; i++)
+        out[i * out_stride] = codes[i];
 }
 
 static void fill_slice(void *context, uint32_t number)
@@ -63,18 +85,19 @@ static void fill_slice(void *context, uint32_t number)
     const struct hatch_texels *texels = job->texels;
     size_t count = (size_t)hatch_mip_size(texels->width, slice->level) *
                    hatch_mip_size(texels->height, slice->level);
-    uint8_t *out = texels->texels[slice->level] + slice->index * count * texels->channels;
-    const struct hatch_image *image[2];
+    size_t stride = job->tam->columns[0].levels[0].channel_count, out_stride = texels->channels;
+    uint8_t *out = texels->texels[slice->level] + slice->index * count * out_stride;
+    const float *pixels[2];
     const int columns[2] = {slice->blend.below, slice->blend.above};
     for (int i = 0; i < 2; i++)
-        image[i] = columns[i] < 0 ? NULL : &job->tam->columns[columns[i]].levels[slice->level];
-    float share = slice->blend.share;
-    size_t stride = job->tam->columns[0].levels[0].channel_count;
-    for (uint32_t c = 0; c < texels->channels; c++)
-        for (size_t i = 0; i < count; i++) {
-            float below = image[0] && c < 3 ? image[0]->pixels[i * stride + c] : 1;
-            float above = image[1] && c < 3 ? image[1]->pixels[i * stride + c] : 1;
-            out[i * texels->channels + c] = hatch_unorm8(below + share * (above - below));
+        pixels[i] = columns[i] < 0 ? NULL : job->tam->columns[columns[i]].levels[slice->level].pixels;
+    for (uint32_t c = 0; c < out_stride; c++)
+        for (size_t at = 0; at < count; at += PIECE) {
+            const float *from[2];
+            for (int i = 0; i < 2; i++)
+                from[i] = pixels[i] && c < 3 ? pixels[i] + at * stride + c : NULL;
+            fill_piece(from[0], from[1], slice->blend.share, stride, count - at < PIECE ? count - at : PIECE,
+                       out + at * out_stride + c, out_stride);
         }
 }
 
