@@ -4,12 +4,13 @@
 
 extern const struct technique technique_tam, technique_tam_flat, technique_tam_face,
     technique_tam_gouraud, technique_tam_triple, technique_tam_threshold, technique_gouraud,
-    technique_rptam, technique_probe, technique_patches, technique_field;
+    technique_rptam, technique_probe, technique_patches, technique_field,
+    technique_places;
 
 const struct technique *const techniques[TECHNIQUE_COUNT] = {
     &technique_tam,        &technique_tam_flat,      &technique_tam_face, &technique_tam_gouraud,
     &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,  &technique_rptam,    &technique_probe,
-    &technique_patches,    &technique_field};
+    &technique_patches,    &technique_field,         &technique_places};
 
 const char *const *technique_names(void)
 {

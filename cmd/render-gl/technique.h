@@ -13,7 +13,8 @@
 #define TECHNIQUE_PROBE 8u
 #define TECHNIQUE_PATCHES 9u
 #define TECHNIQUE_FIELD 10u
-#define TECHNIQUE_COUNT 11u
+#define TECHNIQUE_PLACES 11u
+#define TECHNIQUE_COUNT 12u
 
 /* What a technique makes of patches over a surface. */
 enum technique_patches {

@@ -1,0 +1,223 @@
+/* Zooming towards a surface, drawn by floats alone or in pieces, against a reference in pairs of doubles:
+ * where each pixel of a picture lies among the seeds. Include after run.h. */
+#ifndef HATCH_TEST_ZOOM_REFERENCE_H
+#define HATCH_TEST_ZOOM_REFERENCE_H
+
+#include <math.h>
+
+#include "math/pair.h"
+#include "math/vector.h"
+#include "render_frame.h"
+#include "seed/spread.h"
+
+struct zoom_error {
+    double largest_px, mean_px; /* of where strokes lie; INFINITY where nothing is drawn */
+    uint32_t pixels;            /* that were compared */
+    uint32_t wrong;             /* that are drawn and should not be, or the other way */
+};
+
+/* The scene in the camera's coordinates. */
+struct zoom_corner {
+    struct hatch_pair at[3], uv[2];
+    double span[6]; /* of the surface along u and v, in the unit scene */
+};
+
+static inline void zoom_seeds(struct test_frame *frame, const struct hatch_rptam_style *style,
+                              uint32_t layers, struct hatch_rptam *rptam)
+{
+    const struct hatch_seeds_options how = {
+        .cycle = {.count = 64, .seed = 2}, .layers = layers, .candidates = 5};
+    struct hatch_seeds seeds;
+    struct hatch_image stroke;
+    uint64_t steps;
+    struct hatch_err *err = &frame->err;
+    HATCH_TEST_OK(hatch_seeds_make(&how, &frame->arena, &frame->scratch, &seeds, &steps, err), err);
+    HATCH_TEST_OK(hatch_image_make(&frame->arena, 64, 16, "A", &stroke, err), err);
+    for (uint32_t i = 0; i < 64 * 16; i++)
+        stroke.pixels[i] = (float)sin(3.1416 * (i / 64 + 0.5) / 16);
+    HATCH_TEST_OK(hatch_rptam_make(&seeds, style, &stroke, &frame->arena, &frame->scratch, rptam, err), err);
+}
+
+/* A picture of what lies at a distance from a point of the surface, seen along a direction. */
+static inline struct view zoom_view(struct test_frame *frame, const double point[3], const double back[3],
+                                    double distance, double aspect)
+{
+    struct view_choice choice = {.kind = VIEW_EYE, .fov_rad = 0.5, .has_target = true};
+    struct view view;
+    for (int k = 0; k < 3; k++) {
+        choice.target[k] = point[k];
+        choice.eye[k] = point[k] + distance * back[k];
+    }
+    HATCH_TEST_OK(view_make(&choice, &frame->gpu.pose, NULL, &frame->gpu.bounds, aspect, &frame->scratch, &view,
+                            &frame->err),
+                  &frame->err);
+    if (distance < 0x1p-50) /* nearer than the point's digits: from where it is, and no other way */
+        view_set_back(&view, back);
+    return view;
+}
+
+static inline void zoom_corners(struct test_frame *frame, const struct view *view, struct zoom_corner *corners)
+{
+    const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
+    const struct gpu_item *item = &frame->gpu.items[0];
+    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    const double *axes[3] = {view->right, view->up, view->back};
+    size_t count = mesh->vertex_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame->scratch);
+    double *world = HATCH_NEW(&frame->scratch, double, 3 * count, &frame->err);
+    float *spans = HATCH_NEW(&frame->scratch, float, 6 * count, &frame->err);
+    pose_vertices(&frame->gpu.pose, item->node, 0, world, NULL);
+    glGetNamedBufferSubData(item->spans, 0, (GLsizeiptr)(6 * sizeof *spans * count), spans);
+    for (size_t v = 0; v < count; v++) {
+        struct hatch_pair from[3];
+        for (int k = 0; k < 3; k++) {
+            const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
+            from[k] = hatch_pair_sub(view_unit(&frame->gpu.bounds, k, world[3 * v + (size_t)k]), eye);
+        }
+        for (int k = 0; k < 3; k++)
+            corners[v].at[k] = hatch_pair_dot(from, axes[k]);
+        for (size_t k = 0; k < 2; k++)
+            corners[v].uv[k] = hatch_pair_product((double)texcoord[2 * v + k], (double)item->repeat[k]);
+        for (size_t k = 0; k < 6; k++) /* in the mesh's units */
+            corners[v].span[k] = (double)spans[6 * v + k] / frame->gpu.bounds.radius / (double)item->repeat[k / 3];
+    }
+    hatch_arena_rewind(&frame->scratch, mark);
+}
+
+/* The share of each corner in what a ray from 0 along `ray` meets, over their sum; both times the sum. false: it
+ * misses the face, or meets it within `slack` of its edge. */
+static inline bool zoom_shares(const struct zoom_corner *const c[3], const double ray[3], double slack,
+                               struct hatch_pair share[3], struct hatch_pair *sum)
+{
+    *sum = hatch_pair_of(0);
+    for (int i = 0; i < 3; i++) {
+        const struct hatch_pair *a = c[(i + 1) % 3]->at, *b = c[(i + 2) % 3]->at;
+        struct hatch_pair cross[3];
+        for (int k = 0; k < 3; k++)
+            cross[k] = hatch_pair_sub(hatch_pair_mul(a[(k + 1) % 3], b[(k + 2) % 3]),
+                                      hatch_pair_mul(a[(k + 2) % 3], b[(k + 1) % 3]));
+        share[i] = hatch_pair_dot(cross, ray);
+        *sum = hatch_pair_add(*sum, share[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        if (!(share[i].high / sum->high > slack))
+            return false;
+    return true;
+}
+
+/* What a ray meets first: its shares, as doubles and as texture coordinates. Returns the distance along the ray,
+ * negative where it meets nothing. */
+static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners, const double ray[3],
+                              struct hatch_pair uv[2], double span[6])
+{
+    double nearest = -1;
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const struct zoom_corner *c[3];
+        struct hatch_pair share[3], sum, depth = {0, 0};
+        for (size_t k = 0; k < 3; k++)
+            c[k] = &corners[mesh->indices[3 * f + k]];
+        if (!zoom_shares(c, ray, 0, share, &sum))
+            continue;
+        for (int i = 0; i < 3; i++) {
+            share[i] = hatch_pair_div(share[i], sum);
+            depth = hatch_pair_add(depth, hatch_pair_mul(share[i], c[i]->at[2]));
+        }
+        if (!(-depth.high > 0) || (nearest >= 0 && -depth.high > nearest))
+            continue;
+        nearest = -depth.high;
+        for (int k = 0; k < 2; k++) {
+            uv[k] = hatch_pair_of(0);
+            for (int i = 0; i < 3; i++)
+                uv[k] = hatch_pair_add(uv[k], hatch_pair_mul(share[i], c[i]->uv[k]));
+        }
+        for (int k = 0; k < 6; k++)
+            span[k] = share[0].high * c[0]->span[k] + share[1].high * c[1]->span[k] +
+                      share[2].high * c[2]->span[k];
+    }
+    return nearest;
+}
+
+/* How far the picture moves along x and y, in pixels, with a unit of u and of v. */
+static inline void zoom_pixels(const struct view *view, const double ray[3], double depth, uint32_t height,
+                               const double span[6], double pixels[2][2])
+{
+    double scale = height / (2 * view->half_height);
+    for (int k = 0; k < 2; k++) {
+        double back = hatch_vec_dot(span + 3 * k, view->back);
+        const double *axes[2] = {view->right, view->up};
+        for (int axis = 0; axis < 2; axis++)
+            pixels[k][axis] = scale * (hatch_vec_dot(span + 3 * k, axes[axis]) + ray[axis] * back) / depth;
+    }
+}
+
+/* The place over 4, less whole numbers, at a depth. */
+static inline double zoom_place(struct hatch_pair uv, int depth)
+{
+    struct hatch_pair at = {ldexp(uv.high, -depth - 2), ldexp(uv.low, -depth - 2)};
+    return hatch_pair_round(hatch_pair_sub(at, hatch_pair_floor(at)));
+}
+
+/* What a pixel says against what it should: adds to the error. rgba: what was drawn. */
+static inline void zoom_compare(const struct hatch_rptam *rptam, const struct view *view, uint32_t height,
+                                const double ray[3], double hit, const struct hatch_pair uv[2],
+                                const double span[6], const float rgba[4], struct zoom_error *error)
+{
+    double pixels[2][2], across[2], away[2] = {0, 0};
+    const struct hatch_rptam_layer *layer = &rptam->layers[0];
+    zoom_pixels(view, ray, hit, height, span, pixels);
+    for (int k = 0; k < 2; k++)
+        across[k] = -layer->sine * pixels[0][k] + layer->cosine * pixels[1][k];
+    double depth = log2(rptam->style.tile_px / hypot(across[0], across[1]));
+    if (fabs(depth - round(depth)) < 1e-3) /* either depth is right */
+        return;
+    for (int k = 0; k < 2; k++) {
+        double drawn = (double)rgba[2 * k] + ((double)rgba[2 * k + 1] + 0.5 / 1024) / 1024;
+        double turn = drawn - zoom_place(uv[k], (int)floor(depth));
+        double part = 4 * (turn - round(turn)) * exp2(floor(depth));
+        away[0] += part * pixels[k][0];
+        away[1] += part * pixels[k][1];
+    }
+    double off = hypot(away[0], away[1]);
+    error->largest_px = fmax(error->largest_px, off);
+    error->mean_px += off;
+    error->pixels++;
+}
+
+/* Draws places and compares every step-th pixel either way. */
+static inline struct zoom_error zoom_measure(struct test_frame *frame, const struct view *view, uint32_t width,
+                                             uint32_t height, uint32_t step)
+{
+    static const float nothing[3] = {-1, -1, -1};
+    const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
+    struct zoom_error error = {0, 0, 0, 0};
+    struct hatch_err *err = &frame->err;
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame->arena);
+    struct target target;
+    const struct tile tile = {0, 0, width, height, width, height};
+    HATCH_TEST_OK(renderer_prepare(&frame->renderer, TECHNIQUE_PLACES, &frame->scratch, err), err);
+    HATCH_TEST_OK(picture_target(width, height, 1, &frame->renderer, &target, err), err);
+    HATCH_TEST_OK(renderer_draw_over(&frame->renderer, TECHNIQUE_PLACES, nothing, view, &tile, &target, err), err);
+    float *rgba = HATCH_NEW(&frame->arena, float, 4 * (size_t)width * height, err);
+    struct zoom_corner *corners = HATCH_NEW(&frame->arena, struct zoom_corner, mesh->vertex_count, err);
+    ck_assert_ptr_nonnull(corners);
+    target_read_samples(&target, rgba);
+    zoom_corners(frame, view, corners);
+    for (uint32_t y = step / 2; y < height; y += step)
+        for (uint32_t x = step / 2; x < width; x += step) {
+            const double ray[3] = {(2 * (x + 0.5) / width - 1) * view->half_height * view->aspect,
+                                   (2 * (y + 0.5) / height - 1) * view->half_height, -1};
+            const float *drawn = rgba + 4 * ((size_t)y * width + x);
+            struct hatch_pair uv[2];
+            double span[6], hit = zoom_hit(mesh, corners, ray, uv, span);
+            if ((hit > 0) != (drawn[0] >= 0))
+                error.wrong++;
+            else if (hit > 0)
+                zoom_compare(frame->renderer.rptam, view, height, ray, hit, uv, span, drawn, &error);
+        }
+    error.mean_px /= error.pixels ? error.pixels : 1;
+    target_free(&target);
+    hatch_arena_rewind(&frame->arena, mark);
+    return error;
+}
+
+#endif
