@@ -11,8 +11,12 @@ static void place(struct orbit *orbit)
     view_set_back(view, (const double[3]){level * sin(orbit->azimuth_rad),
                                           sin(orbit->elevation_rad),
                                           level * cos(orbit->azimuth_rad)});
-    for (int k = 0; k < 3; k++)
-        view->eye[k] = orbit->middle[k] + orbit->distance * view->back[k];
+    for (int k = 0; k < 3; k++) {
+        struct hatch_pair eye =
+            hatch_pair_add(orbit->middle[k], hatch_pair_product(orbit->distance, view->back[k]));
+        view->eye[k] = eye.high;
+        view->eye_rest[k] = eye.low;
+    }
     view->pivot = orbit->distance;
 }
 
@@ -22,8 +26,10 @@ void orbit_start(struct orbit *orbit, const struct view *view)
     orbit->distance = view->pivot;
     orbit->azimuth_rad = atan2(view->back[0], view->back[2]);
     orbit->elevation_rad = asin(fmax(-1, fmin(1, view->back[1])));
-    for (int k = 0; k < 3; k++)
-        orbit->middle[k] = view->eye[k] - view->pivot * view->back[k];
+    for (int k = 0; k < 3; k++) {
+        const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
+        orbit->middle[k] = hatch_pair_sub(eye, hatch_pair_product(view->pivot, view->back[k]));
+    }
 }
 
 void orbit_turn(struct orbit *orbit, double azimuth_rad, double elevation_rad)
@@ -38,15 +44,17 @@ void orbit_pan(struct orbit *orbit, double right, double up)
 {
     const struct view *view = &orbit->view;
     double height = 2 * view->half_height * (view->orthographic ? 1 : orbit->distance);
-    for (int k = 0; k < 3; k++)
-        orbit->middle[k] += height * (right * view->right[k] + up * view->up[k]);
+    for (int k = 0; k < 3; k++) {
+        double step = height * (right * view->right[k] + up * view->up[k]);
+        orbit->middle[k] = hatch_pair_add(orbit->middle[k], hatch_pair_of(step));
+    }
     place(orbit);
 }
 
 void orbit_zoom(struct orbit *orbit, double factor)
 {
     double distance = orbit->distance * factor;
-    if (!(distance > 1e-3 && distance < 1e3))
+    if (!(distance > ORBIT_NEAREST && distance < ORBIT_FARTHEST))
         return;
     orbit->distance = distance;
     if (orbit->view.orthographic)

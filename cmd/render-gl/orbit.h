@@ -4,9 +4,12 @@
 
 #include "render-gl/view.h"
 
+#define ORBIT_NEAREST 0x1p-44
+#define ORBIT_FARTHEST 1e3
+
 struct orbit {
     struct view view;
-    double middle[3]; /* in the unit scene */
+    struct hatch_pair middle[3]; /* in the unit scene */
     double azimuth_rad, elevation_rad, distance;
 };
 
@@ -19,7 +22,7 @@ void orbit_turn(struct orbit *orbit, double azimuth_rad, double elevation_rad);
 /* Moves the middle sideways by shares of the picture's height. */
 void orbit_pan(struct orbit *orbit, double right, double up);
 
-/* Changes the distance by a factor over 0. */
+/* Changes the distance by a factor over 0, between ORBIT_NEAREST and ORBIT_FARTHEST. */
 void orbit_zoom(struct orbit *orbit, double factor);
 
 #endif

@@ -96,6 +96,11 @@ static enum hatch_status frame_scene(const struct view_choice *choice, struct po
     return HATCH_OK;
 }
 
+struct hatch_pair view_unit(const struct bounds *bounds, int axis, double world)
+{
+    return hatch_pair_div(hatch_pair_sum(world, -bounds->center[axis]), hatch_pair_of(bounds->radius));
+}
+
 /* A camera that asks for its own shape keeps all that it sees inside a picture of another shape. */
 static void set_lens(const struct hatch_camera *camera, double radius, double aspect,
                      struct view *view)
@@ -131,16 +136,14 @@ static enum hatch_status look_through(uint32_t index, const struct pose *pose,
     cross(up, back, view->right);
     make_unit(view->right);
     cross(back, view->right, view->up);
-    for (int k = 0; k < 3; k++)
-        view->eye[k] = (world[12 + k] - bounds->center[k]) / bounds->radius;
+    for (int k = 0; k < 3; k++) {
+        struct hatch_pair eye = view_unit(bounds, k, world[12 + k]);
+        view->eye[k] = eye.high;
+        view->eye_rest[k] = eye.low;
+    }
     view->pivot = fmax(dot(view->eye, view->back), 0.05);
     set_lens(&scene->cameras[index], bounds->radius, aspect, view);
     return HATCH_OK;
-}
-
-struct hatch_pair view_unit(const struct bounds *bounds, int axis, double world)
-{
-    return hatch_pair_div(hatch_pair_sum(world, -bounds->center[axis]), hatch_pair_of(bounds->radius));
 }
 
 static enum hatch_status look_from(const struct view_choice *choice, const struct bounds *bounds,
