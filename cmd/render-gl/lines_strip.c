@@ -5,6 +5,7 @@
 #include "math/vector.h"
 
 #define PIECE_PX 1.5
+#define OFF_PX 0.5 /* lines that may lie further off are not drawn */
 
 /* A segment in the picture. */
 struct cut {
@@ -57,11 +58,17 @@ static void keep_positive(double at_begin, double at_end, double *begin, double 
         *end = fmin(*end, at_begin / (at_begin - at_end));
 }
 
-/* Moves a segment's ends to the near and far planes. false when it lies outside. */
-static bool clip_depth(const struct view *view, double points[2][3], double depth[2], bool whole[2])
+/* Moves a segment's ends to the near and far planes, and to where floats can place them. false when it
+ * lies outside. */
+static bool clip_depth(const struct view *view, const struct tile *tile, double points[2][3],
+                       double depth[2], bool whole[2])
 {
     double begin = 0, end = 1, a[3], along[3];
-    keep_positive(depth[0] - view->near, depth[1] - view->near, &begin, &end);
+    double least = view_float_error(view, tile) / OFF_PX;
+    if (view->orthographic) /* everywhere, or nowhere */
+        least = least > 1 ? INFINITY : view->near;
+    double nearest = fmax(view->near, least);
+    keep_positive(depth[0] - nearest, depth[1] - nearest, &begin, &end);
     if (view->orthographic)
         keep_positive(view->far - depth[0], view->far - depth[1], &begin, &end);
     whole[0] = begin <= 0;
@@ -87,7 +94,7 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
     double depth[2] = {line_depth(view, points[0]), line_depth(view, points[1])};
     double begin = 0, end = 1;
     bool whole[2];
-    if (!(slack >= 0) || !clip_depth(view, points, depth, whole))
+    if (!(slack >= 0) || !clip_depth(view, tile, points, depth, whole))
         return false;
     for (int i = 0; i < 2; i++) {
         project(view, tile, points[i], depth[i], cut->at[i]);

@@ -6,7 +6,6 @@
 
 #include "render-gl/near_parts.h"
 
-#define FLOAT_ERROR 0x1p-22 /* of places in the unit scene, when floats have carried them to the picture */
 #define NEAREST 0x1p-60     /* the near plane of an eye on the surface */
 
 static void open_near(struct near *near, uint64_t max_memory)
@@ -48,8 +47,7 @@ static double half_diagonal(const struct view *view)
 static struct near_frame frame_of(const struct gpu_scene *scene, const struct view *view,
                                   const struct tile *tile, uint32_t number)
 {
-    double pixels = 0.5 * tile->full_height / view->half_height; /* of a unit, at distance 1 */
-    double reach = FLOAT_ERROR * pixels / NEAR_PIXELS;
+    double reach = view_float_error(view, tile) / NEAR_PIXELS;
     return (struct near_frame){.scene = scene,
                                .view = view,
                                .reach = view->orthographic ? reach : fmax(reach, 8 * VIEW_NEAR),

@@ -34,8 +34,10 @@ static double reach_of(const struct near_frame *frame, const struct gpu_item *it
                 scale += (double)item->to_unit[4 * c + r] * (double)item->to_unit[4 * c + r] / 3;
         scale = sqrt(scale);
     }
-    double more = fmax(1, 0.5 * item->uv_reach * scale);
-    return frame->view->orthographic ? (frame->reach * more > 1 ? frame->half : 0) : frame->reach * more;
+    double reach = frame->reach * fmax(1, 0.5 * item->uv_reach * scale);
+    if (!frame->view->orthographic)
+        return reach;
+    return reach > 1 ? frame->half : 0;
 }
 
 static bool ball_touches(const struct near_frame *frame, const struct near_ball *ball, double reach)

@@ -39,7 +39,8 @@ struct near_shape {
 struct near_frame {
     const struct gpu_scene *scene;
     const struct view *view;
-    double reach;        /* faces nearer than that are near, at uv_reach 1 */
+    double reach;        /* faces nearer than that are near, where uv_reach is below 2; orthographic: over 1
+                            floats hold nothing in the picture */
     double half;         /* of the picture's diagonal, orthographic */
     uint32_t number;
     double nearest;      /* distance of the nearest face so far */

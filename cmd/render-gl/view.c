@@ -4,6 +4,7 @@
 #include <string.h>
 
 #define TURNS 24
+#define FLOAT_ERROR 0x1p-22 /* of places in the unit scene, when floats have carried them to the picture */
 #define MARGIN 0.92 /* share of the picture that a framed scene fills */
 
 static double dot(const double a[3], const double b[3])
@@ -255,6 +256,11 @@ void view_lens(const struct view *view, const struct tile *tile, float clip_from
         camera[column] = 1;
         through_lens(view, tile, camera, clip_from_camera + 4 * column);
     }
+}
+
+double view_float_error(const struct view *view, const struct tile *tile)
+{
+    return FLOAT_ERROR * 0.5 * tile->full_height / view->half_height;
 }
 
 bool view_sees(const struct view *view, const double point[3])

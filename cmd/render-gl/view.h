@@ -69,6 +69,10 @@ void view_matrix(const struct view *view, const struct tile *tile, float clip_fr
 /* The same from the camera's coordinates: right, up, back, from the eye. */
 void view_lens(const struct view *view, const struct tile *tile, float clip_from_camera[16]);
 
+/* How far off floats show places of the unit scene, in pixels: at distance 1, less farther away; for
+ * orthographic views anywhere. */
+double view_float_error(const struct view *view, const struct tile *tile);
+
 /* Is a point inside the picture's frame, or a little beside it? */
 bool view_sees(const struct view *view, const double point[3]);
 

@@ -51,6 +51,34 @@ static void lean(const double normal[3], double tilt, double back[3])
         back[k] = cos(tilt) * normal[k] + sin(tilt) * side[k];
 }
 
+static void check_places(const struct view *view, double pixels, uint32_t wrong)
+{
+    struct zoom_error error = zoom_measure(&frame, view, WIDTH, HEIGHT, 5);
+    double scale = view->orthographic ? view->half_height : view->pivot;
+    ck_assert_msg(error.largest_px < pixels, "at %g: %g pixels", scale, error.largest_px);
+    ck_assert_msg(error.wrong <= wrong, "at %g: %u pixels wrong", scale, error.wrong);
+    ck_assert_uint_gt(error.pixels, 20);
+}
+
+/* Pixels that nothing covers. */
+static uint32_t bare_pixels(const struct view *view)
+{
+    static const float nothing[3] = {-1, -1, -1};
+    static float rgba[4 * WIDTH * HEIGHT];
+    const struct tile tile = {0, 0, WIDTH, HEIGHT, WIDTH, HEIGHT};
+    struct hatch_err *err = &frame.err;
+    struct target target;
+    uint32_t bare = 0;
+    HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_PLACES, &frame.scratch, err), err);
+    HATCH_TEST_OK(picture_target(WIDTH, HEIGHT, 1, &frame.renderer, &target, err), err);
+    HATCH_TEST_OK(renderer_draw_over(&frame.renderer, TECHNIQUE_PLACES, nothing, view, &tile, &target, err), err);
+    target_read_samples(&target, rgba);
+    target_free(&target);
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++)
+        bare += rgba[4 * i] < 0;
+    return bare;
+}
+
 static const struct bounds odd_bounds = {.center = {0.1, -0.3, 0.7}, .radius = 1.7};
 
 static const struct {
@@ -78,17 +106,120 @@ START_TEST(strokes_keep_their_place_through_forty_octaves)
     lean(normal, surfaces[_i].tilt, back);
     for (size_t i = 0; i < sizeof octaves / sizeof *octaves; i++) {
         struct view view = zoom_view(&frame, point, back, exp2(1 - octaves[i]), (double)WIDTH / HEIGHT);
-        struct zoom_error error = zoom_measure(&frame, &view, WIDTH, HEIGHT, 5);
-        ck_assert_msg(error.largest_px < 0.05, "octave %d: %g pixels", octaves[i], error.largest_px);
-        ck_assert_msg(error.wrong <= 1, "octave %d: %u pixels wrong", octaves[i], error.wrong);
-        ck_assert_uint_gt(error.pixels, 20);
+        check_places(&view, 0.05, 1);
         if (octaves[i] < 20)
             continue;
         frame.renderer.floats_alone = true;
-        error = zoom_measure(&frame, &view, WIDTH, HEIGHT, 5);
+        struct zoom_error error = zoom_measure(&frame, &view, WIDTH, HEIGHT, 5);
         ck_assert_msg(error.largest_px > 1 || error.wrong > 50, "octave %d: floats alone are right", octaves[i]);
         frame.renderer.floats_alone = false;
     }
+    frame_end(&frame);
+}
+END_TEST
+
+/* Texture coordinates that reach far from 0, and strokes that are turned: places over 2^40 units of the texture's
+ * plane, which a picture near by sees one by one. */
+START_TEST(large_texture_coordinates_keep_theirs)
+{
+    double point[3], normal[3], back[3];
+    make_shape(HATCH_SHAPE_PLANE, 200);
+    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    for (size_t i = 0; i < 2 * (size_t)mesh.vertex_count; i++)
+        texcoord[i] = (texcoord[i] - 0.3f) * (_i ? 0x1p40f : 1000.0f) + (_i ? 0 : 5e4f);
+    begin_mesh(&odd_bounds);
+    face_point(90, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    lean(normal, 0.6, back);
+    for (int octave = 0; octave <= 42; octave += 6) {
+        struct view view = zoom_view(&frame, point, back, exp2(1 - octave), (double)WIDTH / HEIGHT);
+        check_places(&view, 0.05, 0);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+START_TEST(orthographic_views_hold)
+{
+    double point[3], normal[3], back[3];
+    make_shape(HATCH_SHAPE_TORUS, 1000);
+    begin_mesh(&odd_bounds);
+    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    lean(normal, 0.6, back);
+    for (int octave = 0; octave <= 40; octave += 5) {
+        struct view view = zoom_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
+        view.orthographic = true;
+        view.half_height = exp2(-octave);
+        view.far = 10;
+        check_places(&view, 0.05, 1);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+/* Where no distance is right: the eye on the surface, on a corner of it, on an edge; looking along it, into it
+ * and away. Pieces stay few, and nothing but the surface is drawn. */
+START_TEST(an_eye_on_the_surface_sees_it)
+{
+    static const double shares[][3] = {{0.3, 0.3, 0.4}, {1, 0, 0}, {0.5, 0.5, 0}};
+    double point[3], normal[3], back[3];
+    make_shape(HATCH_SHAPE_TORUS, 1000);
+    begin_mesh(&frame_unit);
+    face_point(300, shares[_i % 3], point, normal);
+    for (int turn = 0; turn < 6; turn++) {
+        lean(normal, 0.3 + turn * 3.14159265358979324 / 6, back);
+        struct view view = zoom_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
+        for (int k = 0; k < 3; k++) {
+            view.eye[k] = point[k];
+            view.eye_rest[k] = _i < 3 ? 0 : 0x1p-70 * normal[k];
+        }
+        zoom_measure(&frame, &view, WIDTH, HEIGHT, 16);
+        ck_assert_ptr_nonnull(frame.renderer.near.items);
+        ck_assert_int_lt(frame.renderer.near.items[0].surface.count, 3 * 6000);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+/* A plane from both sides and through one that fills the picture: no pixel stays bare, at any distance. */
+START_TEST(pieces_leave_no_gap)
+{
+    double point[3], normal[3], back[3];
+    make_shape(HATCH_SHAPE_PLANE, _i ? 2000 : 50);
+    begin_mesh(&odd_bounds);
+    face_point(_i ? 1000 : 24, (const double[3]){0.45, 0.45, 0.1}, point, normal);
+    for (int side = 0; side < 2; side++) {
+        lean(normal, side ? 3.14159265358979324 - 1.1 : 1.1, back);
+        for (double octave = 5; octave <= 42; octave += 2.3) {
+            struct view view = zoom_view(&frame, point, back, exp2(-octave), (double)WIDTH / HEIGHT);
+            ck_assert_uint_eq(bare_pixels(&view), 0);
+        }
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+/* A picture drawn in four tiles is the one drawn at once. */
+START_TEST(tiles_join)
+{
+    double point[3], normal[3], back[3];
+    make_shape(HATCH_SHAPE_TORUS, 1000);
+    begin_mesh(&frame_unit);
+    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    lean(normal, 0.6, back);
+    struct view view = zoom_view(&frame, point, back, 0x1p-30, (double)WIDTH / HEIGHT);
+    struct hatch_image pictures[2];
+    struct target target;
+    struct hatch_err *err = &frame.err;
+    uint32_t technique = frame_technique("rptam");
+    frame_draw(&frame, "rptam", &view, WIDTH, HEIGHT, 1, &pictures[0]);
+    HATCH_TEST_OK(hatch_image_make(&frame.arena, WIDTH, HEIGHT, "RGB", &pictures[1], err), err);
+    HATCH_TEST_OK(picture_target(WIDTH / 2, HEIGHT / 2, 1, &frame.renderer, &target, err), err);
+    HATCH_TEST_OK(picture_draw(&frame.renderer, technique, &view, &target, &pictures[1], err), err);
+    double worst = 0;
+    for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++)
+        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
+    ck_assert_double_le(worst, 1 / 255.0);
+    target_free(&target);
     frame_end(&frame);
 }
 END_TEST
@@ -98,6 +229,11 @@ static Suite *suite(void)
     Suite *suite = suite_create("rptam zoom");
     TCase *tests = tcase_create("zoom");
     tcase_add_loop_test(tests, strokes_keep_their_place_through_forty_octaves, 0, SURFACES);
+    tcase_add_loop_test(tests, large_texture_coordinates_keep_theirs, 0, 2);
+    tcase_add_test(tests, orthographic_views_hold);
+    tcase_add_loop_test(tests, an_eye_on_the_surface_sees_it, 0, 6);
+    tcase_add_loop_test(tests, pieces_leave_no_gap, 0, 2);
+    tcase_add_test(tests, tiles_join);
     suite_add_tcase(suite, tests);
     return suite;
 }

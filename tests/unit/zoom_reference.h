@@ -22,6 +22,11 @@ struct zoom_corner {
     double span[6]; /* of the surface along u and v, in the unit scene */
 };
 
+/* In the camera's coordinates. */
+struct zoom_ray {
+    double begin[2], along[3];
+};
+
 static inline void zoom_seeds(struct test_frame *frame, const struct hatch_rptam_style *style,
                               uint32_t layers, struct hatch_rptam *rptam)
 {
@@ -84,31 +89,53 @@ static inline void zoom_corners(struct test_frame *frame, const struct view *vie
     hatch_arena_rewind(&frame->scratch, mark);
 }
 
-/* The share of each corner in what a ray from 0 along `ray` meets, over their sum; both times the sum. false: it
- * misses the face, or meets it within `slack` of its edge. */
-static inline bool zoom_shares(const struct zoom_corner *const c[3], const double ray[3], double slack,
+/* A corner as a ray's begin sees it: the ray of an orthographic view begins beside the eye. */
+static inline void zoom_beside(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
+{
+    for (int k = 0; k < 2; k++)
+        at[k] = hatch_pair_sub(corner->at[k], hatch_pair_of(begin[k]));
+    at[2] = corner->at[2];
+}
+
+/* The share of each corner in what a ray meets, times *sum, their sum. false: it misses the face. */
+static inline bool zoom_shares(const struct zoom_corner *const c[3], const struct zoom_ray *ray,
                                struct hatch_pair share[3], struct hatch_pair *sum)
 {
     *sum = hatch_pair_of(0);
     for (int i = 0; i < 3; i++) {
-        const struct hatch_pair *a = c[(i + 1) % 3]->at, *b = c[(i + 2) % 3]->at;
-        struct hatch_pair cross[3];
+        struct hatch_pair a[3], b[3], cross[3];
+        zoom_beside(c[(i + 1) % 3], ray->begin, a);
+        zoom_beside(c[(i + 2) % 3], ray->begin, b);
         for (int k = 0; k < 3; k++)
             cross[k] = hatch_pair_sub(hatch_pair_mul(a[(k + 1) % 3], b[(k + 2) % 3]),
                                       hatch_pair_mul(a[(k + 2) % 3], b[(k + 1) % 3]));
-        share[i] = hatch_pair_dot(cross, ray);
+        share[i] = hatch_pair_dot(cross, ray->along);
         *sum = hatch_pair_add(*sum, share[i]);
     }
     for (int i = 0; i < 3; i++)
-        if (!(share[i].high / sum->high > slack))
+        if (!(share[i].high / sum->high > 0))
             return false;
     return true;
 }
 
-/* What a ray meets first: its shares, as doubles and as texture coordinates. Returns the distance along the ray,
- * negative where it meets nothing. */
-static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners, const double ray[3],
-                              struct hatch_pair uv[2], double span[6])
+/* A look in doubles: does the ray pass far from the face? */
+static inline bool zoom_misses(const struct zoom_corner *const c[3], const struct zoom_ray *ray)
+{
+    double at[3][3], cross[3], share[3], sum = 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            at[i][k] = c[i]->at[k].high - (k < 2 ? ray->begin[k] : 0);
+    for (int i = 0; i < 3; i++) {
+        hatch_vec_cross(at[(i + 1) % 3], at[(i + 2) % 3], cross);
+        share[i] = hatch_vec_dot(cross, ray->along);
+        sum += share[i];
+    }
+    return fmin(fmin(share[0] / sum, share[1] / sum), share[2] / sum) < -0.1;
+}
+
+/* What a ray meets first. Returns the distance along the view, negative where it meets nothing. */
+static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners,
+                              const struct zoom_ray *ray, struct hatch_pair uv[2], double span[6])
 {
     double nearest = -1;
     for (size_t f = 0; f < mesh->face_count; f++) {
@@ -116,7 +143,7 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
         struct hatch_pair share[3], sum, depth = {0, 0};
         for (size_t k = 0; k < 3; k++)
             c[k] = &corners[mesh->indices[3 * f + k]];
-        if (!zoom_shares(c, ray, 0, share, &sum))
+        if (zoom_misses(c, ray) || !zoom_shares(c, ray, share, &sum))
             continue;
         for (int i = 0; i < 3; i++) {
             share[i] = hatch_pair_div(share[i], sum);
@@ -137,16 +164,26 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
     return nearest;
 }
 
+/* Through a place of the picture, 0 .. 1 from its lower left. */
+static inline struct zoom_ray zoom_ray_of(const struct view *view, double x, double y)
+{
+    struct zoom_ray ray = {{0, 0}, {0, 0, -1}};
+    double *place = view->orthographic ? ray.begin : ray.along;
+    place[0] = (2 * x - 1) * view->half_height * view->aspect;
+    place[1] = (2 * y - 1) * view->half_height;
+    return ray;
+}
+
 /* How far the picture moves along x and y, in pixels, with a unit of u and of v. */
-static inline void zoom_pixels(const struct view *view, const double ray[3], double depth, uint32_t height,
+static inline void zoom_pixels(const struct view *view, const struct zoom_ray *ray, double depth, uint32_t height,
                                const double span[6], double pixels[2][2])
 {
-    double scale = height / (2 * view->half_height);
+    double scale = height / (2 * view->half_height) / (view->orthographic ? 1 : depth);
     for (int k = 0; k < 2; k++) {
         double back = hatch_vec_dot(span + 3 * k, view->back);
         const double *axes[2] = {view->right, view->up};
         for (int axis = 0; axis < 2; axis++)
-            pixels[k][axis] = scale * (hatch_vec_dot(span + 3 * k, axes[axis]) + ray[axis] * back) / depth;
+            pixels[k][axis] = scale * (hatch_vec_dot(span + 3 * k, axes[axis]) + ray->along[axis] * back);
     }
 }
 
@@ -159,7 +196,7 @@ static inline double zoom_place(struct hatch_pair uv, int depth)
 
 /* What a pixel says against what it should: adds to the error. rgba: what was drawn. */
 static inline void zoom_compare(const struct hatch_rptam *rptam, const struct view *view, uint32_t height,
-                                const double ray[3], double hit, const struct hatch_pair uv[2],
+                                const struct zoom_ray *ray, double hit, const struct hatch_pair uv[2],
                                 const double span[6], const float rgba[4], struct zoom_error *error)
 {
     double pixels[2][2], across[2], away[2] = {0, 0};
@@ -204,15 +241,14 @@ static inline struct zoom_error zoom_measure(struct test_frame *frame, const str
     zoom_corners(frame, view, corners);
     for (uint32_t y = step / 2; y < height; y += step)
         for (uint32_t x = step / 2; x < width; x += step) {
-            const double ray[3] = {(2 * (x + 0.5) / width - 1) * view->half_height * view->aspect,
-                                   (2 * (y + 0.5) / height - 1) * view->half_height, -1};
+            const struct zoom_ray ray = zoom_ray_of(view, (x + 0.5) / width, (y + 0.5) / height);
             const float *drawn = rgba + 4 * ((size_t)y * width + x);
             struct hatch_pair uv[2];
-            double span[6], hit = zoom_hit(mesh, corners, ray, uv, span);
+            double span[6], hit = zoom_hit(mesh, corners, &ray, uv, span);
             if ((hit > 0) != (drawn[0] >= 0))
                 error.wrong++;
             else if (hit > 0)
-                zoom_compare(frame->renderer.rptam, view, height, ray, hit, uv, span, drawn, &error);
+                zoom_compare(frame->renderer.rptam, view, height, &ray, hit, uv, span, drawn, &error);
         }
     error.mean_px /= error.pixels ? error.pixels : 1;
     target_free(&target);
