@@ -104,11 +104,22 @@ static void put(piece *out, const struct hatch_piece_corner *a, const struct hat
     (*out)[2] = c;
 }
 
+static int longest_edge(const piece p)
+{
+    int longest = 0;
+    for (int k = 1; k < 3; k++)
+        if (corner_distance(p[k], p[(k + 1) % 3]) > corner_distance(p[longest], p[(longest + 1) % 3]))
+            longest = k;
+    return longest;
+}
+
 /* The pieces that a triangle falls into: p its corners, m the middles of the edges from each corner to
- * the next, NULL where the edge stays whole; at least one is not. Returns how many. */
+ * the next, NULL where the edge stays whole; at least one is not. Where all are cut, both halves at the
+ * longest edge's middle are halved again (Rivara 1984): between equals, flat triangles would stay flat, and
+ * twice as many lie over one another with each step. Returns how many. */
 static int list_pieces(const piece p, const piece m, piece out[4])
 {
-    int cut = !!m[0] + !!m[1] + !!m[2], k = 0;
+    int cut = !!m[0] + !!m[1] + !!m[2], k = cut == 3 ? longest_edge(p) : 0;
     while (cut == 1 ? !m[k] : cut == 2 && m[k])
         k++;
     int next = (k + 1) % 3, last = (k + 2) % 3;
@@ -117,14 +128,15 @@ static int list_pieces(const piece p, const piece m, piece out[4])
         put(&out[1], m[k], p[next], p[last]);
         return 2;
     }
-    put(&out[0], p[last], m[last], m[next]);
     if (cut == 3) {
-        put(&out[1], p[k], m[k], m[last]);
-        put(&out[2], m[k], p[next], m[next]);
-        put(&out[3], m[k], m[next], m[last]);
+        put(&out[0], p[k], m[k], m[last]);
+        put(&out[1], m[k], p[last], m[last]);
+        put(&out[2], m[k], m[next], p[last]);
+        put(&out[3], m[k], p[next], m[next]);
         return 4;
     }
     bool straight = corner_distance(p[k], m[next]) <= corner_distance(p[next], m[last]);
+    put(&out[0], p[last], m[last], m[next]);
     put(&out[1], p[k], p[next], straight ? m[next] : m[last]);
     put(&out[2], straight ? p[k] : p[next], m[next], m[last]);
     return 3;
