@@ -1,0 +1,78 @@
+/* Lists of strokes against every seed everywhere: the same picture for every fade, rotation, number of layers and
+ * of seeds. Each value meets each of another kind in some case (an orthogonal array of five levels). */
+#include "render_frame.h"
+#include "rptam_model.h"
+
+enum { SIZE = 64, LEVELS = 5 };
+
+static const uint32_t seeds[LEVELS] = {2, 16, 37, 64, 250}, layers[LEVELS] = {1, 2, 3, 5, 8};
+static const double overlaps[LEVELS] = {0, 0.1, 0.3, 0.7, 1}, turns_rad[LEVELS] = {0, 0.4, 1.5708, 2.3, -1};
+static const double tiles_px[LEVELS] = {24, 40, 61, 90, 200}, lengths_px[LEVELS] = {3, 9, 17, 30, 50};
+static const double tones[LEVELS] = {0.1, 0.3, 0.5, 0.7, 1};
+
+static struct test_frame frame;
+static struct hatch_rptam rptam;
+
+/* Column k of row i: a + k b over the field of five. */
+static int level(int i, int k)
+{
+    return (i / LEVELS + k * (i % LEVELS)) % LEVELS;
+}
+
+static void make_case(int i)
+{
+    struct model_how how = {.seeds = seeds[level(i, 0)],
+                            .layers = layers[level(i, 1)],
+                            .tile_px = tiles_px[level(i, 2)],
+                            .length_px = lengths_px[level(i, 3)],
+                            .width_px = 1 + level(i, 4),
+                            .overlap = overlaps[level(i, 4)],
+                            .law = i % 3 == 0 ? HATCH_FADE_PAPER : HATCH_FADE_EVEN,
+                            .fade_size = i % 2};
+    for (uint32_t k = 0; k < how.layers; k++)
+        how.angle_rad[k] = turns_rad[(level(i, 1) + (int)k) % LEVELS] + 0.1 * k;
+    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+}
+
+START_TEST(lists_and_all_seeds_give_one_picture)
+{
+    struct hatch_shape_options how = {.faces = 400, .seed = 1};
+    struct hatch_mesh mesh;
+    struct hatch_image pictures[2];
+    struct view view = {.half_height = 0.5, .aspect = 1, .near = 0.01, .far = 100, .pivot = 3};
+    double worst = 0, ink = 0;
+    view_set_back(&view, (const double[3]){0.4, 0.8, 1});
+    for (int k = 0; k < 3; k++)
+        view.eye[k] = 3 * view.back[k];
+    frame_arenas(&frame);
+    make_case(_i);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.rptam = &rptam;
+    frame.renderer.style.curve.high = tones[level(_i, 2)];
+    for (int all = 0; all < 2; all++) {
+        seeds_free(&frame.renderer.seeds);
+        frame.renderer.all_seeds = all;
+        frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &pictures[all]);
+    }
+    for (size_t i = 0; i < (size_t)3 * SIZE * SIZE; i++) {
+        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
+        ink += 1 - (double)pictures[0].pixels[i];
+    }
+    ck_assert_msg(worst <= 1 / 255.0, "%.2f/255", 255 * worst);
+    ck_assert_double_gt(ink, 0);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render lists");
+    TCase *tests = tcase_create("lists");
+    tcase_add_loop_test(tests, lists_and_all_seeds_give_one_picture, 0, LEVELS * LEVELS);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
