@@ -30,6 +30,9 @@ static const struct hatch_texels kinds[] = {
     {.width = 8, .height = 8, .depth = 19, .channels = 4, .level_count = 5},
     {.width = 1, .height = 1, .channels = 1, .level_count = 1},
     {.width = 5, .height = 300, .channels = 4, .level_count = 1},
+    {.width = 37, .height = 11, .layers = 3, .channels = 1, .level_count = 6, .code = HATCH_TEXELS_BC4},
+    {.width = 16, .height = 8, .depth = 6, .channels = 4, .level_count = 5, .code = HATCH_TEXELS_BC7},
+    {.width = 33, .height = 5, .channels = 1, .level_count = 1, .code = HATCH_TEXELS_R32UI},
 };
 #define KINDS (sizeof kinds / sizeof *kinds)
 
@@ -56,7 +59,7 @@ static struct hatch_bytes write_ktx2(const struct hatch_texels *texture)
 static void same(const struct hatch_texels *a, const struct hatch_texels *b)
 {
     ck_assert(a->width == b->width && a->height == b->height && a->depth == b->depth);
-    ck_assert(a->layers == b->layers && a->channels == b->channels);
+    ck_assert(a->layers == b->layers && a->channels == b->channels && a->code == b->code);
     ck_assert_uint_eq(a->level_count, b->level_count);
     for (uint32_t level = 0; level < a->level_count; level++)
         ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) ==
@@ -68,6 +71,48 @@ START_TEST(what_is_written_is_read)
     struct hatch_texels texture = make((size_t)_i), got;
     HATCH_TEST_OK(hatch_ktx2_read(write_ktx2(&texture), &keep, &got, &err), &err);
     same(&got, &texture);
+}
+END_TEST
+
+START_TEST(keys_are_read_in_order)
+{
+    struct hatch_texels texture = make((size_t)_i);
+    struct hatch_bytes file = write_ktx2(&texture);
+    const char *const *keys;
+    HATCH_TEST_OK(hatch_ktx2_read_keys(file, &keep, &keys, &err), &err);
+    static const char *const want[] = {"KTXorientation", NULL, "KTXwriter", "hatch", "a", "", "hatch:seed", "1"};
+    for (size_t i = 0; i < 8; i++)
+        ck_assert(want[i] == NULL || strcmp(keys[i], want[i]) == 0);
+    ck_assert_ptr_null(keys[8]);
+    ck_assert_str_eq(hatch_texels_value(keys, "hatch:seed"), "1");
+    ck_assert_ptr_null(hatch_texels_value(keys, "b"));
+    ck_assert_ptr_null(hatch_texels_value(NULL, "b"));
+}
+END_TEST
+
+START_TEST(damaged_keys_are_refused_or_left_out)
+{
+    struct hatch_texels texture = make(0);
+    struct hatch_bytes file = write_ktx2(&texture);
+    const char *const *keys;
+    uint8_t *bytes = HATCH_NEW(&keep, uint8_t, file.size, &err);
+    for (size_t size = 0; size < 80; size++) {
+        struct hatch_bytes cut = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read_keys(cut, &keep, &keys, &err), HATCH_BAD_INPUT);
+    }
+    size_t first = 56, where = file.data[first] | (size_t)file.data[first + 1] << 8;
+    for (size_t at = first; at < where + 100; at++) {
+        memcpy(bytes, file.data, file.size);
+        bytes[at] = 0xff;
+        enum hatch_status status =
+            hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err);
+        ck_assert(status == HATCH_OK || status == HATCH_BAD_INPUT);
+        ck_assert(status == HATCH_OK || (at < where ? at < 64 : 1));
+    }
+    bytes[where + 4] = 0; /* the first key is empty: its value holds zeros */
+    memcpy(bytes, file.data, where + 4);
+    HATCH_TEST_OK(hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err), &err);
+    ck_assert_str_ne(keys[0], "KTXorientation");
 }
 END_TEST
 
@@ -230,6 +275,8 @@ static Suite *suite(void)
     TCase *tests = tcase_create("container");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, what_is_written_is_read, 0, KINDS);
+    tcase_add_loop_test(tests, keys_are_read_in_order, 0, KINDS);
+    tcase_add_test(tests, damaged_keys_are_refused_or_left_out);
     tcase_add_loop_test(tests, zstandard_is_unpacked, 0, KINDS);
     tcase_add_loop_test(tests, every_cut_is_refused, 0, KINDS);
     tcase_add_loop_test(tests, lies_are_refused, 0, sizeof lies / sizeof *lies);

@@ -1,0 +1,204 @@
+#include "run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "image/blocks.h"
+
+static struct hatch_arena keep;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, (size_t)64 << 20);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&keep);
+}
+
+static struct hatch_texels texture(uint32_t width, uint32_t height, uint32_t layers, uint32_t depth,
+                                   uint32_t channels)
+{
+    struct hatch_texels made = {.width = width, .height = height, .layers = layers, .depth = depth,
+                                .channels = channels};
+    made.level_count = hatch_texels_chain_length(&made);
+    HATCH_TEST_OK(hatch_texels_make(&keep, &made, &err), &err);
+    return made;
+}
+
+static struct hatch_texels round_trip(const struct hatch_texels *plain, struct hatch_block_figures *figures,
+                                      size_t *bytes)
+{
+    struct hatch_texels packed, back;
+    enum hatch_texels_code code = plain->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC7;
+    HATCH_TEST_OK(hatch_texels_pack(plain, code, NULL, &keep, &packed, figures, &err), &err);
+    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    ck_assert(packed.code == code && back.code == HATCH_TEXELS_PLAIN);
+    *bytes = hatch_texels_level_size(&packed, 0);
+    return back;
+}
+
+/* The figures are what the textures say; RGB of back has alpha. */
+static void check_figures(const struct hatch_texels *plain, const struct hatch_texels *back,
+                          const struct hatch_block_figures *figures)
+{
+    double worst = 0;
+    for (uint32_t level = 0; level < plain->level_count; level++) {
+        size_t texels = hatch_texels_level_size(plain, level) / plain->channels;
+        for (size_t i = 0; i < texels * plain->channels; i++) {
+            size_t other = i / plain->channels * back->channels + i % plain->channels;
+            worst = fmax(worst, fabs((double)plain->texels[level][i] - back->texels[level][other]) / 255);
+        }
+    }
+    ck_assert_double_eq_tol(figures->error_max, worst, 1e-12);
+    ck_assert_double_le(figures->error_rms, worst);
+}
+
+/* Examples by hand of the specification's two modes. */
+START_TEST(bc4_blocks_are_read_as_specified)
+{
+    uint8_t blocks[2][8] = {{210, 0, 0x88, 0xc6, 0xfa, 0, 0, 0}, {0, 250, 0x88, 0xc6, 0xfa, 0, 0, 0}};
+    static const uint8_t want[2][8] = {{210, 0, 180, 150, 120, 90, 60, 30}, {0, 250, 50, 100, 150, 200, 0, 255}};
+    struct hatch_texels packed = {.width = 4, .height = 4, .channels = 1, .level_count = 1,
+                                  .code = HATCH_TEXELS_BC4, .texels = {blocks[_i]}}, back;
+    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    for (uint32_t i = 0; i < 8; i++) /* indices 0 to 7 */
+        ck_assert_uint_eq(back.texels[0][i], want[_i][i]);
+}
+END_TEST
+
+START_TEST(paper_and_ink_are_kept_exactly)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(37, 11, 3, 0, 1);
+    size_t bytes;
+    for (uint32_t level = 0; level < plain.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
+            plain.texels[level][i] = hatch_random_u64(1, level, i) % 3 ? 255 : 0;
+    struct hatch_texels back = round_trip(&plain, &figures, &bytes);
+    check_figures(&plain, &back, &figures);
+    ck_assert_double_eq(figures.error_max, 0);
+    ck_assert_uint_eq(bytes, 10 * 3 * 3 * 8);
+}
+END_TEST
+
+START_TEST(greys_come_near)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(64, 64, 4, 0, 1);
+    size_t bytes;
+    for (uint32_t level = 0; level < plain.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
+            plain.texels[level][i] = (uint8_t)(_i ? hatch_random_u64(1, level, i) : 100 + i % 64);
+    struct hatch_texels back = round_trip(&plain, &figures, &bytes);
+    check_figures(&plain, &back, &figures);
+    /* Two ends and six between them: half of a seventh of the range, of a fifth with 0 and 255. */
+    ck_assert_double_le(figures.error_max, _i ? 26.0 / 255 : 3.0 / 255);
+}
+END_TEST
+
+START_TEST(colours_come_near)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(20, 18, 0, 7, _i ? 4 : 3);
+    size_t bytes;
+    for (uint32_t level = 0; level < plain.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++) {
+            /* ink of one colour on paper: a line through the colours */
+            float share = hatch_random_unit(1, level, i / plain.channels);
+            static const float ink[] = {40, 80, 200, 255};
+            plain.texels[level][i] = (uint8_t)(255 + (ink[i % plain.channels] - 255) * share);
+        }
+    struct hatch_texels back = round_trip(&plain, &figures, &bytes);
+    check_figures(&plain, &back, &figures);
+    ck_assert_double_le(figures.error_max, 11.0 / 255);
+    ck_assert_double_le(figures.error_rms, 5.0 / 255);
+    ck_assert_uint_eq(bytes, 5 * 5 * 7 * 16);
+}
+END_TEST
+
+START_TEST(one_colour_is_kept_to_a_step)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(4, 4, 0, 0, 3);
+    size_t bytes;
+    for (uint32_t value = 0; value < 256; value++) {
+        for (uint32_t level = 0; level < plain.level_count; level++)
+            memset(plain.texels[level], (int)value, hatch_texels_level_size(&plain, level));
+        round_trip(&plain, &figures, &bytes);
+        ck_assert_double_eq(figures.error_max, 0);
+    }
+}
+END_TEST
+
+START_TEST(a_block_of_another_mode_is_refused)
+{
+    uint8_t block[16] = {1};
+    struct hatch_texels back, packed = {.width = 4, .height = 4, .channels = 4, .level_count = 1,
+                                        .code = HATCH_TEXELS_BC7, .texels = {block}};
+    ck_assert_int_eq(hatch_texels_unpack(&packed, &keep, &back, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "mode"));
+}
+END_TEST
+
+START_TEST(eight_bits_are_rounded_and_cut_off)
+{
+    for (int i = -1000; i <= 2000; i++) {
+        float value = (float)i / 1000;
+        float held = value > 0 ? (value < 1 ? value : 1) : 0;
+        ck_assert_uint_eq(hatch_unorm8(value), (uint8_t)(held * 255 + 0.5f));
+    }
+    ck_assert_uint_eq(hatch_unorm8(-0.0f), 0);
+    ck_assert_uint_eq(hatch_unorm8(1e30f), 255);
+    ck_assert_uint_eq(hatch_unorm8(-1e30f), 0);
+    ck_assert_uint_eq(hatch_unorm8(INFINITY), 255);
+}
+END_TEST
+
+static struct hatch_texels packed_by_test;
+
+static enum hatch_status pack(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_err *error)
+{
+    (void)scratch;
+    return hatch_texels_pack(context, HATCH_TEXELS_BC4, NULL, arena, &packed_by_test, NULL, error);
+}
+
+static enum hatch_status unpack(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                struct hatch_err *error)
+{
+    static struct hatch_texels plain;
+    (void)scratch;
+    return hatch_texels_unpack(context, arena, &plain, error);
+}
+
+START_TEST(every_failed_allocation_is_told)
+{
+    struct hatch_texels plain = texture(16, 16, 2, 0, 1), packed;
+    hatch_test_fail_alloc(pack, &plain, &packed_by_test, sizeof packed_by_test);
+    HATCH_TEST_OK(hatch_texels_pack(&plain, HATCH_TEXELS_BC4, NULL, &keep, &packed, NULL, &err), &err);
+    hatch_test_fail_alloc(unpack, &packed, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("image blocks");
+    TCase *tests = tcase_create("blocks");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, bc4_blocks_are_read_as_specified, 0, 2);
+    tcase_add_test(tests, paper_and_ink_are_kept_exactly);
+    tcase_add_loop_test(tests, greys_come_near, 0, 2);
+    tcase_add_loop_test(tests, colours_come_near, 0, 2);
+    tcase_add_test(tests, one_colour_is_kept_to_a_step);
+    tcase_add_test(tests, a_block_of_another_mode_is_refused);
+    tcase_add_test(tests, eight_bits_are_rounded_and_cut_off);
+    tcase_add_test(tests, every_failed_allocation_is_told);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

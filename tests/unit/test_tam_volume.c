@@ -1,0 +1,267 @@
+#include "tam_made.h"
+
+#include <math.h>
+
+#include "fail_alloc.h"
+#include "tam/volume.h"
+
+static struct hatch_volume volume;
+static struct hatch_volume_figures figures;
+
+static void make(const struct hatch_tam *tam, uint32_t tones, enum hatch_volume_layout layout, bool alpha)
+{
+    const struct hatch_volume_options how = {tones, layout, alpha};
+    HATCH_TEST_OK(hatch_volume_make(tam, &how, NULL, &map_arena, &volume, &figures, &map_err), &map_err);
+}
+
+/* The first number of a slice. */
+static uint8_t slice(uint32_t level, uint32_t index)
+{
+    size_t side = hatch_mip_size(volume.texels.width, level);
+    return volume.texels.texels[level][index * side * side * volume.texels.channels];
+}
+
+static float by_level(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)u, (void)v;
+    float value = 1 - tone - 0.02f * (float)level - 0.01f * (float)channel;
+    return value > 0 ? value : 0;
+}
+
+static float colors(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)level;
+    return (1 - tone) * (channel == 0 ? 1 : channel == 1 ? u : v);
+}
+
+static float constant(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)u, (void)v, (void)level, (void)tone, (void)channel;
+    return 0.6f;
+}
+
+static float one_stroke(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)v, (void)level, (void)channel;
+    return tone > 0.499f && u > 0.25f && u < 0.5f ? 0 : 1;
+}
+
+/* §3.1: the odd multiples of the half step, and every tone on exactly one level. */
+START_TEST(tones_are_the_papers)
+{
+    struct hatch_tam tam = made_map(256, 128, 1, "Y", by_level);
+    bool taken[129] = {false};
+    make(&tam, 64, HATCH_VOLUME_3D, false);
+    ck_assert_uint_eq(volume.texels.depth, 64);
+    ck_assert_uint_eq(volume.texels.level_count, 9);
+    ck_assert_uint_eq(volume.levels, 4);
+    for (uint32_t level = 0; level < 4; level++)
+        for (uint32_t k = 0; k < 64u >> level; k++) {
+            uint32_t of128 = (2 * k + 1) << level;
+            float tone = (float)of128 / 128;
+            ck_assert(!taken[of128]);
+            taken[of128] = true;
+            ck_assert_uint_eq(slice(level, k), hatch_unorm8(by_level(0, 0, level, tone, 0)));
+        }
+    ck_assert_uint_eq(figures.slices, 64 + 32 + 16 + 8);
+    ck_assert_uint_eq(figures.blended, 0);
+    ck_assert_double_eq_tol(figures.distance, 0, 1e-6);
+}
+END_TEST
+
+START_TEST(a_ramp_is_a_ramp_at_every_place_tone_and_level)
+{
+    struct hatch_tam tam = made_map(64, 255, 1, "Y", made_ramp);
+    make(&tam, 32, _i ? HATCH_VOLUME_ARRAY : HATCH_VOLUME_3D, false);
+    for (int i = 0; i <= 100; i++)
+        for (int lod = 0; lod <= 12; lod++) {
+            float value, tone = (float)i / 100;
+            hatch_volume_sample(&volume, 0.013f * (float)i, -0.7f * (float)i, tone, 0.5f * (float)lod, true,
+                                &value);
+            /* half a step of 8 bits, half a column; between levels the correction's h is between theirs */
+            float half = fminf(0.5f, 0.5f / 32 * exp2f(0.5f * (float)lod));
+            float most = 0.005f + (lod % 2 && !_i ? 0.22f * half : 0);
+            ck_assert_msg(fabsf(value - (1 - tone)) <= most, "tone %g lod %g: %g", (double)tone, 0.5 * lod,
+                          (double)value);
+        }
+}
+END_TEST
+
+/* Tones 0 and 1 return half of the first and last slice's distance without the correction. */
+START_TEST(ends_are_corrected)
+{
+    struct hatch_tam tam = made_map(64, 255, 1, "Y", made_ramp);
+    float value;
+    make(&tam, 4, HATCH_VOLUME_3D, false);
+    hatch_volume_sample(&volume, 0, 0, 0, 0, false, &value);
+    ck_assert_float_eq_tol(value, 0.875f, 0.005f);
+    hatch_volume_sample(&volume, 0, 0, 0, 0, true, &value);
+    ck_assert_float_eq(value, 1);
+    hatch_volume_sample(&volume, 0, 0, 1, 0, true, &value);
+    ck_assert_float_eq(value, 0);
+    hatch_volume_sample(&volume, 0, 0, 1, 0, false, &value);
+    ck_assert_float_eq_tol(value, 0.125f, 0.005f);
+    volume.darkest = 0.9f;
+    hatch_volume_sample(&volume, 0, 0, 1, 0, true, &value);
+    ck_assert_float_eq_tol(value, 0.125f, 0.005f);
+}
+END_TEST
+
+START_TEST(a_constant_map_is_constant)
+{
+    struct hatch_tam tam = made_map(64, 16, 1, "Y", constant);
+    make(&tam, 8, HATCH_VOLUME_3D, false);
+    for (uint32_t level = 0; level < volume.texels.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&volume.texels, level); i++)
+            ck_assert_uint_eq(volume.texels.texels[level][i], 153);
+}
+END_TEST
+
+START_TEST(a_stroke_is_sharp_where_it_ends_and_appears)
+{
+    struct hatch_tam tam = made_map(64, 255, 1, "Y", one_stroke);
+    float value;
+    make(&tam, 128, HATCH_VOLUME_ARRAY, false);
+    for (int i = 0; i <= 100; i++) {
+        float tone = (float)i / 100;
+        hatch_volume_sample(&volume, 0.375f, 0.3f, tone, 0, true, &value);
+        if (tone < 0.49f)
+            ck_assert_float_eq(value, 1);
+        if (tone > 0.51f)
+            ck_assert_float_eq(value, 0);
+        hatch_volume_sample(&volume, 0.75f, 0.3f, tone, 0, true, &value);
+        ck_assert(tone > 0.99f || value == 1);
+        hatch_volume_sample(&volume, 0.25f, 0.3f, 0.6f, 0, true, &value); /* on its edge */
+        ck_assert_float_eq_tol(value, 0.5f, 1e-5f);
+    }
+}
+END_TEST
+
+START_TEST(filtered_levels_are_means_of_eight)
+{
+    struct hatch_tam tam = made_map(64, 64, 1, "Y", by_level);
+    make(&tam, 32, HATCH_VOLUME_3D, false);
+    ck_assert_uint_eq(volume.levels, 2);
+    for (uint32_t k = 0; k < 8; k++)
+        ck_assert_int_le(abs(2 * slice(2, k) - slice(1, 2 * k) - slice(1, 2 * k + 1)), 1);
+    ck_assert_uint_eq(volume.texels.level_count, 7);
+    make(&tam, 256, HATCH_VOLUME_3D, false); /* deeper than it is wide */
+    ck_assert_uint_eq(volume.texels.level_count, 9);
+    ck_assert_uint_eq(hatch_texels_level_size(&volume.texels, 7), 2);
+    ck_assert_uint_eq(volume.texels.texels[8][0],
+                      (volume.texels.texels[7][0] + volume.texels.texels[7][1] + 1u) / 2);
+}
+END_TEST
+
+START_TEST(colours_keep_their_channels)
+{
+    struct hatch_tam tam = made_map(64, 64, 1, "RGB", colors);
+    make(&tam, 16, HATCH_VOLUME_3D, _i);
+    uint32_t channels = _i ? 4 : 3;
+    ck_assert_uint_eq(volume.texels.channels, channels);
+    for (size_t i = 0; i < 64u * 64 * 16; i++) {
+        const uint8_t *texel = volume.texels.texels[0] + i * channels;
+        float tone = ((float)(i / 4096) + 0.5f) / 16;
+        for (uint32_t c = 0; c < 3; c++) {
+            float u = ((float)(i % 64) + 0.5f) / 64, v = ((float)(i / 64 % 64) + 0.5f) / 64;
+            ck_assert_uint_eq(texel[c], hatch_unorm8(colors(u, v, 0, tone, c)));
+        }
+        ck_assert(!_i || texel[3] == 255);
+    }
+}
+END_TEST
+
+START_TEST(missing_columns_are_blended_and_told)
+{
+    struct hatch_tam tam = made_map(64, 6, 0.9f, "Y", made_ramp);
+    make(&tam, 64, HATCH_VOLUME_3D, false);
+    ck_assert_uint_gt(figures.blended, 70);
+    ck_assert_double_gt(figures.distance, 0.06);
+    ck_assert_double_le(figures.distance, 0.0751);
+    for (uint32_t k = 0; k < 64; k++) {
+        double tone = fmin((k + 0.5) / 64, 0.9);
+        ck_assert_double_eq_tol(slice(0, k) / 255.0, 1 - tone, 0.006);
+    }
+}
+END_TEST
+
+START_TEST(a_map_that_is_too_coarse_is_refused)
+{
+    struct hatch_tam tam = made_map(64, 1, 0.9f, "Y", made_ramp);
+    const struct hatch_volume_options how = {64, HATCH_VOLUME_3D, false};
+    ck_assert_int_eq(hatch_volume_make(&tam, &how, NULL, &map_arena, &volume, &figures, &map_err),
+                     HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(map_err.text, "too coarse"));
+}
+END_TEST
+
+START_TEST(any_number_of_threads_makes_the_same)
+{
+    struct hatch_pool *pool;
+    struct hatch_tam tam = made_map(64, 64, 1, "Y", one_stroke);
+    const struct hatch_volume_options how = {32, HATCH_VOLUME_3D, false};
+    make(&tam, 32, HATCH_VOLUME_3D, false);
+    struct hatch_volume alone = volume;
+    HATCH_TEST_OK(hatch_pool_make(3, &map_arena, &pool, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_volume_make(&tam, &how, pool, &map_arena, &volume, &figures, &map_err), &map_err);
+    hatch_pool_free(pool);
+    for (uint32_t level = 0; level < 7; level++)
+        ck_assert(memcmp(alone.texels.texels[level], volume.texels.texels[level],
+                         hatch_texels_level_size(&volume.texels, level)) == 0);
+}
+END_TEST
+
+START_TEST(a_file_says_what_its_texture_is)
+{
+    struct hatch_tam tam = made_map(64, 64, 1, "Y", made_ramp);
+    const char *const good[] = {HATCH_TAM_ATTR_LEVELS, "2", HATCH_VOLUME_KEY_DARKEST, "0.9", NULL};
+    const char *const bad[] = {HATCH_TAM_ATTR_LEVELS, "99", HATCH_VOLUME_KEY_DARKEST, "0.9", NULL};
+    const char *const worse[] = {HATCH_TAM_ATTR_LEVELS, "2", HATCH_VOLUME_KEY_DARKEST, "nan", NULL};
+    struct hatch_volume got;
+    make(&tam, 32, HATCH_VOLUME_3D, false);
+    HATCH_TEST_OK(hatch_volume_from_texels(&volume.texels, good, &got, &map_err), &map_err);
+    ck_assert_uint_eq(got.levels, 2);
+    ck_assert_float_eq(got.darkest, 0.9f);
+    ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, bad, &got, &map_err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, worse, &got, &map_err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, NULL, &got, &map_err), HATCH_BAD_INPUT);
+}
+END_TEST
+
+static enum hatch_status make_again(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
+{
+    const struct hatch_volume_options how = {8, HATCH_VOLUME_3D, false};
+    HATCH_TRY(hatch_tam_check_nesting(context, NULL, scratch, err));
+    return hatch_volume_make(context, &how, NULL, keep, &volume, &figures, err);
+}
+
+START_TEST(every_failed_allocation_is_told)
+{
+    struct hatch_tam tam = made_map(64, 16, 1, "Y", made_ramp);
+    memset(&volume, 0, sizeof volume);
+    hatch_test_fail_alloc(make_again, &tam, &volume, sizeof volume);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("tam volume");
+    TCase *tests = tcase_create("volume");
+    tcase_add_checked_fixture(tests, map_begin, map_end);
+    tcase_add_test(tests, tones_are_the_papers);
+    tcase_add_loop_test(tests, a_ramp_is_a_ramp_at_every_place_tone_and_level, 0, 2);
+    tcase_add_test(tests, ends_are_corrected);
+    tcase_add_test(tests, a_constant_map_is_constant);
+    tcase_add_test(tests, a_stroke_is_sharp_where_it_ends_and_appears);
+    tcase_add_test(tests, filtered_levels_are_means_of_eight);
+    tcase_add_loop_test(tests, colours_keep_their_channels, 0, 2);
+    tcase_add_test(tests, missing_columns_are_blended_and_told);
+    tcase_add_test(tests, a_map_that_is_too_coarse_is_refused);
+    tcase_add_test(tests, any_number_of_threads_makes_the_same);
+    tcase_add_test(tests, a_file_says_what_its_texture_is);
+    tcase_add_test(tests, every_failed_allocation_is_told);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
