@@ -46,12 +46,20 @@ struct fit {
     double residual, freedom; /* of the first level: squares summed, in units of the surface; and of how many */
 };
 
+struct served {
+    uint32_t node; /* of the terrain */
+    int32_t side;  /* -1: its outside is not the center's */
+};
+
 struct work {
     const struct hatch_curvature_run *run;
     const struct hatch_curvature_terrain *terrain; /* the level's: the run's, or a thinned one */
     struct place *places;
     double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
     uint32_t *centers;            /* the terrain's points that a fit stands on */
+    uint32_t *first_served;       /* per center: what it serves is served[first_served[c]] .. [first_served[c + 1] - 1] */
+    struct served *served;
+    uint32_t served_room;
     struct fit *fits;
     double radius;
     bool first;
@@ -76,21 +84,48 @@ static bool is_open(const struct work *w, uint32_t node)
     return false;
 }
 
+/* Remembers what a center serves, from the support just gathered. */
+static enum hatch_status list_served(struct work *w, const struct hatch_support *support, uint32_t center,
+                                     struct hatch_arena *scratch, struct hatch_err *err)
+{
+    uint32_t first = w->first_served[center];
+    if (support->count > UINT32_MAX / 2 - first)
+        return hatch_fail(err, HATCH_LIMIT, "too many points for curvature");
+    if (first + support->count > w->served_room) {
+        w->served_room = 2 * (first + support->count);
+        struct served *grown = HATCH_NEW(scratch, struct served, w->served_room, err);
+        if (!grown)
+            return HATCH_LIMIT;
+        if (first > 0)
+            memcpy(grown, w->served, first * sizeof *grown);
+        w->served = grown;
+    }
+    for (uint32_t i = 0; i < support->count; i++)
+        w->served[first + i] = (struct served){support->points[i], support->sides[i]};
+    w->first_served[center + 1] = first + support->count;
+    return HATCH_OK;
+}
+
 /* Points that are open and further from all others chosen than the spacing, in the points' order. */
-static uint32_t choose_centers(struct work *w, uint32_t *covered, uint32_t level)
+static enum hatch_status choose_centers(struct work *w, uint32_t *covered, uint32_t level, uint32_t *count,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_support *support = &w->run->supports[0];
-    uint32_t count = 0;
+    double spacing = w->radius * (w->first ? SPACING_FIRST : SPACING);
+    const double *x = support->offsets[0], *y = support->offsets[1], *z = support->offsets[2];
+    w->served_room = 0;
+    *count = 0;
     for (uint32_t p = 0; p < w->terrain->surface.point_count; p++) {
         if (covered[p] == level || !is_open(w, p))
             continue;
-        hatch_support_gather(support, p, &w->terrain->normals[(size_t)p * 3],
-                             w->radius * (w->first ? SPACING_FIRST : SPACING));
+        hatch_support_gather(support, p, &w->terrain->normals[(size_t)p * 3], w->radius * SERVED);
         for (uint32_t i = 0; i < support->count; i++)
-            covered[support->points[i]] = level;
-        w->centers[count++] = p;
+            if (x[i] * x[i] + y[i] * y[i] + z[i] * z[i] <= spacing * spacing)
+                covered[support->points[i]] = level;
+        HATCH_TRY(list_served(w, support, *count, scratch, err));
+        w->centers[(*count)++] = p;
     }
-    return count;
+    return HATCH_OK;
 }
 
 /* How much a lower degree's bending differs from a higher one's, squared, in the frame's unit. */
@@ -126,7 +161,10 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
     uint32_t lowest = asked ? asked : DEGREE_LEAST;
     for (uint32_t d = lowest < top ? lowest : top; d <= (asked && asked < top ? asked : top); d++) {
         double coefficients[HATCH_JET_TERMS];
-        hatch_jet_solve(system, d, coefficients);
+        if (d < top)
+            hatch_jet_solve(system, d, coefficients);
+        else
+            memcpy(coefficients, highest, sizeof highest);
         struct hatch_bend_variance own = hatch_bend_variance_of_jet(&fit->frame, &variances[d]);
         struct hatch_bend_variance error = {noise * own.across, noise * own.mean};
         struct hatch_bend_variance apart = difference(coefficients, highest);
@@ -197,15 +235,13 @@ static void fit_center(void *context, uint32_t i, struct hatch_support *support)
 static void measure_noise(struct work *w, uint32_t count, double *scratch)
 {
     const struct hatch_surface *surface = &w->terrain->surface;
-    struct hatch_support *support = &w->run->supports[0];
     for (uint32_t c = 0; c < count; c++) {
         const struct fit *fit = &w->fits[c];
         if (fit->degree == 0)
             continue;
-        hatch_support_gather(support, w->centers[c], fit->frame.axes[2], w->radius * SERVED);
-        for (uint32_t i = 0; i < support->count; i++) {
-            w->squares[support->points[i]] += fit->residual;
-            w->freedom[support->points[i]] += fit->freedom;
+        for (uint32_t i = w->first_served[c]; i < w->first_served[c + 1]; i++) {
+            w->squares[w->served[i].node] += fit->residual;
+            w->freedom[w->served[i].node] += fit->freedom;
         }
     }
     double *sums[2] = {w->squares, w->freedom};
@@ -244,14 +280,13 @@ static void add_bend(struct place *place, double weight, double side, const stru
 
 /* Gives what a fit says to a point that it serves, which lies at an offset from its middle. The middle of its support
  * weighs most. */
-static void serve_point(struct place *place, const struct fit *fit, double error, double side, const double offset[3])
+static void serve_point(struct place *place, const struct fit *fit, double most, double side, const double offset[3])
 {
-    double reach = fit->frame.radius * SERVED, away = hatch_vec_dot(offset, offset) / (reach * reach);
+    double unit = 1 / fit->frame.radius, away = hatch_vec_dot(offset, offset) * unit * unit / (SERVED * SERVED);
     if (!(away < 1))
         return;
-    double weight = (1 - away) * (1 - away) * weight_of(error);
-    double x = hatch_vec_dot(offset, fit->frame.axes[0]) / fit->frame.radius;
-    double y = hatch_vec_dot(offset, fit->frame.axes[1]) / fit->frame.radius;
+    double weight = (1 - away) * (1 - away) * most;
+    double x = hatch_vec_dot(offset, fit->frame.axes[0]) * unit, y = hatch_vec_dot(offset, fit->frame.axes[1]) * unit;
     struct hatch_bend bend;
     hatch_bend_of_jet(&fit->frame, fit->coefficients, fit->degree, x, y, &bend);
     add_bend(place, weight, side, &bend);
@@ -259,22 +294,20 @@ static void serve_point(struct place *place, const struct fit *fit, double error
     place->variance.mean += weight * fit->variance.mean;
     place->radius += weight * fit->frame.radius;
     if (away <= 4 * SPACING * SPACING)
-        place->now = fmin(place->now, error);
+        place->now = fmin(place->now, sum_of(&fit->variance));
 }
 
 static void serve(struct work *w, const struct fit *fit, uint32_t center)
 {
     const struct hatch_curvature_terrain *terrain = w->terrain;
-    struct hatch_support *support = &w->run->supports[0];
-    double error = sum_of(&fit->variance);
-    hatch_support_gather(support, center, fit->frame.axes[2], fit->frame.radius * SERVED);
-    for (uint32_t n = 0; n < support->count; n++) {
-        struct hatch_curvature_span span = hatch_curvature_points(terrain, support->points[n]);
+    double most = weight_of(sum_of(&fit->variance));
+    for (uint32_t n = w->first_served[center]; n < w->first_served[center + 1]; n++) {
+        struct hatch_curvature_span span = hatch_curvature_points(terrain, w->served[n].node);
         for (uint32_t i = span.first; i < span.end; i++) {
             uint32_t p = point_of(w, i);
-            double side = support->sides[n] * (terrain->sides ? terrain->sides[i] : 1), offset[3];
+            double side = w->served[n].side * (terrain->sides ? terrain->sides[i] : 1), offset[3];
             hatch_vec_sub(&w->run->terrain.surface.points[3 * (size_t)p], fit->frame.origin, offset);
-            serve_point(&w->places[p], fit, error, side, offset);
+            serve_point(&w->places[p], fit, most, side, offset);
         }
     }
 }
@@ -292,15 +325,22 @@ static bool mean_of(const struct place *place, struct hatch_bend *bend, struct h
     return hatch_vec_normalize(bend->normal) > 0;
 }
 
-static double deviation_of(const struct place *place)
+/* Whether the direction is known to this many radians. What is far from it shows in the curvatures' difference alone,
+ * squared: twice the sum of a matrix' squares less the square of its trace. */
+static bool is_known(const struct place *place, double limit_rad)
 {
+    const double *m = place->bend.matrix;
+    double trace = m[0] + m[3] + m[5], off = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
+    double spread = 2 * (m[0] * m[0] + m[3] * m[3] + m[5] * m[5] + 2 * off) - trace * trace;
+    if (place->variance.across * place->weight > 2 * limit_rad * limit_rad * spread)
+        return false;
     struct hatch_bend bend;
     struct hatch_bend_variance variance;
     struct hatch_principal principal;
     if (!mean_of(place, &bend, &variance))
-        return INFINITY;
+        return false;
     hatch_bend_principal(&bend, &principal);
-    return hatch_bend_deviation(&principal, &variance);
+    return hatch_bend_deviation(&principal, &variance) <= limit_rad;
 }
 
 /* A point whose direction is nearly certain gets a fit of its own in place of what the first level's fits
@@ -311,7 +351,7 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     struct place *place = &w->places[p];
     struct hatch_jet_system system;
     struct hatch_jet_frame frame;
-    if (!(deviation_of(place) < NEARLY_RAD))
+    if (!is_known(place, NEARLY_RAD))
         return;
     hatch_curvature_fit(support, p, &w->run->terrain.normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
@@ -345,7 +385,7 @@ static void settle(struct work *w)
         bool worse = place->now < INFINITY && place->now > WORSE * place->least;
         place->least = fmin(place->least, place->now);
         place->now = INFINITY;
-        place->open = !worse && deviation_of(place) > CERTAIN_RAD;
+        place->open = !worse && !is_known(place, CERTAIN_RAD);
         if (place->weight > 0) {
             double *normal = &w->run->terrain.normals[(size_t)p * 3];
             hatch_vec_copy(place->bend.normal, normal);
@@ -358,9 +398,10 @@ static void settle(struct work *w)
 static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *covered, double *pool,
                                    struct hatch_arena *scratch, bool *more, struct hatch_err *err)
 {
-    uint32_t count = choose_centers(w, covered, level);
-    *more = count > 0;
+    uint32_t count;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    HATCH_TRY(choose_centers(w, covered, level, &count, scratch, err));
+    *more = count > 0;
     w->fits = HATCH_NEW(scratch, struct fit, count, err);
     if (!w->fits)
         return HATCH_LIMIT;
@@ -374,7 +415,7 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
             fit->variance.mean *= w->squares[w->centers[c]];
         }
         if (fit->degree > 0)
-            serve(w, fit, w->centers[c]);
+            serve(w, fit, c);
     }
     if (w->first)
         hatch_curvature_each(w->run, w->run->terrain.surface.point_count, fit_itself, w);
@@ -391,7 +432,8 @@ static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, u
     w->squares = w->places ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->freedom = w->squares ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->centers = w->freedom ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
-    *covered = w->centers ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
+    w->first_served = w->centers ? HATCH_NEW(scratch, uint32_t, (size_t)points + 1, err) : NULL;
+    *covered = w->first_served ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
     *pool = *covered ? HATCH_NEW(scratch, double, points, err) : NULL;
     return *pool ? HATCH_OK : HATCH_LIMIT;
 }

@@ -4,13 +4,41 @@
 
 #define PI 3.14159265358979323846
 
+/* f(x, y) at a place: slopes and second derivatives, in units of the frame's radius. */
+struct place {
+    double fx, fy, fxx, fxy, fyy;
+};
+
+/* The terms of one degree d have second derivatives of degree d - 2, of which Euler's theorem makes the slopes. */
+static inline void add_terms(double x, double y, double fxx, double fxy, double fyy, double share, struct place *at)
+{
+    at->fxx += fxx;
+    at->fxy += fxy;
+    at->fyy += fyy;
+    at->fx += share * (x * fxx + y * fxy);
+    at->fy += share * (x * fxy + y * fyy);
+}
+
+static void find_place(const double c[HATCH_JET_TERMS], uint32_t degree, double x, double y, struct place *at)
+{
+    *at = (struct place){.fx = c[1], .fy = c[2]};
+    add_terms(x, y, 2 * c[3], c[4], 2 * c[5], 1, at);
+    if (degree >= 3)
+        add_terms(x, y, 6 * c[6] * x + 2 * c[7] * y, 2 * (c[7] * x + c[8] * y), 2 * c[8] * x + 6 * c[9] * y, 0.5, at);
+    double xx = x * x, xy = x * y, yy = y * y;
+    if (degree >= 4)
+        add_terms(x, y, 12 * c[10] * xx + 6 * c[11] * xy + 2 * c[12] * yy,
+                  3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy,
+                  2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy, 1.0 / 3, at);
+}
+
 /* The second fundamental form h_ij as a matrix in space: Σ h_ij g_i g_j, with the g_i of the tangents' dual basis. A
  * normal that the surface bends away from sees it fall: hence the sign. */
 void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
                        uint32_t degree, double x, double y, struct hatch_bend *bend)
 {
-    struct hatch_jet_point at;
-    hatch_jet_at(coefficients, degree, x, y, &at);
+    struct place at;
+    find_place(coefficients, degree, x, y, &at);
     double slope = 1 / sqrt(1 + at.fx * at.fx + at.fy * at.fy), square = slope * slope, unit = -slope / frame->radius;
     double a = square * (1 + at.fy * at.fy), b = -square * at.fx * at.fy, c = square * (1 + at.fx * at.fx);
     double d = square * at.fx, e = square * at.fy, xx = unit * at.fxx, xy = unit * at.fxy, yy = unit * at.fyy;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 /* A pivot this small beside its diagonal entry: the points lie on a curve of the degree. */
 #define PIVOT_MIN 1e-9
@@ -105,40 +106,63 @@ void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x,
 static const uint32_t degree_of[HATCH_JET_TERMS] = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
 static const uint32_t power_of[HATCH_JET_TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 3, 4};
 
-static void fill_normal(const struct hatch_jet_sums *sums, uint32_t terms, struct hatch_jet_system *system)
+/* The normal equations, in lanes. */
+struct normal {
+    lanes line[HATCH_JET_TERMS][(HATCH_JET_TERMS + 1) / LANES]; /* up to the diagonal; one beyond it may be anything */
+    double whole[HATCH_JET_TERMS]; /* the diagonal as it was */
+};
+
+static double *entry_of(struct normal *normal, uint32_t row, uint32_t column)
+{
+    return (double *)normal->line[row] + column;
+}
+
+static void fill_normal(const struct hatch_jet_sums *sums, uint32_t terms, struct normal *normal)
 {
     for (uint32_t row = 0; row < terms; row++) {
+        normal->line[row][row / LANES] = (lanes){0};
         for (uint32_t column = 0; column <= row; column++) {
-            uint32_t k = power_of[row] + power_of[column];
-            system->lower[row][column] = sums->moments[place(degree_of[row] + degree_of[column] - k, k)];
+            uint32_t degree = degree_of[row] + degree_of[column];
+            *entry_of(normal, row, column) =
+                sums->moments[degree * (degree + 1) / 2 + power_of[row] + power_of[column]];
         }
-        system->reduced[row] = sums->products[row];
+        normal->whole[row] = *entry_of(normal, row, row);
     }
 }
 
-/* Column after column, each taken from all that lies right of it: nothing waits for a sum. */
+/* Takes a finished column from all that lies right of it: nothing waits for a sum. column: in lanes, 0 up to `done`. */
+static void subtract_column(struct normal *normal, uint32_t terms, uint32_t done, const lanes *column)
+{
+    for (uint32_t row = done + 1; row < terms; row++) {
+        double factor = *entry_of(normal, row, done);
+        for (uint32_t k = (done + 1) / LANES; k <= row / LANES; k++)
+            normal->line[row][k] -= factor * column[k];
+    }
+}
+
 void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
                          struct hatch_jet_system *system)
 {
     uint32_t terms = hatch_jet_terms(degree), done = 0;
-    double column[HATCH_JET_TERMS], whole[HATCH_JET_TERMS];
+    struct normal normal;
+    lanes column[(HATCH_JET_TERMS + 1) / LANES] = {{0}};
     while (terms > sums->count && degree > 0)
         terms = hatch_jet_terms(--degree);
-    fill_normal(sums, terms, system);
-    for (uint32_t row = 0; row < terms; row++)
-        whole[row] = system->lower[row][row];
+    fill_normal(sums, terms, &normal);
+    memcpy(system->reduced, sums->products, terms * sizeof *system->reduced);
     for (; done < terms; done++) {
-        double pivot = system->lower[done][done];
-        if (!(pivot > PIVOT_MIN * whole[done]))
+        double pivot = *entry_of(&normal, done, done);
+        if (!(pivot > PIVOT_MIN * normal.whole[done]))
             break;
         pivot = system->lower[done][done] = 1 / sqrt(pivot);
-        double right = system->reduced[done] *= pivot;
+        system->reduced[done] *= pivot;
+        column[done / LANES][done % LANES] = 0;
         for (uint32_t row = done + 1; row < terms; row++) {
-            double factor = column[row] = system->lower[row][done] *= pivot, *line = system->lower[row];
-            for (uint32_t k = done + 1; k <= row; k++)
-                line[k] -= factor * column[k];
-            system->reduced[row] -= factor * right;
+            double factor = *entry_of(&normal, row, done) *= pivot;
+            column[row / LANES][row % LANES] = system->lower[row][done] = factor;
+            system->reduced[row] -= factor * system->reduced[done];
         }
+        subtract_column(&normal, terms, done, column);
     }
     while (degree > 0 && hatch_jet_terms(degree) > done)
         degree--;
@@ -150,11 +174,12 @@ void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
 void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree,
                      double coefficients[HATCH_JET_TERMS])
 {
-    for (uint32_t row = hatch_jet_terms(degree); row-- > 0;) {
-        double sum = system->reduced[row];
-        for (uint32_t k = row + 1; k < hatch_jet_terms(degree); k++)
-            sum -= system->lower[k][row] * coefficients[k];
-        coefficients[row] = sum * system->lower[row][row];
+    uint32_t terms = hatch_jet_terms(degree);
+    memcpy(coefficients, system->reduced, terms * sizeof *coefficients);
+    for (uint32_t row = terms; row-- > 0;) {
+        double found = coefficients[row] *= system->lower[row][row];
+        for (uint32_t k = 0; k < row; k++)
+            coefficients[k] -= system->lower[row][k] * found;
     }
 }
 
@@ -190,31 +215,5 @@ void hatch_jet_variances(const struct hatch_jet_system *system,
             sum.mean += mean[row] * mean[row];
         }
         variance[degree] = sum;
-    }
-}
-
-void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
-                  struct hatch_jet_point *point)
-{
-    const double *c = coefficients;
-    double xx = x * x, xy = x * y, yy = y * y;
-    *point = (struct hatch_jet_point){.fx = c[1] + 2 * c[3] * x + c[4] * y,
-                                      .fy = c[2] + c[4] * x + 2 * c[5] * y,
-                                      .fxx = 2 * c[3],
-                                      .fxy = c[4],
-                                      .fyy = 2 * c[5]};
-    if (degree >= 3) {
-        point->fx += 3 * c[6] * xx + 2 * c[7] * xy + c[8] * yy;
-        point->fy += c[7] * xx + 2 * c[8] * xy + 3 * c[9] * yy;
-        point->fxx += 6 * c[6] * x + 2 * c[7] * y;
-        point->fxy += 2 * c[7] * x + 2 * c[8] * y;
-        point->fyy += 2 * c[8] * x + 6 * c[9] * y;
-    }
-    if (degree >= 4) {
-        point->fx += x * (4 * c[10] * xx + 3 * c[11] * xy + 2 * c[12] * yy) + c[13] * y * yy;
-        point->fy += c[11] * x * xx + y * (2 * c[12] * xx + 3 * c[13] * xy + 4 * c[14] * yy);
-        point->fxx += 12 * c[10] * xx + 6 * c[11] * xy + 2 * c[12] * yy;
-        point->fxy += 3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy;
-        point->fyy += 2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy;
     }
 }

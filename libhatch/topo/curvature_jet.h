@@ -32,11 +32,6 @@ struct hatch_jet_system {
     uint32_t degree; /* 0 when there are too few points even for degree 2, or they lie badly */
 };
 
-/* f(x, y) at a place: slopes and second derivatives, in units of the frame's radius. */
-struct hatch_jet_point {
-    double fx, fy, fxx, fxy, fyy;
-};
-
 uint32_t hatch_jet_terms(uint32_t degree);
 
 /* Adds points. count: any. weight: the inverse of a z's variance, or NULL: all 1. */
@@ -63,8 +58,5 @@ struct hatch_jet_variance {
 /* Those of the fits of degree 2 .. system->degree; others are left alone. */
 void hatch_jet_variances(const struct hatch_jet_system *system,
                          struct hatch_jet_variance variance[HATCH_JET_DEGREE_MAX + 1]);
-
-void hatch_jet_at(const double coefficients[HATCH_JET_TERMS], uint32_t degree, double x, double y,
-                  struct hatch_jet_point *point);
 
 #endif
