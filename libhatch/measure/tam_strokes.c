@@ -22,7 +22,7 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
         style->length_max = fmaxf(style->length_max, stroke->length);
         style->width_px = fmaxf(style->width_px, stroke->width_px);
     }
-    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, false, false, canvas, err);
+    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, tam->color, false, canvas, err);
 }
 
 /* Whether a pixel of the footprint is lighter in any channel than the stroke alone makes it. */
@@ -117,6 +117,10 @@ static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hat
     HATCH_TRY(white_canvas(tam, strokes, 1, &style, scratch, &canvas, err));
     struct hatch_image image = {.width = tam->size_px, .height = tam->size_px, .channel_count = 1,
                                 .pixels = canvas.paper[0]};
+    if (tam->color) { /* as in the map, the first channel counts */
+        image.channel_count = 3;
+        image.pixels = canvas.rgb[0];
+    }
     for (uint32_t tone = 0; tone < tam->tones; tone++) {
         double spread[HATCH_EVENNESS_BOXES];
         throw_column(&canvas, strokes->list, tone, draw);

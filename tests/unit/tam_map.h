@@ -13,7 +13,8 @@
 static struct hatch_arena map_arena, map_scratch;
 static struct hatch_err map_err;
 
-static const char *const map_styles[] = {"ink", "pencil", "crayon", "charcoal", "stipple"};
+static const char *const map_styles[] = {"ink",   "pencil", "crayon", "charcoal", "stipple", "arcs",
+                                         "speckle", "chalk", "wash",   "marker",   "drafting"};
 enum { MAP_STYLES = sizeof map_styles / sizeof *map_styles };
 
 struct test_map {
@@ -58,7 +59,8 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
         hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
         &map_err);
     HATCH_TEST_OK(hatch_brush_make(map->style.brush, &map_arena, &map->brush, &map_err), &map_err);
-    map->options = (struct hatch_fill_options){.size_px = 64, .tones = 6, .levels = 2, .seed = 1};
+    map->options = (struct hatch_fill_options){
+        .size_px = 64, .tones = 6, .levels = 2, .seed = 1, .color = map->style.color_count > 0};
 }
 
 /* A hatch_tam_sink that keeps the column with its pixels rounded as a file rounds them. */
