@@ -53,6 +53,18 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
                  result->exhausted, (double)result->tone_error);
 }
 
+/* --fit is asked for its figures; of the others they are worth knowing. */
+static void say_errors(const struct job *job, const struct replay_job *replay,
+                       const struct hatch_replay_result *result)
+{
+    void (*say)(const char *, ...) = replay->fit && !job->args.quiet ? cmd_say : cmd_note;
+    say("tone within %.4f (bound %.4f) on every level", (double)result->tone_error,
+        (double)result->tone_bound);
+    if (job->color)
+        say("chroma within %.4f, hue within %.1f degrees of the finest level's", (double)result->chroma_error,
+            (double)result->hue_error_deg);
+}
+
 void replay_drawing(struct job *job, const struct replay_job *replay)
 {
     struct hatch_err err;
@@ -75,11 +87,5 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
               name, &err);
     warn_of_range(job, name, &result);
     cmd_note("%u of %u strokes, darkness up to %.3f", job->strokes.count, drawn, (double)result.darkest);
-    if (replay->fit && job->color)
-        cmd_say("tone within %.4f (bound %.4f), hue within %.1f degrees and chroma within %.4f on every level",
-                (double)result.tone_error, (double)result.tone_bound, (double)result.hue_error_deg,
-                (double)result.chroma_error);
-    else if (replay->fit)
-        cmd_say("tone within %.4f (bound %.4f) on every level", (double)result.tone_error,
-                (double)result.tone_bound);
+    say_errors(job, replay, &result);
 }

@@ -2,10 +2,12 @@
 # level of optimisation.
 . "${TOP:-.}/tests/tap.sh"
 runs='--size_128_--tones_9 --size_64_--tones_255_--style_stipple --size_128_--style_pencil_--growth_0.4_--ids
-    --size_128_--style_charcoal_--method_exhaustive_--candidates_40:10'
+    --size_128_--style_charcoal_--method_exhaustive_--candidates_40:10
+    --size_128_--replay_drawing.svg_--fit_-q --size_64_--style_arcs_--palette_dusk'
 
 # sums PROGRAM THREADS: one for each of the runs, script and all
 sums() {
+    cp "$TOP/tests/drawings/hatching.svg" drawing.svg
     for run in $runs; do
         "$1" $(echo "$run" | tr _ ' ') -j "$2" --seed 3 --strokes s.tsv -x s.png -o s.exr || return
         cat s.exr s.tsv s.png | cksum
@@ -31,12 +33,12 @@ build() {
     mkdir -p objects bin
     rm -f objects/*
     (cd "$TOP" && ls cmd/tamgen/*.c cmd/cmd*.c libhatch/base/*.c libhatch/image/*.c libhatch/filter/*.c \
-        libhatch/stroke/*.c libhatch/tam/*.c libhatch/io/exr*.c libhatch/io/png*.c libhatch/io/foreign*.c) |
-        grep -vE 'cmd_(scene|surface|field)' >files
+        libhatch/stroke/*.c libhatch/tam/*.c libhatch/io/exr*.c libhatch/io/svg*.c libhatch/io/png*.c libhatch/io/foreign*.c) |
+        grep -vE 'cmd_(scene|surface|field|texels)' >files
     TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
         -I"$TOP"/cmd -ffp-contract=off -pthread -w -c "$TOP"/{} -o objects/$(echo {} | tr / _).o' \
         "$1" "$2" <files &&
-        "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore-3_1 -ldeflate -lpng16 -ldl -lm
+        "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore-3_1 -ldeflate -lexpat -lpng16 -ldl -lm
 }
 mkdir -p share/hatch && ln -s "$BUILD/share/hatch/styles" share/hatch/styles
 for other in "gcc -O0" "clang -O2"; do
