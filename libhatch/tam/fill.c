@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "tam/column.h"
-#include "tam/field.h"
+#include "tam/potential.h"
 #include "tam/place.h"
 
 /* After this many choices in a row that found no paper to darken, or nothing small enough, an image is
@@ -15,7 +15,7 @@ struct filler {
     const struct hatch_style *style;
     const struct hatch_fill_options *options;
     struct hatch_canvas canvas;
-    struct hatch_field field;                        /* method FIELD */
+    struct hatch_potential field;                        /* method FIELD */
     float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
     float targets[HATCH_TAM_TONES_MAX];
     struct hatch_arena *arena;
@@ -64,12 +64,12 @@ static void draw(struct filler *f, const struct hatch_stroke *stroke, float scal
     for (uint32_t level = 0; level <= stroke->level; level++) {
         hatch_canvas_draw(&f->canvas, stroke, level, scale_before, scale);
         if (f->options->method == HATCH_FILL_FIELD)
-            hatch_field_deposit(&f->field, &f->canvas, level);
+            hatch_potential_deposit(&f->field, &f->canvas, level);
         else
             update_pyramid(f, level);
     }
     if (f->options->method == HATCH_FILL_FIELD)
-        hatch_field_settle(&f->field);
+        hatch_potential_settle(&f->field);
 }
 
 static uint32_t candidates_of(const struct filler *f, uint32_t tone)
@@ -163,7 +163,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     if (f->options->color)
         hatch_style_color_at(f->style, f->targets[tone], choice.rgb);
     if (f->options->method == HATCH_FILL_FIELD && f->canvas.darkness[level] < target)
-        hatch_field_start(&f->field, level);
+        hatch_potential_start(&f->field, level);
     grow_strokes(f, tone, level);
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
         double missing = target - f->canvas.darkness[level];
@@ -207,7 +207,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
                                                  &f.canvas, err);
     if (status == HATCH_OK)
         status = options->method == HATCH_FILL_FIELD
-                     ? hatch_field_make(scratch, options->size_px, options->levels, brush, &f.field, err)
+                     ? hatch_potential_make(scratch, options->size_px, options->levels, brush, &f.field, err)
                      : make_pyramids(&f, scratch, err);
     for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)

@@ -81,15 +81,15 @@ static struct hatch_stroke moved_across(const struct hatch_stroke *stroke, float
 }
 
 /* Steps across its own direction while the score falls, in halving steps. */
-static struct scored settle(const struct hatch_field *field, const struct hatch_stroke *stroke)
+static struct scored settle(const struct hatch_potential *field, const struct hatch_stroke *stroke)
 {
-    struct scored best = {hatch_field_score(field, stroke, UINT32_MAX), *stroke};
+    struct scored best = {hatch_potential_score(field, stroke, UINT32_MAX), *stroke};
     for (float step = 4.0f / (float)field->size; step * (float)field->size > 0.4f; step /= 2)
         for (uint32_t tries = 0; tries < 4; tries++) {
             struct hatch_stroke ahead = moved_across(&best.stroke, step);
             struct hatch_stroke behind = moved_across(&best.stroke, -step);
-            float score_ahead = hatch_field_score(field, &ahead, UINT32_MAX);
-            float score_behind = hatch_field_score(field, &behind, UINT32_MAX);
+            float score_ahead = hatch_potential_score(field, &ahead, UINT32_MAX);
+            float score_behind = hatch_potential_score(field, &behind, UINT32_MAX);
             if (score_ahead < best.score && score_ahead <= score_behind)
                 best = (struct scored){score_ahead, ahead};
             else if (score_behind < best.score)
@@ -100,7 +100,7 @@ static struct scored settle(const struct hatch_field *field, const struct hatch_
     return best;
 }
 
-struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_field *field,
+struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_potential *field,
                                          const struct hatch_choice *choice)
 {
     struct scored list[SHORTLIST] = {{0}};
@@ -108,7 +108,7 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct scored entry = {0, hatch_candidate(style, choice, c)};
         entry.stroke.length *= choice->scale; /* the score is that of what will be drawn now */
-        entry.score = hatch_field_score(field, &entry.stroke, COARSE_SAMPLES);
+        entry.score = hatch_potential_score(field, &entry.stroke, COARSE_SAMPLES);
         count = insert(list, count, &entry);
     }
     struct scored best = settle(field, &list[0].stroke);

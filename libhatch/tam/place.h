@@ -3,7 +3,7 @@
 #define HATCH_TAM_PLACE_H
 
 #include "tam/canvas.h"
-#include "tam/field.h"
+#include "tam/potential.h"
 
 /* What one choice starts from. */
 struct hatch_choice {
@@ -22,7 +22,7 @@ struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struc
                                     uint32_t candidate);
 
 /* The best candidate by the field, moved to the best place near it. */
-struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_field *field,
+struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_potential *field,
                                          const struct hatch_choice *choice);
 
 /* The best candidate by the paper's goodness, footprint by footprint: the sum over all receiving levels

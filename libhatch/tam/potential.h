@@ -7,21 +7,21 @@
  * pyramids in place of box filters (their blocks would draw strokes to block borders), so that a
  * candidate costs some dozens of look-ups instead of its footprints on all levels and pyramids.
  */
-#ifndef HATCH_TAM_FIELD_H
-#define HATCH_TAM_FIELD_H
+#ifndef HATCH_TAM_POTENTIAL_H
+#define HATCH_TAM_POTENTIAL_H
 
 #include "tam/canvas.h"
 
-#define HATCH_FIELD_OCTAVES_MAX 12u
-#define HATCH_FIELD_PARTS 64u
+#define HATCH_POTENTIAL_OCTAVES_MAX 12u
+#define HATCH_POTENTIAL_PARTS 64u
 
-struct hatch_field {
+struct hatch_potential {
     uint32_t size;      /* cells each way, a power of two */
     uint32_t octaves;
     float *potential;   /* size² cells */
     float *share;       /* of the ink: [n * (n - 1) / 2 + i] is in part i of n along the stroke, n = 1 ..
-                           HATCH_FIELD_PARTS; the shares of one n sum to 1 */
-    float *octave[HATCH_FIELD_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
+                           HATCH_POTENTIAL_PARTS; the shares of one n sum to 1 */
+    float *octave[HATCH_POTENTIAL_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
     bool *used;         /* rows of octave[0] that hold something */
     float *row;         /* work: one row and a cell on either side */
     uint32_t canvas_size_px, levels;
@@ -30,23 +30,23 @@ struct hatch_field {
 };
 
 /* A field for a white canvas, and for strokes of that brush. canvas_size_px: a power of two. */
-enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   const struct hatch_brush *brush, struct hatch_field *field,
+enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
+                                   const struct hatch_brush *brush, struct hatch_potential *field,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
  * those levels. */
-void hatch_field_start(struct hatch_field *field, uint32_t level);
+void hatch_potential_start(struct hatch_potential *field, uint32_t level);
 
 /* Takes in canvas->change of the stroke just drawn on that level, one of those of the last start. */
-void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *canvas, uint32_t level);
+void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_canvas *canvas, uint32_t level);
 
 /* Spreads what was deposited over all scales: once per stroke. */
-void hatch_field_settle(struct hatch_field *field);
+void hatch_potential_settle(struct hatch_potential *field);
 
 /* The mean potential along the stroke's centre line, weighted by where the brush holds its ink, from at
  * most samples_max evenly spaced places: the lower the better. */
-float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
+float hatch_potential_score(const struct hatch_potential *field, const struct hatch_stroke *stroke,
                         uint32_t samples_max);
 
 #endif

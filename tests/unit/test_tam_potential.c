@@ -15,7 +15,7 @@ static struct hatch_err err;
 static struct hatch_style style;
 static struct hatch_brush brush;
 static struct hatch_canvas canvas;
-static struct hatch_field field;
+static struct hatch_potential field;
 
 static void begin(void)
 {
@@ -24,7 +24,7 @@ static void begin(void)
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
     HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
                   &err);
-    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
+    HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
 static void end(void)
@@ -46,9 +46,9 @@ static void draw(const struct hatch_stroke *stroke, uint32_t coarsest)
 {
     for (uint32_t level = 0; level <= coarsest; level++) {
         hatch_canvas_draw(&canvas, stroke, level, 0, 1);
-        hatch_field_deposit(&field, &canvas, level);
+        hatch_potential_deposit(&field, &canvas, level);
     }
-    hatch_field_settle(&field);
+    hatch_potential_settle(&field);
 }
 
 static double mean_potential(void)
@@ -63,7 +63,7 @@ static double mean_potential(void)
  * tile: the mean potential is known in closed form. */
 START_TEST(the_mean_potential_counts_every_level_at_every_scale)
 {
-    hatch_field_start(&field, LEVELS - 1);
+    hatch_potential_start(&field, LEVELS - 1);
     ck_assert_double_eq_tol(mean_potential(), 0, 1e-12);
     for (uint64_t i = 0; i < 20; i++) {
         struct hatch_stroke stroke = random_stroke(i);
@@ -80,7 +80,7 @@ END_TEST
 START_TEST(a_start_finds_what_was_deposited)
 {
     static float was[SIZE * SIZE];
-    hatch_field_start(&field, LEVELS - 1);
+    hatch_potential_start(&field, LEVELS - 1);
     for (uint64_t i = 0; i < 20; i++) {
         struct hatch_stroke stroke = random_stroke(i);
         draw(&stroke, LEVELS - 1);
@@ -88,10 +88,10 @@ START_TEST(a_start_finds_what_was_deposited)
     size_t cells = (size_t)field.size * field.size;
     memcpy(was, field.potential, cells * sizeof *was);
     double scale = mean_potential();
-    hatch_field_start(&field, LEVELS - 1);
+    hatch_potential_start(&field, LEVELS - 1);
     for (size_t i = 0; i < cells; i++)
         ck_assert_double_eq_tol((double)(was[i] - field.potential[i]) / scale, 0, 1e-4);
-    hatch_field_start(&field, 0); /* the finest level alone */
+    hatch_potential_start(&field, 0); /* the finest level alone */
     ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1,
                             1e-4);
 }
@@ -105,16 +105,16 @@ START_TEST(the_field_has_no_borders)
     uint32_t size = field.size, half = size / 2;
     struct hatch_stroke stroke = random_stroke(4);
     stroke.x = stroke.y = 0.015625f;
-    hatch_field_start(&field, 0);
+    hatch_potential_start(&field, 0);
     draw(&stroke, 0);
     memcpy(was, field.potential, (size_t)size * size * sizeof *was);
     double scale = mean_potential();
-    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
+    HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
     HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
                   &err);
     stroke.x += 0.5f;
     stroke.y += 0.5f;
-    hatch_field_start(&field, 0);
+    hatch_potential_start(&field, 0);
     draw(&stroke, 0);
     for (uint32_t y = 0; y < size; y++)
         for (uint32_t x = 0; x < size; x++) {
@@ -128,13 +128,13 @@ END_TEST
 START_TEST(the_field_falls_away_from_a_stroke)
 {
     struct hatch_stroke stroke = {.x = 0.5f, .y = 0.5f, .length = 1, .width_px = 1.8f, .tone = 1};
-    hatch_field_start(&field, 0);
+    hatch_potential_start(&field, 0);
     draw(&stroke, 0);
     float last = INFINITY;
     for (uint32_t cells = 0; cells < field.size / 2; cells += field.size / 16) {
         struct hatch_stroke probe = stroke;
         probe.y = 0.5f + ((float)cells + 0.5f) / (float)field.size;
-        float score = hatch_field_score(&field, &probe, UINT32_MAX);
+        float score = hatch_potential_score(&field, &probe, UINT32_MAX);
         ck_assert_float_lt(score, last);
         last = score;
     }
@@ -149,14 +149,14 @@ static void brush_of_columns(uint32_t columns, uint32_t first, uint32_t last)
     for (uint32_t x = 0; x < columns; x++)
         image.pixels[x] = x < first || x >= last;
     HATCH_TEST_OK(hatch_brush_from_image(&image, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_field_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
+    HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
 /* Closed form: ink in the second eighth of the stroke, over any number of parts. */
 START_TEST(shares_of_ink_are_its_overlap_with_the_parts)
 {
     brush_of_columns(80, 10, 20);
-    for (uint32_t n = 1; n <= HATCH_FIELD_PARTS; n++) {
+    for (uint32_t n = 1; n <= HATCH_POTENTIAL_PARTS; n++) {
         double sum = 0;
         for (uint32_t i = 0; i < n; i++) {
             double from = fmax(0.125, (double)i / n), to = fmin(0.25, (i + 1.0) / n);
@@ -178,10 +178,10 @@ START_TEST(the_score_looks_where_the_ink_is)
             i % field.size >= field.size / 8 && i % field.size < field.size / 4 ? 1 : 0.25f;
     struct hatch_stroke stroke = {.x = 0.5f, .y = 0.3f, .length = 1};
     for (uint32_t most = 8; most <= 64; most *= 2)
-        ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, most), 1, 1e-5f);
-    ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, UINT32_MAX), 1, 1e-5f);
+        ck_assert_float_eq_tol(hatch_potential_score(&field, &stroke, most), 1, 1e-5f);
+    ck_assert_float_eq_tol(hatch_potential_score(&field, &stroke, UINT32_MAX), 1, 1e-5f);
     stroke.x = 0.75f;
-    ck_assert_float_eq_tol(hatch_field_score(&field, &stroke, 24), 0.25f, 1e-5f);
+    ck_assert_float_eq_tol(hatch_potential_score(&field, &stroke, 24), 0.25f, 1e-5f);
 }
 END_TEST
 
@@ -208,13 +208,13 @@ START_TEST(the_score_is_the_mean_along_the_line)
                 sum += (double)field.potential[(uint32_t)y % field.size * field.size +
                                                (uint32_t)x % field.size];
             }
-            double score = (double)hatch_field_score(&field, &stroke, most);
+            double score = (double)hatch_potential_score(&field, &stroke, most);
             ck_assert_double_eq_tol(score, sum / samples, 1e-5 + (double)off / samples);
         }
     }
     struct hatch_stroke dot = {.x = 0.25f, .y = 0.75f};
     uint32_t cell = field.size / 4 * 3 * field.size + field.size / 4;
-    ck_assert_float_eq(hatch_field_score(&field, &dot, 24), field.potential[cell]);
+    ck_assert_float_eq(hatch_potential_score(&field, &dot, 24), field.potential[cell]);
 }
 END_TEST
 
@@ -233,15 +233,15 @@ static struct hatch_choice choice_of(uint64_t number)
 /* A chosen stroke scores no worse than every candidate that it was chosen from. */
 START_TEST(the_best_candidate_is_chosen_and_bettered)
 {
-    hatch_field_start(&field, 1);
+    hatch_potential_start(&field, 1);
     for (uint64_t i = 0; i < 30; i++) {
         struct hatch_choice choice = choice_of(i);
         struct hatch_stroke best = hatch_place_by_field(&style, &field, &choice);
-        float score = hatch_field_score(&field, &best, UINT32_MAX);
+        float score = hatch_potential_score(&field, &best, UINT32_MAX);
         uint32_t better = 0;
         for (uint32_t c = 0; c < choice.candidates; c++) {
             struct hatch_stroke other = hatch_candidate(&style, &choice, c);
-            better += hatch_field_score(&field, &other, UINT32_MAX) < score;
+            better += hatch_potential_score(&field, &other, UINT32_MAX) < score;
         }
         /* the list is cut by 24 samples a candidate: a rare one that all cells would favour is
          * missed */
@@ -279,12 +279,12 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
                               struct hatch_err *said)
 {
     (void)scratch;
-    return hatch_field_make(to, SIZE, LEVELS, &brush, context, said);
+    return hatch_potential_make(to, SIZE, LEVELS, &brush, context, said);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
 {
-    struct hatch_field made = {0};
+    struct hatch_potential made = {0};
     ck_assert_uint_ge(hatch_test_fail_alloc(make, &made, &made, sizeof made), 2 + 7 + LEVELS);
 }
 END_TEST

@@ -1,4 +1,4 @@
-#include "tam/field.h"
+#include "tam/potential.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@ static float *shares_of(float *share, uint32_t parts)
 /* How the brush's ink is spread over that many equal parts of its length. */
 static void spread_ink(const struct hatch_brush *brush, uint32_t parts, float *share)
 {
-    double ink[HATCH_FIELD_PARTS] = {0}, total = 0;
+    double ink[HATCH_POTENTIAL_PARTS] = {0}, total = 0;
     for (uint64_t x = 0; x < brush->width; x++) {
         double alpha = (double)brush->cumulative[(x + 1) * (brush->height + 1) - 1];
         uint64_t from = x * parts, to = from + parts; /* one column, in units of 1 / (width * parts) */
@@ -26,11 +26,11 @@ static void spread_ink(const struct hatch_brush *brush, uint32_t parts, float *s
         share[i] = (float)(ink[i] / total);
 }
 
-enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   const struct hatch_brush *brush, struct hatch_field *field,
+enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
+                                   const struct hatch_brush *brush, struct hatch_potential *field,
                                    struct hatch_err *err)
 {
-    struct hatch_field made = {.canvas_size_px = canvas_size_px, .levels = levels};
+    struct hatch_potential made = {.canvas_size_px = canvas_size_px, .levels = levels};
     /* Measured: cells of two pixels at 256, of four at 1024, of eight at 4096 are as even as finer ones,
      * for a fraction of the time. */
     made.size = canvas_size_px / 4;
@@ -42,10 +42,10 @@ enum hatch_status hatch_field_make(struct hatch_arena *arena, uint32_t canvas_si
     made.potential = HATCH_NEW(arena, float, cells, err);
     made.row = HATCH_NEW(arena, float, made.size + 2, err);
     made.used = HATCH_NEW(arena, bool, made.size, err);
-    made.share = HATCH_NEW(arena, float, HATCH_FIELD_PARTS * (HATCH_FIELD_PARTS + 1) / 2, err);
+    made.share = HATCH_NEW(arena, float, HATCH_POTENTIAL_PARTS * (HATCH_POTENTIAL_PARTS + 1) / 2, err);
     if (!made.potential || !made.row || !made.used || !made.share)
         return HATCH_LIMIT;
-    for (uint32_t parts = 1; parts <= HATCH_FIELD_PARTS; parts++)
+    for (uint32_t parts = 1; parts <= HATCH_POTENTIAL_PARTS; parts++)
         spread_ink(brush, parts, shares_of(made.share, parts));
     for (uint32_t size = made.size; size >= 2; size /= 2) {
         float *octave = HATCH_NEW(arena, float, (size_t)size * size, err);
@@ -72,7 +72,7 @@ static float level_weight(uint32_t size_px)
 }
 
 /* Adds amount to the cells of the field under one cell of a level's grid. */
-static void spread(struct hatch_field *field, uint32_t grid, uint32_t x, uint32_t y, float amount)
+static void spread(struct hatch_potential *field, uint32_t grid, uint32_t x, uint32_t y, float amount)
 {
     uint32_t cells = field->size / grid;
     for (uint32_t j = 0; j < cells; j++) {
@@ -83,7 +83,7 @@ static void spread(struct hatch_field *field, uint32_t grid, uint32_t x, uint32_
     }
 }
 
-void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *canvas, uint32_t level)
+void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_canvas *canvas, uint32_t level)
 {
     uint32_t size_px = hatch_canvas_size(canvas, level), grid = field->grid[level];
     uint32_t px_per_cell = size_px / grid;
@@ -97,7 +97,7 @@ void hatch_field_deposit(struct hatch_field *field, const struct hatch_canvas *c
     }
 }
 
-void hatch_field_start(struct hatch_field *field, uint32_t level)
+void hatch_potential_start(struct hatch_potential *field, uint32_t level)
 {
     size_t cells = (size_t)field->size * field->size;
     memset(field->potential, 0, cells * sizeof *field->potential);
@@ -107,7 +107,7 @@ void hatch_field_start(struct hatch_field *field, uint32_t level)
             for (uint32_t x = 0; x < field->grid[l]; x++)
                 spread(field, field->grid[l], x, y, field->darkness[l][y * field->grid[l] + x] * weight);
     }
-    hatch_field_settle(field);
+    hatch_potential_settle(field);
 }
 
 /* coarse = fine, filtered by (1 3 3 1)/8 each way and halved, on the torus: close to a Gaussian, so that
@@ -156,7 +156,7 @@ static void expand(const float *coarse, uint32_t half, float *padded, float *fin
 }
 
 /* Moves what was deposited at the finest scale into the potential. */
-static void take_deposits(struct hatch_field *field)
+static void take_deposits(struct hatch_potential *field)
 {
     for (uint32_t y = 0; y < field->size; y++) {
         float *from = field->octave[0] + (size_t)y * field->size;
@@ -169,7 +169,7 @@ static void take_deposits(struct hatch_field *field)
     }
 }
 
-void hatch_field_settle(struct hatch_field *field)
+void hatch_potential_settle(struct hatch_potential *field)
 {
     uint32_t last = field->octaves - 1;
     for (uint32_t o = 0; o < last; o++)
@@ -235,14 +235,14 @@ static struct walk walk_of(const struct hatch_stroke *stroke, float size, float 
     return walk;
 }
 
-float hatch_field_score(const struct hatch_field *field, const struct hatch_stroke *stroke,
+float hatch_potential_score(const struct hatch_potential *field, const struct hatch_stroke *stroke,
                         uint32_t samples_max)
 {
     float size = (float)field->size;
     float cells = stroke->length * size;
     uint32_t samples = cells < 1 ? 1 : cells > (float)samples_max ? samples_max : (uint32_t)cells;
     struct walk walk = walk_of(stroke, size, cells, samples);
-    uint32_t mask = field->size - 1, parts = samples < HATCH_FIELD_PARTS ? samples : HATCH_FIELD_PARTS;
+    uint32_t mask = field->size - 1, parts = samples < HATCH_POTENTIAL_PARTS ? samples : HATCH_POTENTIAL_PARTS;
     const float *share = shares_of(field->share, parts);
     float sum = 0, weight = 0;
     for (uint32_t i = 0; i < samples; i++) {
