@@ -25,14 +25,14 @@ struct model_how {
 
 static inline void model_stroke(bool solid, struct hatch_arena *arena, struct hatch_image *stroke)
 {
-    struct hatch_err err;
-    HATCH_TEST_OK(hatch_image_make(arena, 64, 16, "A", stroke, &err), &err);
+    struct hatch_err failed;
+    HATCH_TEST_OK(hatch_image_make(arena, 64, 16, "A", stroke, &failed), &failed);
     for (uint32_t i = 0; i < 64 * 16; i++)
         stroke->pixels[i] = solid ? 1.0f
                                   : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
 }
 
-static inline void model_make(const struct model_how *how, struct hatch_arena *arena, struct hatch_arena *scratch,
+static inline void model_make(const struct model_how *how, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_rptam *rptam)
 {
     const struct hatch_seeds_options options = {.cycle = {.count = how->seeds ? how->seeds : 64, .seed = 2},
@@ -49,11 +49,11 @@ static inline void model_make(const struct model_how *how, struct hatch_arena *a
     struct hatch_seeds seeds;
     struct hatch_image stroke;
     uint64_t steps;
-    struct hatch_err err;
+    struct hatch_err failed;
     memcpy(style.angle_rad, how->angle_rad, sizeof style.angle_rad);
-    HATCH_TEST_OK(hatch_seeds_make(&options, arena, scratch, &seeds, &steps, &err), &err);
+    HATCH_TEST_OK(hatch_seeds_make(&options, arena, temporary, &seeds, &steps, &failed), &failed);
     model_stroke(how->solid, arena, &stroke);
-    HATCH_TEST_OK(hatch_rptam_make(&seeds, &style, &stroke, arena, scratch, rptam, &err), &err);
+    HATCH_TEST_OK(hatch_rptam_make(&seeds, &style, &stroke, arena, temporary, rptam, &failed), &failed);
 }
 
 #endif

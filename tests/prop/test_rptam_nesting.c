@@ -1,0 +1,115 @@
+/* Strokes of a further depth are a part of those of a nearer one, and over a zoom that goes one way none comes and
+ * goes: in doubles, with every set of seeds that a cycle gives. */
+#include "arenas.h"
+#include "rptam_model.h"
+
+enum { TILES = 4, STEPS = 24 };
+
+/* Dots so small that only whether they are there counts, even two octaves out. */
+static const struct model_how how = {.tile_px = 4096, .length_px = 8, .width_px = 8, .solid = true};
+
+static struct hatch_rptam rptam;
+
+static double ink_at(uint32_t seed, uint32_t tile_u, uint32_t tile_v, double depth, double amount, bool all)
+{
+    const struct hatch_seed_place *place = &rptam.layers[0].places[seed];
+    const double uv[2] = {tile_u + (double)place->u * 0x1p-64, tile_v + (double)place->v * 0x1p-64};
+    return hatch_rptam_layer_ink(&rptam, 0, uv, depth, amount, all);
+}
+
+static const struct {
+    enum hatch_fade_law law;
+    double overlap;
+} fades[] = {{HATCH_FADE_EVEN, 0}, {HATCH_FADE_EVEN, 0.3}, {HATCH_FADE_EVEN, 1}, {HATCH_FADE_PAPER, 0.5}};
+enum { FADES = sizeof fades / sizeof *fades };
+
+/* Every stroke of 4 by 4 tiles over two octaves outwards. */
+START_TEST(strokes_only_fade_while_the_view_goes_out)
+{
+    static const uint32_t counts[] = {2, 5, 16, 37, 64};
+    static const double amounts[] = {1};
+    struct model_how model = how;
+    model.seeds = counts[_i / FADES];
+    model.law = fades[_i % FADES].law;
+    model.overlap = fades[_i % FADES].overlap;
+    model_make(&model, &keep, &scratch, &rptam);
+    for (size_t k = 0; k < sizeof amounts / sizeof *amounts; k++) {
+        uint32_t begun = 0, left = 0;
+        for (uint32_t i = 0; i < model.seeds * TILES * TILES; i++) {
+            uint32_t seed = i / (TILES * TILES), u = i % TILES, v = i / TILES % TILES;
+            double before = ink_at(seed, u, v, 0, amounts[k], false);
+            begun += before > 0.5;
+            for (uint32_t step = 1; step <= 2 * STEPS; step++) {
+                double now = ink_at(seed, u, v, (double)step / STEPS, amounts[k], false);
+                ck_assert_msg(now <= before + 1e-9, "seed %u, tile %u %u, depth %g, amount %g: %g after %g", seed, u, v,
+                              (double)step / STEPS, amounts[k], now, before);
+                before = now;
+            }
+            left += before > 0.5;
+        }
+        ck_assert_double_gt(begun, model.seeds * TILES * TILES * amounts[k] * 0.7);
+        ck_assert_uint_le(left, begun / 8);
+    }
+}
+END_TEST
+
+/* At whole depths: those of M + 1 are the strokes that are there a tile's half apart, exactly a quarter. */
+START_TEST(a_quarter_stays_at_each_level)
+{
+    static const uint32_t counts[] = {2, 3, 16, 37, 64, 250};
+    struct model_how model = how;
+    model.seeds = counts[_i];
+    model_make(&model, &keep, &scratch, &rptam);
+    for (int depth = 0; depth < 2; depth++) {
+        uint32_t there = 0, further = 0;
+        for (uint32_t i = 0; i < model.seeds * TILES * TILES; i++) {
+            uint32_t seed = i / (TILES * TILES), u = i % TILES, v = i / TILES % TILES;
+            bool now = ink_at(seed, u, v, depth, 1, true) > 0.5, next = ink_at(seed, u, v, depth + 1, 1, true) > 0.5;
+            ck_assert(now || !next);
+            there += now;
+            further += next;
+        }
+        ck_assert_uint_eq(there, 4 * further);
+    }
+}
+END_TEST
+
+/* s -> fraction of 2 s takes seed i to seed i + 1, the last to the first: of every size up to 2048 and of all
+ * three methods. Places hold 64 bits of a fraction that does not end, so one bit in the last comes from beyond. */
+START_TEST(every_set_holds_itself)
+{
+    static uint8_t crumbs[2048];
+    static struct hatch_seed_place places[2048];
+    for (uint32_t count = 2; count <= 2048; count++)
+        for (int method = HATCH_CYCLE_ANY; method <= HATCH_CYCLE_BACKTRACK; method++) {
+            bool power = hatch_cycle_order(count) > 0;
+            if (method != HATCH_CYCLE_ANY && (!power || (method == HATCH_CYCLE_BACKTRACK && count > 64)))
+                continue;
+            const struct hatch_cycle_options options = {
+                .method = (enum hatch_cycle_method)method, .count = count, .seed = count, .steps_max = 1000000};
+            const struct hatch_seed_set set = {count, crumbs};
+            HATCH_TEST_OK(hatch_cycle_make(&options, &scratch, crumbs, NULL, &err), &err);
+            hatch_seed_places(&set, places);
+            for (uint32_t i = 0; i < count; i++) {
+                const struct hatch_seed_place *next = &places[(i + 1) % count];
+                ck_assert_uint_eq(2 * places[i].u, next->u & ~(uint64_t)1);
+                ck_assert_uint_eq(2 * places[i].v, next->v & ~(uint64_t)1);
+            }
+        }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("rptam nesting");
+    TCase *tests = tcase_create("nesting");
+    tcase_set_timeout(tests, 60);
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, strokes_only_fade_while_the_view_goes_out, 0, 5 * FADES);
+    tcase_add_loop_test(tests, a_quarter_stays_at_each_level, 0, 6);
+    tcase_add_test(tests, every_set_holds_itself);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,121 @@
+/* Strokes read back from pictures of a plane that goes away: those of a further view were there in every nearer
+ * one, and none comes. */
+#include "render_frame.h"
+#include "rptam_model.h"
+
+enum { SIZE = 256, SEEDS_MOST = 64, TILES = 2, FRAMES = 49 };
+
+static struct test_frame frame;
+static struct hatch_rptam rptam;
+
+static void begin_plane(void)
+{
+    struct hatch_shape_options how = {.faces = 2, .seed = 1};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    float *position = hatch_mesh_find(&mesh, "POSITION", 3), *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        for (size_t k = 0; k < 2; k++)
+            position[3 * v + k] *= 20;
+        texcoord[2 * v] = position[3 * v];
+        texcoord[2 * v + 1] = -position[3 * v + 1];
+    }
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.rptam = &rptam;
+}
+
+/* A stroke by where it stands in the plane of texture coordinates, and in the picture. */
+struct stroke {
+    double uv[2], ink;
+    bool alone; /* no other stroke of the nearest picture is within its size */
+};
+
+static uint32_t list_strokes(struct stroke *strokes)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < rptam.layers[0].count * TILES * TILES; i++) {
+        const struct hatch_seed_place *place = &rptam.layers[0].places[i / (TILES * TILES)];
+        strokes[count++] = (struct stroke){.uv = {i % TILES + (double)place->u * 0x1p-64 - TILES / 2.0,
+                                                  i / TILES % TILES + (double)place->v * 0x1p-64 - TILES / 2.0},
+                                           .ink = 2};
+    }
+    return count;
+}
+
+static void find_alone(struct stroke *strokes, uint32_t count, double pixels, double size_px)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        double nearest = INFINITY;
+        for (uint32_t k = 0; k < count; k++)
+            if (k != i)
+                nearest = fmin(nearest, hypot(strokes[i].uv[0] - strokes[k].uv[0], strokes[i].uv[1] - strokes[k].uv[1]));
+        strokes[i].alone = nearest * pixels > 1.5 * size_px;
+    }
+}
+
+/* The picture shows 2 span of the plane around its middle. Returns how many strokes show well. */
+static uint32_t read_strokes(double span, double size_px, struct stroke *strokes, uint32_t count)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
+    struct hatch_image picture;
+    struct view view = {.eye = {0, 0, 5}, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .orthographic = true,
+                        .half_height = span, .aspect = 1, .near = 0.1, .far = 10, .pivot = 5};
+    uint32_t there = 0;
+    double pixels = SIZE / (2 * span);
+    frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
+    find_alone(strokes, count, pixels, size_px);
+    for (uint32_t i = 0; i < count; i++) {
+        struct stroke *stroke = &strokes[i];
+        double x = floor(SIZE / 2 + pixels * stroke->uv[0]), y = floor(SIZE / 2 + pixels * stroke->uv[1]);
+        if (!stroke->alone || !(x >= 0 && y >= 0 && x < SIZE && y < SIZE))
+            continue;
+        double ink = 1 - (double)picture.pixels[3 * ((size_t)y * SIZE + (size_t)x)];
+        ck_assert_msg(ink <= stroke->ink + 2 / 255.0, "stroke %u, span %g: %.3f after %.3f", i, span, ink, stroke->ink);
+        stroke->ink = ink;
+        there += ink > 0.5;
+    }
+    hatch_arena_rewind(&frame.arena, mark);
+    return there;
+}
+
+START_TEST(strokes_only_go_while_the_plane_goes_away)
+{
+    static struct stroke strokes[SEEDS_MOST * TILES * TILES];
+    const struct model_how models[] = {
+        {.seeds = 16, .overlap = 0},
+        {.seeds = 37, .overlap = 0.3},
+        {.seeds = 16, .overlap = 1, .fade_size = false},
+        {.seeds = 64, .overlap = 0.5, .law = HATCH_FADE_PAPER},
+    };
+    struct model_how how = models[_i];
+    how.tile_px = SIZE / 2;
+    how.length_px = how.width_px = 3;
+    how.solid = true;
+    how.candidates = 50;
+    frame_arenas(&frame);
+    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    begin_plane();
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    uint32_t count = list_strokes(strokes), first = 0, last = 0;
+    for (int i = 0; i < FRAMES; i++) {
+        last = read_strokes(exp2(i / 32.0), how.length_px, strokes, count);
+        first = i ? first : last;
+    }
+    ck_assert_uint_gt(first, count / 2);
+    ck_assert_uint_lt(last, first / 2);
+    ck_assert_uint_gt(last, 0);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render nesting");
+    TCase *tests = tcase_create("nesting");
+    tcase_add_loop_test(tests, strokes_only_go_while_the_plane_goes_away, 0, 4);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
