@@ -26,6 +26,10 @@ printf 'OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 
 dirfield -q cube.off | lapped-param -q -o piped.cube.glb
 lapped-param -q cube.off -o alone.cube.glb
 ok "and normals, where it has none" cmp piped.cube.glb alone.cube.glb
+awk 'NF == 3 && NR > 2 {print 3 * $1, 2 * $2, $3; next} {print}' cube.off >box.off
+is "on a box its coordinates follow the field as it stands in space" "$(dirfield -q box.off |
+    lapped-param -q | hatchstat lapped | awk -F'\t' '
+        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at["angle_max"] < 0.01}')" 1
 lapped-param <torus.glb >filter.glb
 ok "as a filter" cmp filter.glb alone.glb
 lapped-param --seed 2 torus.glb -o other.glb
