@@ -20,8 +20,7 @@ SHOW      ?=
 SEED      ?= 1
 OUT       ?= .
 FIELD     ?=
-# Borders softer than lapped-param's own: more of the patches overlap, and strokes end as by hand.
-LAPPED    ?= --feather .12
+LAPPED    ?=
 OPTIONS   ?=
 
 SHELL := /bin/bash

@@ -142,7 +142,10 @@ static bool square_meets_core(const struct hatch_outline *outline, const double 
 
 static float texel(const struct hatch_outline *outline, double seen, const double place[2])
 {
-    if (square_meets_core(outline, place, seen))
+    double x = place[0] - 0.5, y = place[1] - 0.5, away = x * x + y * y;
+    if (away >= outline->reach_max * outline->reach_max)
+        return 0;
+    if (away <= outline->core_min * outline->core_min || square_meets_core(outline, place, seen))
         return 1;
     double radius, distance = polar(outline, place, &radius);
     double begin = fmin(1.42 * seen, outline->feather * 0.75);
