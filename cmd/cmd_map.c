@@ -4,8 +4,11 @@
 
 void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map)
 {
-    const char *name = cmd_input_name(path);
-    struct hatch_bytes file = cmd_read(args, path);
+    cmd_parse_map(args, cmd_input_name(path), cmd_read(args, path), map);
+}
+
+void cmd_parse_map(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_tam *map)
+{
     struct hatch_err err;
     struct hatch_mipmap *parts;
     uint32_t count;

@@ -9,6 +9,9 @@
  * Dies with one line on what is wrong. map->columns are the file's parts. */
 void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
 
+/* The same of a file that has been read. name: how messages call it. */
+void cmd_parse_map(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_tam *map);
+
 /* The seed that a map tells of, as text, or NULL. */
 const char *cmd_map_seed(const struct hatch_tam *map);
 

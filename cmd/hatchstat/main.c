@@ -21,11 +21,11 @@ static const struct cmd_option options[] = {
      &values.throws, NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a bar is missed: see the manual",
      &values.check, NULL, NULL},
-    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: a file whose field is the one that is wanted",
+    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: the field that is wanted; tones: the map that FILE was made of",
      &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
      &values.share, NULL, NULL},
-    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped: places that are looked at (default 100000)",
+    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: places that are looked at (default 100000)",
      &values.samples, NULL, NULL},
     {0},
 };
@@ -43,6 +43,7 @@ static const struct {
     {"mesh", 0, -1, "any number", stat_mesh},
     {"seeds", 0, 1, "1 at most", stat_seeds},
     {"tam", 0, 1, "1 at most", stat_tam},
+    {"tones", 0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
@@ -59,7 +60,7 @@ static const struct cmd_program program = {
     .operands = "SUBJECT [FILE ...]",
     .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
                "direction fields (field FILE ...), lapped patches (lapped FILE), "
-               "tonal art maps (tam FILE), seed sets (seeds FILE)",
+               "tonal art maps (tam FILE), what was made of them (tones FILE), seed sets (seeds FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,

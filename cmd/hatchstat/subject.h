@@ -13,9 +13,9 @@ struct stat_options {
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
     int64_t throws;        /* tam, seeds: how many random drawings to compare with */
     bool check;            /* tam, lapped, seeds: what must hold decides the exit status */
-    const char *reference; /* field: NULL when not given */
+    const char *reference; /* field, tones: NULL when not given */
     double share;          /* field: of the reference's points, the most confident first */
-    int64_t samples;       /* lapped: for coverage */
+    int64_t samples;       /* lapped: for coverage; tones: of each level */
 };
 
 /* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
@@ -38,6 +38,8 @@ enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *o
                              struct cmd_output *output);
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
                            struct cmd_output *output);
+enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options,
+                             struct cmd_output *output);
 
 /* Reads a picture of any format; dies on failure. Warns when pixels are not finite. srgb: its
  * colours as sRGB numbers. Memory: args->keep, or arena where it is not NULL. */

@@ -12,7 +12,8 @@ struct hatch_block_figures {
     double error_max, error_rms;
 };
 
-/* Packs a plain texture, R8 to BC4, RGB8 or RGBA8 to BC7, whose alpha becomes 254 or 255. pool: NULL is one thread; the result is the
+/* Packs a plain texture, R8 to BC4, RGB8 or RGBA8 to BC7, whose alpha becomes 254 or 255.
+ * pool: NULL is one thread; the result is the
  * same. figures: may be NULL. */
 enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
                                     struct hatch_pool *pool, struct hatch_arena *arena,

@@ -46,6 +46,10 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
 enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
                                           struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
+/* What a texture unit returns of a column at (u, v), repeating, and a level of detail (0 is the finest, may
+ * be between levels), the mean of R, G and B where there are three. column: -1 is paper. */
+float hatch_tam_sample(const struct hatch_tam *tam, int column, float u, float v, float lod);
+
 /* What is known of a map beside its pixels. Texts are not copied. */
 struct hatch_tam_label {
     uint32_t levels;
