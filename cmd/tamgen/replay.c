@@ -3,15 +3,19 @@
 #include "job.h"
 #include "stroke/script.h"
 
-/* "3 fills, 1 image": what of a drawing is no stroke. */
-static void warn_of_rest(const char *file, const struct hatch_svg_notes *notes)
+/* What of a drawing is not replayed: a warning, or, where nothing else is there, the end. */
+static void tell_of_rest(const struct job *job, const char *file, const struct hatch_svg_notes *notes)
 {
+    struct hatch_err err;
     uint32_t sum = notes->fills + notes->texts + notes->images + notes->gradients + notes->others;
+    hatch_fail(&err, HATCH_BAD_INPUT, "%u fills, %u texts, %u images, %u strokes of a gradient, %u others",
+               notes->fills, notes->texts, notes->images, notes->gradients, notes->others);
+    if (job->strokes.count == 0) {
+        hatch_fail_at(&err, "no strokes to replay, but %u outside the page, ", notes->outside);
+        cmd_die(file, &err);
+    }
     if (sum)
-        cmd_warn(file,
-                 "only plain strokes are replayed: %u fills, %u texts, %u images, %u strokes of a gradient, "
-                 "%u others passed over",
-                 notes->fills, notes->texts, notes->images, notes->gradients, notes->others);
+        cmd_warn(file, "only plain strokes are replayed, passed over: %s", err.text);
     if (notes->outside)
         cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside,
                  notes->outside + notes->strokes);
@@ -36,9 +40,7 @@ void read_drawing(struct job *job, const struct replay_job *replay)
                              : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes,
                                                   &err),
               name, &err);
-    warn_of_rest(name, &notes);
-    if (job->strokes.count == 0)
-        cmd_die(name, &(struct hatch_err){HATCH_BAD_INPUT, "no strokes to replay"});
+    tell_of_rest(job, name, &notes);
     job->color = job->style.color_count > 0 || is_colored(&job->strokes);
 }
 

@@ -1,5 +1,6 @@
 #include "io/svg.h"
 
+#define XML_DTD /* or expat's header hides its limits on entities */
 #include <expat.h>
 #include <limits.h>
 #include <math.h>
@@ -11,6 +12,8 @@
 #define PAGE_MAX 1e6
 #define NOT_SQUARE 1e-3
 #define TOLERANCE_PX 0.05
+#define GROWTH_MAX 4           /* of a file by its entities, */
+#define GROWTH_BYTES_MIN 65536 /* from that size on */
 #define WIDTH_SHARE_MAX 0.25 /* of the page */
 
 /* A drawing while expat reads it. */
@@ -257,6 +260,8 @@ static void on_instruction(void *context, const char *target, const char *data)
 static enum hatch_status parse(struct drawing *d, struct hatch_bytes file, struct hatch_err *err)
 {
     XML_SetUserData(d->parser, d);
+    XML_SetBillionLaughsAttackProtectionMaximumAmplification(d->parser, GROWTH_MAX);
+    XML_SetBillionLaughsAttackProtectionActivationThreshold(d->parser, GROWTH_BYTES_MIN);
     XML_SetElementHandler(d->parser, on_start, on_end);
     XML_SetEntityDeclHandler(d->parser, on_entity);
     XML_SetProcessingInstructionHandler(d->parser, on_instruction);

@@ -117,7 +117,7 @@ static void draw_pieces(const struct hatch_stroke *stroke, const struct hatch_fr
     piece.start = -whole / 2;
     piece.stretch = drawn > 0 ? whole / drawn : 1;
     if (!(drawn > 0)) { /* a ring that is a dot at this size */
-        piece = (struct piece){.x = piece.x, .y = piece.y, .cosine = 1, .first = true, .last = true};
+        piece = (struct piece){.x = piece.x, .y = piece.y, .cosine = 1, .stretch = 1, .first = true, .last = true};
         draw_piece(f, &piece, size_px, out);
     }
     for (uint32_t next = 0; next_piece(stroke->path, size, &next, &piece);) {
