@@ -171,7 +171,7 @@ ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
 $(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
-	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lcheck_pic -lsubunit -lrt -lm -pthread
+	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC)): BASE += -Itests/unit
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)

@@ -1,5 +1,8 @@
 #include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
+#include <suitesparse/SuiteSparse_config.h>
 
 #include "base/random.h"
 #include "run.h"
@@ -82,6 +85,55 @@ START_TEST(nothing_is_freed_without_complaint)
 }
 END_TEST
 
+/* CHOLMOD's memory is not an arena's: its own functions are lent some that fail. */
+static unsigned until_failure;
+
+static void *failing_malloc(size_t size)
+{
+    return until_failure && --until_failure == 0 ? NULL : malloc(size);
+}
+
+static void *failing_calloc(size_t count, size_t size)
+{
+    return until_failure && --until_failure == 0 ? NULL : calloc(count, size);
+}
+
+static void *failing_realloc(void *from, size_t size)
+{
+    return until_failure && --until_failure == 0 ? NULL : realloc(from, size);
+}
+
+/* Each allocation of a factorisation and a solution fails in its turn; no leak is left (SANITIZE=1). */
+START_TEST(every_failed_allocation_is_survived)
+{
+    struct chain chain;
+    struct hatch_sparse matrix = chain_make(&chain, 2);
+    double right[SIZE] = {1}, before[SIZE], x[SIZE];
+    enum hatch_status status = HATCH_LIMIT;
+    SuiteSparse_config.malloc_func = failing_malloc;
+    SuiteSparse_config.calloc_func = failing_calloc;
+    SuiteSparse_config.realloc_func = failing_realloc;
+    for (unsigned n = 1; status != HATCH_OK; n++) {
+        struct hatch_sparse_factor *factor = NULL;
+        struct hatch_err err = {0};
+        memset(x, 7, sizeof x);
+        memcpy(before, x, sizeof x);
+        until_failure = n;
+        status = hatch_sparse_factorize(&matrix, (size_t)1 << 20, &factor, &err);
+        ck_assert((status == HATCH_OK) == (factor != NULL));
+        if (factor)
+            status = hatch_sparse_solve(factor, right, 1, x, &err);
+        bool failed = until_failure == 0;
+        until_failure = 0;
+        hatch_sparse_free(factor);
+        ck_assert_msg(status == (failed ? HATCH_LIMIT : HATCH_OK), "allocation %u: status %d", n, (int)status);
+        ck_assert(!failed || (err.text[0] && memcmp(x, before, sizeof x) == 0));
+        ck_assert_msg(n < 1000, "a thousand failed allocations and no end");
+        ck_assert(failed || n > 10);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("sparse cholmod");
@@ -90,6 +142,7 @@ static Suite *suite(void)
     tcase_add_test(tests, what_is_not_positive_definite_is_refused);
     tcase_add_test(tests, a_factor_over_the_limit_is_refused_before_it_is_made);
     tcase_add_test(tests, nothing_is_freed_without_complaint);
+    tcase_add_test(tests, every_failed_allocation_is_survived);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,0 +1,61 @@
+/* The model of recursive maps and its lists of strokes when memory runs out; what they draw is measured in
+ * tests/prop/test_rptam_tone.c. */
+#include "arenas.h"
+#include "fail_alloc.h"
+#include "seed/rptam.h"
+#include "seed/spread.h"
+
+static struct hatch_seeds seeds;
+static struct hatch_image stroke;
+
+static void begin_seeds(void)
+{
+    const struct hatch_seeds_options how = {.cycle = {.count = 16, .seed = 1}, .layers = 2, .candidates = 2};
+    uint64_t steps;
+    begin();
+    HATCH_TEST_OK(hatch_seeds_make(&how, &keep, &scratch, &seeds, &steps, &err), &err);
+    HATCH_TEST_OK(hatch_image_make(&keep, 16, 4, "A", &stroke, &err), &err);
+    for (uint32_t i = 0; i < 16 * 4; i++)
+        stroke.pixels[i] = 1;
+}
+
+static enum hatch_status make_model(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                                    struct hatch_err *said)
+{
+    const struct hatch_rptam_style style = {
+        .tile_px = 32, .length_px = 10, .width_px = 2, .angle_rad = {0.3, 1.8}, .ink = 1, .overlap = 0.3};
+    return hatch_rptam_make(&seeds, &style, &stroke, to, temporary, context, said);
+}
+
+static enum hatch_status make_coverage(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                                       struct hatch_err *said)
+{
+    static const struct hatch_coverage_stroke shape = {0.3, 0.05, 0.8, 0.6};
+    struct hatch_seed_place *places = HATCH_NEW(to, struct hatch_seed_place, 16, said);
+    if (!places)
+        return HATCH_LIMIT;
+    return hatch_coverage_make(places, 16, &shape, 8, to, temporary, context, said);
+}
+
+START_TEST(every_failed_allocation_is_survived)
+{
+    struct hatch_rptam rptam = {.layer_count = 7};
+    struct hatch_coverage coverage = {.side = 7};
+    ck_assert_uint_gt(hatch_test_fail_alloc(make_model, &rptam, &rptam, sizeof rptam), 4);
+    ck_assert_uint_eq(rptam.layer_count, 2);
+    hatch_test_fail_alloc(make_coverage, &coverage, &coverage, sizeof coverage);
+    ck_assert_uint_eq(coverage.side, 8);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("recursive maps");
+    TCase *tests = tcase_create("memory");
+    tcase_add_checked_fixture(tests, begin_seeds, end);
+    tcase_add_test(tests, every_failed_allocation_is_survived);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
