@@ -59,7 +59,7 @@ void dirfield_read_constraints(struct cmd_args *args, const char *path, struct d
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
                     struct dirfield_part *part);
 
-#define DIRFIELD_REPORT_COLUMNS 24
+#define DIRFIELD_REPORT_COLUMNS 25
 
 /* A report and its last row, of all meshes together. */
 struct dirfield_report {

@@ -7,15 +7,16 @@
 #include "math/vector.h"
 
 enum { KIND, MESH, COMPONENT, POINTS, FACES, BORDERS, EULER, INDEX_SUM, SINGULARITIES, INDEX, X, Y, Z,
-       CONFIDENCE, SMOOTHNESS = CONFIDENCE + 3, DISAGREEMENT, ITERATIONS, RESIDUAL, TIMES,
+       CONFIDENCE, SMOOTHNESS = CONFIDENCE + 3, DISAGREEMENT, ENERGY, ITERATIONS, RESIDUAL, TIMES,
        COLUMNS = TIMES + PHASE_COUNT };
 
 static const char *const columns[COLUMNS + 1] = {
     "kind",           "mesh",         "component",      "points",         "faces",
     "border_loops",   "euler",        "index_sum",      "singularities",  "index",
     "x",              "y",            "z",              "confidence_p25", "confidence_p50",
-    "confidence_p75", "smoothness",   "disagreement",   "iterations",     "residual",
-    "surfaces_ms",    "frames_ms",    "curvature_ms",   "field_ms",       NULL};
+    "confidence_p75", "smoothness",   "disagreement",   "energy",         "iterations",
+    "residual",       "surfaces_ms",  "frames_ms",      "curvature_ms",   "field_ms",
+    NULL};
 
 _Static_assert(COLUMNS <= DIRFIELD_REPORT_COLUMNS, "the last row has no room");
 
@@ -111,6 +112,7 @@ static void put_mesh(struct dirfield_report *report, const struct dirfield_part 
     row[SINGULARITIES] = part->singular.count;
     all[SMOOTHNESS] += row[SMOOTHNESS] = part->field.energy[0];
     all[DISAGREEMENT] += row[DISAGREEMENT] = part->field.energy[1];
+    all[ENERGY] += row[ENERGY] = part->field.solved;
     row[ITERATIONS] = part->field.iterations;
     row[RESIDUAL] = part->field.residual;
     all[ITERATIONS] = fmax(all[ITERATIONS], row[ITERATIONS]);

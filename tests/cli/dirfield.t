@@ -37,6 +37,15 @@ GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX,-FMA4,-AVX2_Usable,-FMA_Usable d
 cmp -s here.glb there.glb
 is "the same bytes by an older processor's sines" $? 0
 
+# energy METHOD SMOOTH
+energy() {
+    dirfield -q noisy.glb --method "$1" --smooth "$2" --report - -o field.glb | column energy
+}
+for smooth in 0.1 0.3 0.6 0.9; do
+    is "--smooth $smooth: linear's energy is not above that of hz" \
+        "$(awk -v a="$(energy linear $smooth)" -v b="$(energy hz $smooth)" 'BEGIN {print (a + 0 > 0 && a <= b)}')" 1
+done
+
 try dirfield plane.glb -o flat.glb
 is "a plane has no direction, and that is said" "$status $(grep -c '100 % of the faces.*no direction of their own' .err)" "0 1"
 is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
