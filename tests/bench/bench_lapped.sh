@@ -1,25 +1,53 @@
 #!/bin/sh
-# lapped-param's time, and how many patches of what quality it makes, for several sizes of patch on a torus of 1000
-# to 1,000,000 faces that carries its true field: seconds of the whole command on one thread, reading and writing
-# included: median, least and most of three runs; overlap: faces of all patches over those of the surface; stretch:
-# 99th percentile; degrees to the field: median and 95th percentile. SIZES: which numbers of faces.
+# lapped-param's time, and how many patches of what quality it makes: for several sizes of patch on a torus that
+# carries its true field; for the size that it chooses on tori of 1000 to 1,000,000 faces, and on ellipsoids with
+# noise of a tenth of an edge, whose poles are crumpled; and on scans from ../shared, where they lie beside the
+# source, the armadillo cut to 346,000 faces. Seconds of the whole command on one thread, reading and writing
+# included: median, least and most of five runs, of three over 200,000 faces; overlap: faces of all patches over those
+# of the surface; stretch: 99th percentile; degrees to the field: median and 95th percentile, by faces and by area.
+# SIZES: which numbers of faces; FEW: those for which all sizes of patch are tried.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
-printf 'method\tfaces\tseconds\tseconds_min\tseconds_max\tpeak_kib\tpatches\toverlap\tstretch_p99\tdeg_p50\tdeg_p95\n'
+here=$(dirname "$0")
+models=$here/../../../shared/data/meshes
+columns="patches overlap stretch_p99 angle_p50 angle_p95 angle_area_p50 angle_area_p95"
+printf 'method\tfaces\tseconds\tseconds_min\tseconds_max\tpeak_kib\t%s\n' "$(echo $columns | tr ' ' '\t')"
+
+# row METHOD FIELD.glb OPTION ...
+row() {
+    method=$1 field=$2
+    shift 2
+    runs=5
+    [ "$(wc -c <"$field")" -lt 8000000 ] || runs=3
+    "$MEASURE" $runs lapped-param --quiet --threads 1 "$@" "$field" -o "$work/lapped.glb" | cut -f 1-3,5 >"$work/time"
+    hatchstat lapped --samples 1000 "$work/lapped.glb" | awk -F'\t' -v method="$method" \
+        -v time="$(cat "$work/time")" -v columns="$columns" '
+        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
+        NR == 2 {
+            printf "%s\t%d\t%s\t%d", method, $at["faces"], time, $at["patches"]
+            count = split(columns, name, " ")
+            for (i = 2; i <= count; i++) printf "\t%.3f", $at[name[i]]
+            printf "\n"
+        }'
+}
 for faces in ${SIZES:-1000 3000 10000 30000 100000 300000 1000000}; do
     meshgen torus --faces "$faces" --jitter 1 --seed 7 --field -o "$work/torus.glb"
-    for size in chosen 0.05 0.1 0.2 0.4; do
-        [ $size = chosen ] && option= || option="--size $size"
-        "$MEASURE" 3 lapped-param --quiet --threads 1 $option "$work/torus.glb" -o "$work/lapped.glb" |
-            cut -f 1-3,5 >"$work/time"
-        hatchstat lapped --samples 1000 "$work/lapped.glb" >"$work/figures"
-        awk -F'\t' -v method="size $size" -v faces="$faces" -v time="$(cat "$work/time")" '
-            NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
-            NR == 2 {
-                printf "%s\t%d\t%s\t%d\t%.3f\t%.3f\t%.3f\t%.3f\n", method, faces, time, $at["patches"],
-                    $at["overlap"], $at["stretch_p99"], $at["angle_p50"], $at["angle_p95"]
-            }' "$work/figures"
+    row chosen "$work/torus.glb"
+    meshgen ellipsoid --faces "$faces" --jitter 1 --noise 0.1 --seed 7 | dirfield --quiet -o "$work/noisy.glb"
+    row noisy "$work/noisy.glb"
+done
+for faces in ${FEW:-1000 10000 100000}; do
+    meshgen torus --faces "$faces" --jitter 1 --seed 7 --field -o "$work/torus.glb"
+    for size in 0.05 0.1 0.2 0.4; do
+        row "size $size" "$work/torus.glb" --size $size
     done
 done
+if [ -d "$models" ]; then
+    dirfield --quiet "$models/stanford-bunny.ply" -o "$work/bunny.glb"
+    row bunny "$work/bunny.glb"
+    awk -f "$here/subdivide.awk" "$models/armadillo.obj" >"$work/armadillo.obj"
+    dirfield --quiet "$work/armadillo.obj" -o "$work/armadillo.glb"
+    row armadillo "$work/armadillo.glb"
+fi
