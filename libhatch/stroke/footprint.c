@@ -4,9 +4,7 @@
 #include <math.h>
 
 #include "stroke/frame.h"
-
-/* Only paths are longer, and they have no pixel twice. */
-#define LINE_TILES_MAX 16.0
+#include "stroke/path.h"
 
 /* Bounds the pixels of a stroke, those that it has twice counted twice. */
 static double pixels_of(double length, uint32_t size_px, double width_px)
@@ -21,7 +19,8 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
 {
     struct hatch_footprint made = {0};
     double whole = pixels_of((double)length, size_px, (double)width_px);
-    double straight = pixels_of(fmin((double)length, LINE_TILES_MAX), size_px, (double)width_px);
+    /* Only paths are longer than lines may be, and they have no pixel twice. */
+    double straight = pixels_of(fmin((double)length, HATCH_LINE_LENGTH_MAX), size_px, (double)width_px);
     double pixels = fmax(straight, fmin(whole, (double)size_px * size_px));
     if (!(whole < INFINITY) || !(pixels < UINT32_MAX / 2))
         return hatch_fail(err, HATCH_LIMIT, "stroke of %g pixels is too large", pixels);

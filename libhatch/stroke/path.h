@@ -9,6 +9,7 @@
 /* How far, in tiles, a point may lie from the stroke's middle. */
 #define HATCH_PATH_REACH_MAX 64.0
 #define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles */
+#define HATCH_LINE_LENGTH_MAX 16.0     /* of strokes without a path */
 #define HATCH_PATH_POINTS_MAX 1048576u
 
 /* Immutable, owned by an arena. A round brush puts its half discs to the ends, others end with the line.

@@ -14,7 +14,7 @@ static const struct {
     const char *name;
     double low, high;
 } keys[KEYS] = {
-    [X] = {"x", -1e6, 1e6},       [Y] = {"y", -1e6, 1e6},   [LENGTH] = {"length", 0, 16},
+    [X] = {"x", -1e6, 1e6},       [Y] = {"y", -1e6, 1e6},   [LENGTH] = {"length", 0, (double)HATCH_PATH_LENGTH_MAX},
     [ANGLE] = {"angle", -1e3, 1e3}, [WIDTH] = {"width", 1e-9, 4}, [TONE] = {"tone", 0, 1},
     [RED] = {"r", 0, 1},          [GREEN] = {"g", 0, 1},    [BLUE] = {"b", 0, 1},
     [ID] = {"id", 0, 16777216},   [COLUMN] = {"column", 0, 255}, [LEVEL] = {"level", 0, 31},
@@ -134,6 +134,15 @@ static enum hatch_status parse_number(struct hatch_text field, int key, double *
     return HATCH_OK;
 }
 
+/* A path's points say how long it is; what its column says is for readers that do not know them. */
+static enum hatch_status check_length(const struct row *row, struct hatch_err *err)
+{
+    double length = row->numbers[LENGTH], longest = HATCH_LINE_LENGTH_MAX;
+    if (row->path.length == 0 && length > longest)
+        return hatch_fail(err, HATCH_BAD_INPUT, "length %g, want 0 to %g", length, longest);
+    return HATCH_OK;
+}
+
 static enum hatch_status parse_row(struct hatch_text line, const struct header *header, struct row *row,
                                    struct hatch_err *err)
 {
@@ -203,6 +212,8 @@ static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *
     *path = (struct hatch_path){count, xy};
     stroke->path = path;
     stroke->length = hatch_path_length(path);
+    if (!(stroke->length <= HATCH_PATH_LENGTH_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "path: %g tiles long", (double)stroke->length);
     return HATCH_OK;
 }
 
@@ -237,6 +248,7 @@ static enum hatch_status parse_stroke(struct hatch_text line, const struct heade
     HATCH_TRY(parse_row(line, header, &row, err));
     *stroke = stroke_of(row.numbers, size_px);
     HATCH_TRY(parse_enters(row.enters, stroke, err));
+    HATCH_TRY(check_length(&row, err));
     return row.path.length ? parse_path(row.path, arena, stroke, err) : HATCH_OK;
 }
 
