@@ -42,7 +42,7 @@ static void read_drawing(struct job *job)
 /* What the options leave to the drawing style. */
 static void settle(const struct hatch_style *drawing, struct seed_choice *choice)
 {
-    struct hatch_rptam_style *style = &choice->style;
+    struct seed_style *style = &choice->style;
     if (!(style->ink > 0))
         style->ink = (double)drawing->ink;
     if (!(style->length_px > 0)) {
@@ -52,15 +52,29 @@ static void settle(const struct hatch_style *drawing, struct seed_choice *choice
     style->length_px = fmax(style->length_px, style->width_px); /* a dot */
 }
 
-/* Layers take the style's directions one after the other, and between them from the third time on. */
-static void set_angles(const struct hatch_style *from, const struct seed_choice *choice,
+/* Layers take the style's directions one after the other, and between them from the third time on; each comes in
+ * where the one before it is complete. */
+static void set_layers(const struct stroke_source *source, const struct seed_choice *choice, uint32_t count,
                        struct hatch_rptam_style *style)
 {
-    for (uint32_t i = 0; i < HATCH_RPTAM_LAYERS_MAX; i++) {
+    const struct hatch_style *from = &source->drawing;
+    const struct seed_style *common = &choice->style;
+    *style = (struct hatch_rptam_style){.law = common->law,
+                                        .fade_size = common->fade_size,
+                                        .overlap = common->overlap,
+                                        .layer_count = count};
+    for (uint32_t i = 0; i < count; i++) {
         uint32_t round = i / from->direction_count;
-        style->angle_rad[i] = (double)from->directions[i % from->direction_count].angle_rad +
-                              choice->turn_rad * (round + 1) / 2 * (round % 2 ? 1 : -1) +
-                              choice->stroke_turn_rad;
+        style->layers[i] = (struct hatch_rptam_layer_style){
+            .low = (double)i / count,
+            .high = (i + 1.0) / count,
+            .angle_rad = (double)from->directions[i % from->direction_count].angle_rad +
+                         choice->turn_rad * (round + 1) / 2 * (round % 2 ? 1 : -1) + choice->stroke_turn_rad,
+            .length_px = common->length_px,
+            .width_px = common->width_px,
+            .tile_px = common->tile_px,
+            .ink = common->ink,
+            .stroke = &source->stroke};
     }
 }
 
@@ -68,17 +82,16 @@ enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
 {
     struct seed_choice *choice = &job->options.seeds;
     struct hatch_arena *arena = &job->source.arenas[job->source.arena ^ 1];
-    struct hatch_seeds sets = job->source.sets;
-    choice->layers = fmin(choice->layers, sets.layer_count);
-    sets.layer_count = (uint32_t)lround(choice->layers);
-    if (!choice->tone_overlap_given)
-        choice->style.tone_overlap = choice->style.overlap;
+    struct hatch_rptam_style style;
+    choice->layers = fmin(choice->layers, job->source.sets.layer_count);
+    uint32_t count = (uint32_t)lround(choice->layers);
+    if (count > HATCH_RPTAM_LAYERS_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "%u layers of seeds: %u are the most", count, HATCH_RPTAM_LAYERS_MAX);
     settle(&job->source.drawing, choice);
-    set_angles(&job->source.drawing, choice, &choice->style);
+    set_layers(&job->source, choice, count, &style);
     hatch_arena_free(arena);
     hatch_arena_init(arena, job->args.max_memory);
-    HATCH_TRY(hatch_rptam_make(&sets, &choice->style, &job->source.stroke, arena, &job->args.scratch, &job->rptam,
-                               err));
+    HATCH_TRY(hatch_rptam_make(&job->source.sets, &style, arena, &job->args.scratch, &job->rptam, err));
     job->source.arena ^= 1;
     return HATCH_OK;
 }
@@ -91,18 +104,13 @@ void job_read_seeds(struct job *job)
     read_drawing(job);
     cmd_check(job_make_strokes(job, &err), choice->path ? cmd_input_name(choice->path) : NULL, &err);
     job->renderer.rptam = &job->rptam;
-    if (!(choice->style.length_px * 2 <= choice->style.tile_px))
-        cmd_warn(NULL, "strokes of %g pixels are cut: they grow to twice that in a tile of %g",
-                 choice->style.length_px, choice->style.tile_px);
 }
 
 void job_set_darkest(struct job *job)
 {
-    const struct hatch_rptam *rptam = &job->rptam;
     const struct options *options = &job->options;
-    bool last = techniques[options->technique]->seeds && !options->high_given && rptam->layer_count;
-    if (last)
-        job->renderer.style.curve.high = rptam->layers[rptam->layer_count - 1].darkness[HATCH_RPTAM_STEPS - 1];
+    if (techniques[options->technique]->seeds && !options->high_given)
+        job->renderer.style.curve.high = job->rptam.darkest;
 }
 
 enum hatch_status job_refresh(struct job *job, struct hatch_err *err)

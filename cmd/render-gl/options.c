@@ -21,7 +21,7 @@ static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *seeds, *drawing = "ink";
-static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile = 256, overlap = 0.3, tone_overlap;
+static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile = 256, overlap = 0.3;
 static double zoom = 1;
 static int64_t seed_layers = HATCH_RPTAM_LAYERS_MAX;
 static int fade, fade_by, seed_loop;
@@ -29,11 +29,11 @@ static struct cmd_texts changes;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
 static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given;
-static bool frames_given, from_given, tone_overlap_given;
+static bool frames_given, from_given;
 
 static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
-static const char *const fades[] = {"even", "paper", NULL}; /* enum hatch_fade_law */
+static const char *const fades[] = {"even", "paper", "weighted", NULL}; /* enum hatch_fade_law */
 static const char *const fades_by[] = {"opacity", "size", NULL};
 static const char *const seed_loops[] = {"coverage", "brute", NULL};
 
@@ -56,13 +56,11 @@ static struct cmd_option table[] = {
      NULL},
     {0, "seed-layers", CMD_INT, 0, HATCH_RPTAM_LAYERS_MAX, "N", "+rptam: draw no more than the first N sets",
      &seed_layers, NULL, NULL},
-    {0, "fade", CMD_CHOICE, 0, 0, "LAW", "+rptam: even, which keeps the tone (default), or paper", &fade,
+    {0, "fade", CMD_CHOICE, 0, 0, "LAW", "+rptam: even (default) or weighted, which keep the tone, or paper", &fade,
      fades, NULL},
     {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "+rptam: opacity (default) or size", &fade_by, fades_by, NULL},
     {0, "overlap", CMD_REAL, 0, 1, "X", "+rptam: strokes fade together, 1, or one by one, 0 (default 0.3)",
      &overlap, NULL, NULL},
-    {0, "tone-overlap", CMD_REAL, 0, 1, "X", "+rptam: the same where the tone changes (default: as --overlap)",
-     &tone_overlap, NULL, &tone_overlap_given},
     {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "+rptam: coverage (default), or brute: every seed everywhere",
      &seed_loop, seed_loops, NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
@@ -211,9 +209,7 @@ static void read_seed_choice(struct seed_choice *choice)
                                              .law = (enum hatch_fade_law)fade,
                                              .fade_size = fade_by == 1,
                                              .ink = stroke_ink,
-                                             .overlap = overlap,
-                                             .tone_overlap = tone_overlap},
-                                   .tone_overlap_given = tone_overlap_given,
+                                             .overlap = overlap},
                                    .turn_rad = LAYER_TURN * RADIANS,
                                    .stroke_turn_rad = stroke_turn * RADIANS,
                                    .layers = (double)seed_layers,

@@ -6,12 +6,19 @@
 #include "render-gl/params.h"
 #include "render-gl/renderer.h"
 
+/* What strokes at seeds have in common. */
+struct seed_style {
+    double tile_px, length_px, width_px, ink; /* length_px, ink 0: the drawing style's */
+    enum hatch_fade_law law;
+    bool fade_size;
+    double overlap;
+};
+
 /* What draws at seeds. */
 struct seed_choice {
     const char *path;    /* of the sets; NULL: made */
     const char *drawing; /* the style: brush, ink, directions, width and length where none is given */
-    struct hatch_rptam_style style; /* length_px, ink 0: the drawing style's */
-    bool tone_overlap_given; /* else as the other overlap */
+    struct seed_style style;
     double turn_rad;     /* between layers that have one direction */
     double stroke_turn_rad; /* of all */
     double layers;       /* so many are drawn, rounded */

@@ -20,7 +20,6 @@ const struct param params[] = {
     {"seed-tile", PARAM_SEEDS, true, 1.1, 1, {SEEDS(style.tile_px)}},
     {"seed-layers", PARAM_SEEDS, false, 1, 1, {SEEDS(layers)}},
     {"overlap", PARAM_SEEDS, false, 0.1, 1, {SEEDS(style.overlap)}},
-    {"tone-overlap", PARAM_SEEDS, false, 0.1, 1, {SEEDS(style.tone_overlap)}},
     {"hatch-turn", PARAM_STROKES, false, 5, RADIANS, {STYLE(hatch_turn_rad)}},
     {"hatch-scale", PARAM_STROKES, true, 1.1, 1, {STYLE(hatch_scale)}},
     {"tone-range", PARAM_TONE, false, 0.05, 1, {STYLE(curve.low), STYLE(curve.high)}},
@@ -157,8 +156,6 @@ void params_set(struct job *job, uint32_t index, const double values[2])
         return;
     job->strokes_changed = job->strokes_changed || param->use == PARAM_SEEDS;
     job->view_changed = job->view_changed || param->use == PARAM_CAMERA;
-    if (param->at[0] == SEEDS(style.tone_overlap))
-        job->options.seeds.tone_overlap_given = true;
     if (param->at[0] == STYLE(curve.low))
         job->options.high_given = true;
     if (param->at[0] == STYLE(light.azimuth_rad))

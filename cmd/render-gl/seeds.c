@@ -1,135 +1,236 @@
 #include "render-gl/seeds.h"
 
+#include <math.h>
 #include <string.h>
 
 /* std140, as in shaders/seeds.glsl */
 struct layer_block {
-    float turn[4];       /* cosine, sine of the strokes' direction; offset of their ranks */
-    int32_t at[4];       /* seeds, the first of them, the first of its lists, texels along a side */
-    float darkness[20];  /* HATCH_RPTAM_STEPS */
+    float turn[4];   /* cosine, sine of the strokes' direction; square of the tile's side; ink */
+    float tone[4];   /* amount = x way + y; where it begins; lists for smaller strokes */
+    float stroke[4]; /* texels a pixel, along and across; its texels less one */
+    int32_t at[4];   /* the first list, texels of lists along a side, the stroke's first texel */
 };
 
 struct seeds_block {
-    float stroke[4];     /* length, width in pixels, ink, side of the tile in pixels */
-    float fade[4];       /* overlap with depth, with tone; law, size */
-    int32_t counts[4];   /* layers, whether all seeds are looked at */
+    float front[4]; /* 2 p (1 - p); where it is linear: from, factor, term */
+    float fade[4];  /* weight = x front + y + z life (+ w in the next level) */
+    float law[4];   /* the front is m, the share is 1 - m, strokes shrink, steps a unit of ink */
+    int32_t counts[4];
     struct layer_block layers[HATCH_RPTAM_LAYERS_MAX];
 };
 
-/* Four floats a seed: u, v, the tone's rank, four times the number and the tile that it stays in. First all
- * of a layer, then the lists one after the other, so that the shader finds a list's seeds by one read each. */
-static void put_seed(const struct hatch_rptam_layer *layer, uint32_t seed, float to[4])
-{
-    to[0] = (float)((double)layer->places[seed].u * 0x1p-64);
-    to[1] = (float)((double)layer->places[seed].v * 0x1p-64);
-    to[2] = (float)layer->tone_rank[seed];
-    to[3] = (float)(4 * seed + layer->stays_in[seed]);
-}
-
-/* What the buffers hold, and how much of it there is. */
+/* What the buffers hold, and how much of it there is. Lists are pairs of the first seed and of the one after the
+ * last; a seed is there once for each list that it is in, so that one read finds it. */
 struct packed {
     struct seeds_block block;
-    float *seeds;
-    int32_t *lists; /* two a texel */
-    size_t seed_count, list_count;
+    uint32_t *seeds;  /* four each: u, v, lives, lives in the next level */
+    int32_t *lists;
+    uint8_t *strokes; /* four a texel: alpha there, to the right, below, and both */
+    float ways[2 * HATCH_RPTAM_STEPS];
+    size_t seed_count, list_count, stroke_count;
 };
 
-static void pack_layer(const struct hatch_rptam_layer *layer, struct packed *packed, struct layer_block *to)
+/* Life of a seed's stroke in a tile, in the level that is drawn or in the next. */
+static uint32_t life_in(const struct hatch_rptam_layer *layer, uint32_t seed, int32_t tile_u, int32_t tile_v)
 {
-    const float *own = packed->seeds + 4 * packed->seed_count;
-    const struct hatch_coverage *coverage = &layer->coverage;
+    return layer->life[4 * seed + 2 * ((uint32_t)tile_v & 1u) + ((uint32_t)tile_u & 1u)];
+}
+
+/* Four floats a stroke as bits. Its lives depend on the tile in which the place that is drawn lies, modulo 4: a
+ * byte for each of its four places modulo 2, and for a stroke that stays, of which this place modulo 2 is
+ * known, one for each in the next level. */
+static void put_seed(const struct hatch_rptam_layer *layer, bool weighted, const struct hatch_coverage_copy *copy,
+                     uint32_t to[4])
+{
+    const struct hatch_seed_place *place = &layer->places[copy->seed];
+    const float at[2] = {(float)((double)place->u * 0x1p-64 + copy->tile_u),
+                         (float)((double)place->v * 0x1p-64 + copy->tile_v)};
+    uint32_t above = (copy->seed + layer->count - 1) % layer->count;
+    memcpy(to, at, sizeof at);
+    to[2] = to[3] = 0;
+    for (int32_t tile = 0; tile < 4; tile++) {
+        uint32_t life = life_in(layer, copy->seed, (tile & 1) + copy->tile_u, (tile >> 1) + copy->tile_v);
+        to[2] |= life << 8 * tile;
+        if (life != HATCH_LIFE_STAYS)
+            continue;
+        for (int32_t next = 0; next < 4; next++) {
+            int32_t u = (tile & 1) + 2 * (next & 1) + copy->tile_u;
+            int32_t v = (tile >> 1) + 2 * (next >> 1) + copy->tile_v;
+            uint32_t later = weighted ? life_in(layer, above, (u & 3) >> 1, (v & 3) >> 1) : HATCH_LIFE_STAYS;
+            to[3] |= later << 8 * next;
+        }
+    }
+}
+
+static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch_coverage *coverage, bool weighted,
+                       struct packed *packed)
+{
     size_t texels = (size_t)coverage->side * coverage->side;
-    *to = (struct layer_block){
-        .turn = {(float)layer->cosine, (float)layer->sine, (float)layer->rank_offset},
-        .at = {(int32_t)layer->count, (int32_t)packed->seed_count, (int32_t)packed->list_count,
-               (int32_t)coverage->side}};
-    for (uint32_t step = 0; step < HATCH_RPTAM_STEPS; step++)
-        to->darkness[step] = (float)layer->darkness[step];
-    for (uint32_t k = 0; k < layer->count; k++)
-        put_seed(layer, k, packed->seeds + 4 * packed->seed_count++);
     for (size_t t = 0; t < texels; t++) {
         packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
         for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++)
-            memcpy(packed->seeds + 4 * packed->seed_count++, own + 4 * (size_t)coverage->ids[i], 4 * sizeof *own);
+            put_seed(layer, weighted, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
     }
 }
 
-static enum hatch_status pack(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,
-                              struct packed *packed, struct hatch_err *err)
+/* Nothing beyond the image. */
+static uint8_t byte_at(const struct hatch_image *image, uint32_t x, uint32_t y)
+{
+    bool inside = x < image->width && y < image->height;
+    return inside ? (uint8_t)(image->pixels[(size_t)y * image->width + x] * 255 + 0.5f) : 0;
+}
+
+static void pack_stroke(const struct hatch_image *image, struct packed *packed)
+{
+    for (uint32_t y = 0; y < image->height; y++)
+        for (uint32_t x = 0; x < image->width; x++) {
+            const uint8_t alpha[4] = {byte_at(image, x, y), byte_at(image, x + 1, y), byte_at(image, x, y + 1),
+                                      byte_at(image, x + 1, y + 1)};
+            memcpy(packed->strokes + 4 * packed->stroke_count++, alpha, sizeof alpha);
+        }
+}
+
+/* The layer before this one that has the same stroke. */
+static bool has_stroke(const struct hatch_rptam *rptam, uint32_t index, uint32_t *other)
+{
+    for (*other = 0; *other < index; ++*other)
+        if (rptam->layers[*other].stroke.pixels == rptam->layers[index].stroke.pixels)
+            return true;
+    return false;
+}
+
+static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const struct hatch_coverage *all,
+                       struct packed *packed)
+{
+    const struct hatch_rptam_layer *layer = &rptam->layers[index];
+    const struct hatch_rptam_layer_style *style = &layer->style;
+    const struct hatch_image *image = &layer->stroke;
+    double stretch = style->high - style->low;
+    bool weighted = rptam->style.law == HATCH_FADE_WEIGHTED;
+    uint32_t other;
+    bool drawn = has_stroke(rptam, index, &other);
+    packed->block.layers[index] = (struct layer_block){
+        .turn = {(float)layer->cosine, (float)layer->sine, (float)(style->tile_px * style->tile_px),
+                 (float)style->ink},
+        .tone = {(float)(1 / stretch), (float)(-style->low / stretch), (float)style->low,
+                 all ? 0 : HATCH_RPTAM_SIZES - 1},
+        .stroke = {(float)((image->width - 2) / style->length_px), (float)((image->height - 2) / style->width_px),
+                   (float)image->width - 1, (float)image->height - 1},
+        .at = {(int32_t)packed->list_count, (int32_t)(all ? all->side : layer->coverage[0].side),
+               drawn ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count}};
+    if (!drawn)
+        pack_stroke(image, packed);
+    if (all)
+        pack_lists(layer, all, weighted, packed);
+    for (uint32_t i = 0; !all && i < HATCH_RPTAM_SIZES; i++)
+        pack_lists(layer, &layer->coverage[i], weighted, packed);
+}
+
+static void pack_style(const struct hatch_rptam *rptam, struct seeds_block *block)
 {
     const struct hatch_rptam_style *style = &rptam->style;
-    size_t seeds = 0, lists = 0;
+    bool weighted = style->law == HATCH_FADE_WEIGHTED;
+    double p = fmax(style->overlap, HATCH_FADE_OVERLAP_MIN), q = 1 - p, less = fmin(p, q), more = fmax(p, q);
+    double slope = weighted ? 1 / p : q / p;
+    *block = (struct seeds_block){
+        .front = {(float)(2 * p * q), (float)(less / (2 * more)), (float)more, (float)(less / 2)},
+        .fade = {(float)(weighted ? -1 / p : 1 / p), (float)((weighted ? 0 : -q / p) + slope * hatch_life_value(0)),
+                 (float)(slope / HATCH_LIFE_STAYS), weighted ? (float)(1 / p) : 0},
+        .law = {weighted, style->law == HATCH_FADE_PAPER, style->fade_size,
+                rptam->darkest > 0 ? (float)(HATCH_RPTAM_STEPS / rptam->darkest) : 0},
+        .counts = {(int32_t)rptam->layer_count}};
+}
+
+static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatch_coverage *all,
+                              struct hatch_arena *scratch, struct packed *packed, struct hatch_err *err)
+{
+    size_t seeds = 0, lists = 0, strokes = 0;
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
-        const struct hatch_coverage *coverage = &rptam->layers[i].coverage;
-        size_t texels = (size_t)coverage->side * coverage->side;
-        lists += texels;
-        seeds += rptam->layers[i].count + coverage->first[texels];
+        const struct hatch_coverage *coverage = all ? &all[i] : rptam->layers[i].coverage;
+        const struct hatch_image *stroke = &rptam->layers[i].stroke;
+        for (uint32_t k = 0; k < (all ? 1 : HATCH_RPTAM_SIZES); k++) {
+            size_t texels = (size_t)coverage[k].side * coverage[k].side;
+            lists += texels;
+            seeds += coverage[k].first[texels];
+        }
+        strokes += (size_t)stroke->width * stroke->height;
     }
-    *packed = (struct packed){
-        .block = {.stroke = {(float)style->length_px, (float)style->width_px, (float)style->ink,
-                             (float)style->tile_px},
-                  .fade = {(float)style->overlap, (float)style->tone_overlap, style->law == HATCH_FADE_PAPER,
-                           style->fade_size},
-                  .counts = {(int32_t)rptam->layer_count, all}}};
-    packed->seeds = HATCH_NEW(scratch, float, 4 * seeds, err);
+    *packed = (struct packed){0};
+    pack_style(rptam, &packed->block);
+    packed->seeds = HATCH_NEW(scratch, uint32_t, 4 * seeds, err);
     packed->lists = packed->seeds ? HATCH_NEW(scratch, int32_t, 2 * lists, err) : NULL;
-    if (!packed->lists)
+    packed->strokes = packed->lists ? HATCH_NEW(scratch, uint8_t, 4 * strokes, err) : NULL;
+    if (!packed->strokes)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
-        pack_layer(&rptam->layers[i], packed, &packed->block.layers[i]);
+        pack_layer(rptam, i, all ? &all[i] : NULL, packed);
+    for (uint32_t i = 0; i < HATCH_RPTAM_STEPS; i++) {
+        packed->ways[2 * i] = (float)rptam->way[i];
+        packed->ways[2 * i + 1] = (float)(rptam->way[i + 1] - rptam->way[i]);
+    }
     return HATCH_OK;
 }
 
-static GLuint make_buffer(const void *data, size_t size)
+/* Every stroke that may reach into the tile, for each layer. */
+static enum hatch_status list_all(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
+                                  struct hatch_coverage **all, struct hatch_err *err)
 {
-    GLuint buffer;
-    glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, (GLsizeiptr)size, data, 0);
-    return buffer;
+    *all = HATCH_NEW(scratch, struct hatch_coverage, rptam->layer_count, err);
+    if (!*all)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < rptam->layer_count; i++) {
+        const struct hatch_rptam_layer *layer = &rptam->layers[i];
+        const struct hatch_rptam_layer_style *style = &layer->style;
+        const struct hatch_coverage_stroke largest = {2 * (style->length_px + 1) / style->tile_px,
+                                                      2 * (style->width_px + 1) / style->tile_px,
+                                                      layer->cosine, layer->sine};
+        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &largest, 1, scratch, &(*all)[i], err));
+    }
+    return HATCH_OK;
 }
 
-static GLuint make_stroke(const struct hatch_image *image)
+/* A buffer that shaders read as a texture. A buffer has to have something in it. */
+static void make_texels(const void *data, size_t size_bytes, GLenum format, GLuint *buffer, GLuint *texture)
 {
-    GLuint texture;
-    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-    glTextureStorage2D(texture, 1, GL_R32F, (GLsizei)image->width, (GLsizei)image->height);
-    glTextureSubImage2D(texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED, GL_FLOAT,
-                        image->pixels);
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
+    static const float nothing[4];
+    glCreateBuffers(1, buffer);
+    glNamedBufferStorage(*buffer, (GLsizeiptr)(size_bytes ? size_bytes : sizeof nothing),
+                         size_bytes ? data : nothing, 0);
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, texture);
+    glTextureBuffer(*texture, format, *buffer);
 }
 
-/* A buffer that shaders read as a texture. */
-static GLuint make_view(GLuint buffer, GLenum format)
+static void upload(const struct packed *packed, struct gpu_seeds *seeds)
 {
-    GLuint texture;
-    glCreateTextures(GL_TEXTURE_BUFFER, 1, &texture);
-    glTextureBuffer(texture, format, buffer);
-    return texture;
+    glCreateBuffers(1, &seeds->layers);
+    glNamedBufferStorage(seeds->layers, sizeof packed->block, &packed->block, 0);
+    make_texels(packed->strokes, 4 * packed->stroke_count, GL_RGBA8, &seeds->buffers[0], &seeds->views[0]);
+    make_texels(packed->seeds, 4 * sizeof *packed->seeds * packed->seed_count, GL_RGBA32UI, &seeds->buffers[1],
+                &seeds->views[1]);
+    make_texels(packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I, &seeds->buffers[2],
+                &seeds->views[2]);
+    make_texels(packed->ways, sizeof packed->ways, GL_RG32F, &seeds->buffers[3], &seeds->views[3]);
 }
 
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,
                                struct gpu_seeds *seeds, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_coverage *lists = NULL;
     struct packed packed;
     GLint most;
-    enum hatch_status status = pack(rptam, all, scratch, &packed, err);
+    enum hatch_status status = all ? list_all(rptam, scratch, &lists, err) : HATCH_OK;
+    if (status == HATCH_OK)
+        status = pack(rptam, lists, scratch, &packed, err);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (status == HATCH_OK && packed.seed_count > (size_t)most)
-        status = hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d",
-                            packed.seed_count, most);
     if (status == HATCH_OK) {
-        *seeds = (struct gpu_seeds){
-            .layers = make_buffer(&packed.block, sizeof packed.block),
-            .seeds = make_buffer(packed.seeds, 4 * sizeof *packed.seeds * packed.seed_count),
-            .lists = make_buffer(packed.lists, 2 * sizeof *packed.lists * packed.list_count),
-            .stroke = make_stroke(&rptam->stroke)};
-        seeds->seeds_view = make_view(seeds->seeds, GL_RGBA32F);
-        seeds->lists_view = make_view(seeds->lists, GL_RG32I);
+        size_t texels = packed.seed_count > packed.list_count ? packed.seed_count : packed.list_count;
+        if (texels > (size_t)most)
+            status = hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d",
+                                texels, most);
+        else
+            upload(&packed, seeds);
     }
     hatch_arena_rewind(scratch, mark);
     return status;
@@ -138,18 +239,14 @@ enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct
 void seeds_bind(const struct gpu_seeds *seeds)
 {
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, seeds->layers);
-    glBindTextureUnit(4, seeds->stroke);
-    glBindTextureUnit(5, seeds->seeds_view);
-    glBindTextureUnit(6, seeds->lists_view);
+    for (GLuint i = 0; i < SEEDS_VIEWS; i++)
+        glBindTextureUnit(4 + i, seeds->views[i]);
 }
 
 void seeds_free(struct gpu_seeds *seeds)
 {
-    glDeleteTextures(1, &seeds->seeds_view);
-    glDeleteTextures(1, &seeds->lists_view);
-    glDeleteTextures(1, &seeds->stroke);
+    glDeleteTextures(SEEDS_VIEWS, seeds->views);
+    glDeleteBuffers(SEEDS_VIEWS, seeds->buffers);
     glDeleteBuffers(1, &seeds->layers);
-    glDeleteBuffers(1, &seeds->seeds);
-    glDeleteBuffers(1, &seeds->lists);
     *seeds = (struct gpu_seeds){0};
 }

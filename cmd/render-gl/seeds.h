@@ -1,5 +1,5 @@
 /* Recursive procedural tonal art maps on the GPU: the seeds, the lists of the strokes near each place, the
- * stroke's image. What the shader rptam.frag reads. */
+ * strokes' images. What the shader rptam.frag reads. */
 #ifndef RENDER_SEEDS_H
 #define RENDER_SEEDS_H
 
@@ -8,10 +8,11 @@
 #include "render-gl/scene.h"
 #include "seed/rptam.h"
 
+#define SEEDS_VIEWS 4
+
 struct gpu_seeds {
-    GLuint layers, seeds, lists;   /* buffers */
-    GLuint seeds_view, lists_view; /* the last two as textures */
-    GLuint stroke;                 /* texture */
+    GLuint layers; /* a buffer */
+    GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, and they as textures */
 };
 
 /* Uploads the model. all: the shader looks at every seed at every place, which is slow. */

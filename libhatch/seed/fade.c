@@ -2,11 +2,15 @@
 
 #include <math.h>
 
-#define OVERLAP_MIN 1e-6 /* below it a stroke is there or not */
-
 double hatch_fade_share(enum hatch_fade_law law, double m)
 {
     return law == HATCH_FADE_PAPER ? 1 - m : (pow(4, 1 - m) - 1) / 3;
+}
+
+/* The inverse of EVEN's share. */
+double hatch_fade_death(double rank)
+{
+    return 1 - log2(1 + 3 * rank) / 2;
 }
 
 /* Weights fall from 1 to 0 over a stretch of ranks as wide as overlap / (1 - overlap), which moves from
@@ -14,7 +18,7 @@ double hatch_fade_share(enum hatch_fade_law law, double m)
  * ends, where the stretch is cut off, and linear between; this is its inverse. */
 double hatch_fade_front(double f, double overlap)
 {
-    double p = fmax(overlap, OVERLAP_MIN), q = 1 - p;
+    double p = fmax(overlap, HATCH_FADE_OVERLAP_MIN), q = 1 - p;
     double less = fmin(p, q), more = fmax(p, q);
     if (f <= less / (2 * more))
         return sqrt(2 * p * q * f);
@@ -23,8 +27,16 @@ double hatch_fade_front(double f, double overlap)
     return f * more + less / 2;
 }
 
-double hatch_fade_weight(double f, double rank, double overlap)
+struct hatch_fade hatch_fade_at(enum hatch_fade_law law, double m, double overlap)
 {
-    double p = fmax(overlap, OVERLAP_MIN);
-    return fmin(fmax((hatch_fade_front(f, overlap) - rank * (1 - p)) / p, 0), 1);
+    double p = fmax(overlap, HATCH_FADE_OVERLAP_MIN);
+    if (law == HATCH_FADE_WEIGHTED)
+        return (struct hatch_fade){-m / p, 1 / p, 1 / p};
+    double front = hatch_fade_front(hatch_fade_share(law, m), overlap);
+    return (struct hatch_fade){(front - (1 - p)) / p, (1 - p) / p, 0};
+}
+
+double hatch_fade_weight(const struct hatch_fade *fade, double life, double more)
+{
+    return fmin(fmax(fade->base + fade->slope * life + more, 0), 1);
 }

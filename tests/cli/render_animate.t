@@ -25,7 +25,6 @@ same_as_still stroke-turn stroke-turn 0 20 40 -t rptam
 same_as_still seed-tile seed-tile 64 128 256 -t rptam
 same_as_still seed-layers seed-layers 1 2 3 -t rptam --tone-range 0:1
 same_as_still overlap overlap 0 0.25 0.5 -t rptam
-same_as_still tone-overlap tone-overlap 0 0.25 0.5 -t rptam
 same_as_still hatch-turn hatch-turn -30 0 30 -t tam
 same_as_still hatch-scale hatch-scale 0.8 1.2 1.8 -t rptam
 same_as_still tone-range tone-range 0:0.2 0.1:0.3 0.2:0.4 -t rptam

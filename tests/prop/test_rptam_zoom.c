@@ -1,6 +1,7 @@
 /* Zooming in through forty octaves: where strokes lie, against a reference in pairs of doubles, and the tone. */
 #include "run.h"
 
+#include "rptam_model.h"
 #include "zoom_reference.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
@@ -9,17 +10,12 @@ static struct test_frame frame;
 static struct hatch_rptam rptam;
 static struct hatch_mesh mesh;
 
-static const struct hatch_rptam_style style = {.tile_px = 40,
-                                               .length_px = 14,
-                                               .width_px = 2,
-                                               .angle_rad = {0.5, 1.5},
-                                               .ink = 1,
-                                               .overlap = 0.5,
-                                               .tone_overlap = 0.3};
+static const struct model_how how_drawn = {
+    .layers = 2, .tile_px = 40, .length_px = 14, .width_px = 2, .angle_rad = {0.5, 1.5}, .overlap = 0.5};
 
 static void begin_mesh(const struct bounds *bounds)
 {
-    zoom_seeds(&frame, &style, 2, &rptam);
+    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
     frame_begin(&mesh, bounds, NULL, &frame);
     frame.renderer.rptam = &rptam;
 }

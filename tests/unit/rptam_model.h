@@ -32,28 +32,46 @@ static inline void model_stroke(bool solid, struct hatch_arena *arena, struct ha
                                   : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
 }
 
+/* Layers come one after the other as it becomes darker. stroke: filled here. */
+static inline void model_style(const struct model_how *how, struct hatch_arena *arena, struct hatch_image *stroke,
+                               struct hatch_rptam_style *style)
+{
+    uint32_t layers = how->layers ? how->layers : 1;
+    model_stroke(how->solid, arena, stroke);
+    *style = (struct hatch_rptam_style){
+        .law = how->law, .fade_size = how->fade_size, .overlap = how->overlap, .layer_count = layers};
+    for (uint32_t i = 0; i < layers; i++)
+        style->layers[i] = (struct hatch_rptam_layer_style){.low = (double)i / layers,
+                                                            .high = (i + 1.0) / layers,
+                                                            .angle_rad = how->angle_rad[i],
+                                                            .length_px = how->length_px,
+                                                            .width_px = how->width_px,
+                                                            .tile_px = how->tile_px,
+                                                            .ink = how->ink > 0 ? how->ink : 1,
+                                                            .stroke = stroke};
+}
+
+/* The model of a style with seeds of its own. */
+static inline void model_of_style(const struct model_how *how, const struct hatch_rptam_style *style,
+                                  struct hatch_arena *arena, struct hatch_arena *temporary, struct hatch_rptam *rptam)
+{
+    const struct hatch_seeds_options options = {.cycle = {.count = how->seeds ? how->seeds : 64, .seed = 2},
+                                                .layers = style->layer_count,
+                                                .candidates = how->candidates ? how->candidates : 5};
+    struct hatch_seeds seeds;
+    uint64_t steps;
+    struct hatch_err failed;
+    HATCH_TEST_OK(hatch_seeds_make(&options, arena, temporary, &seeds, &steps, &failed), &failed);
+    HATCH_TEST_OK(hatch_rptam_make(&seeds, style, arena, temporary, rptam, &failed), &failed);
+}
+
 static inline void model_make(const struct model_how *how, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_rptam *rptam)
 {
-    const struct hatch_seeds_options options = {.cycle = {.count = how->seeds ? how->seeds : 64, .seed = 2},
-                                                .layers = how->layers ? how->layers : 1,
-                                                .candidates = how->candidates ? how->candidates : 5};
-    struct hatch_rptam_style style = {.tile_px = how->tile_px,
-                                      .length_px = how->length_px,
-                                      .width_px = how->width_px,
-                                      .ink = how->ink > 0 ? how->ink : 1,
-                                      .law = how->law,
-                                      .fade_size = how->fade_size,
-                                      .overlap = how->overlap,
-                                      .tone_overlap = how->overlap};
-    struct hatch_seeds seeds;
+    struct hatch_rptam_style style;
     struct hatch_image stroke;
-    uint64_t steps;
-    struct hatch_err failed;
-    memcpy(style.angle_rad, how->angle_rad, sizeof style.angle_rad);
-    HATCH_TEST_OK(hatch_seeds_make(&options, arena, temporary, &seeds, &steps, &failed), &failed);
-    model_stroke(how->solid, arena, &stroke);
-    HATCH_TEST_OK(hatch_rptam_make(&seeds, &style, &stroke, arena, temporary, rptam, &failed), &failed);
+    model_style(how, arena, &stroke, &style);
+    model_of_style(how, &style, arena, temporary, rptam);
 }
 
 #endif

@@ -174,7 +174,7 @@ static inline double raster_ink(const struct raster *raster, const struct raster
         const struct hatch_rptam_layer *layer = &rptam->layers[i];
         double across = hypot(layer->cosine * move[1][0] - layer->sine * move[0][0],
                               layer->cosine * move[1][1] - layer->sine * move[0][1]);
-        double depth = log2(rptam->style.tile_px / across);
+        double depth = log2(layer->style.tile_px / across);
         if (fabs(depth) < 60)
             paper *= 1 - hatch_rptam_layer_ink(rptam, i, pixel->point.uv, depth, amounts[i], true);
     }

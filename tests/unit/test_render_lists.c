@@ -27,7 +27,7 @@ static void make_case(int i)
                             .length_px = lengths_px[level(i, 3)],
                             .width_px = 1 + level(i, 4),
                             .overlap = overlaps[level(i, 4)],
-                            .law = i % 3 == 0 ? HATCH_FADE_PAPER : HATCH_FADE_EVEN,
+                            .law = (enum hatch_fade_law)((i + 1) % 3),
                             .fade_size = i % 2};
     for (uint32_t k = 0; k < how.layers; k++)
         how.angle_rad[k] = turns_rad[(level(i, 1) + (int)k) % LEVELS] + 0.1 * k;

@@ -11,6 +11,8 @@ static const struct model_how models[] = {
      .overlap = 0.2, .fade_size = true, .seeds = 37},
     {.layers = 2, .tile_px = 77, .length_px = 30, .width_px = 1.5, .angle_rad = {0.1, 1.2}, .seeds = 16,
      .law = HATCH_FADE_PAPER, .overlap = 0.5},
+    {.layers = 4, .tile_px = 50, .length_px = 25, .width_px = 2, .angle_rad = {0, 1.5, 0.5, 2}, .ink = 0.9,
+     .law = HATCH_FADE_WEIGHTED, .overlap = 0.3},
 };
 
 static const struct {

@@ -3,27 +3,12 @@
 #include <math.h>
 
 #include "render_frame.h"
-#include "seed/spread.h"
+#include "rptam_model.h"
 
 enum { SIZE = 96 };
 
 static struct test_frame frame;
 static struct hatch_rptam rptam;
-
-static void make_model(uint32_t count, uint32_t layers, const struct hatch_rptam_style *style)
-{
-    const struct hatch_seeds_options how = {
-        .cycle = {.count = count, .seed = 2}, .layers = layers, .candidates = 5};
-    struct hatch_seeds seeds;
-    struct hatch_image stroke;
-    uint64_t steps;
-    struct hatch_err *err = &frame.err;
-    HATCH_TEST_OK(hatch_seeds_make(&how, &frame.arena, &frame.scratch, &seeds, &steps, err), err);
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, 64, 16, "A", &stroke, err), err);
-    for (uint32_t i = 0; i < 64 * 16; i++)
-        stroke.pixels[i] = (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
-    HATCH_TEST_OK(hatch_rptam_make(&seeds, style, &stroke, &frame.arena, &frame.scratch, &rptam, err), err);
-}
 
 /* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
 static void begin_plane(void)
@@ -57,6 +42,17 @@ static struct view view_of(double span)
                          .pivot = 5};
 }
 
+/* The ink of the model where the picture shows a unit of the texture as so many pixels. */
+static double model_ink(const double uv[2], double unit_px, const double *amounts)
+{
+    double left = 1;
+    for (uint32_t i = 0; i < rptam.layer_count; i++) {
+        double depth = log2(rptam.layers[i].style.tile_px / unit_px);
+        left *= 1 - hatch_rptam_layer_ink(&rptam, i, uv, depth, amounts[i], true);
+    }
+    return 1 - left;
+}
+
 /* The largest difference of a picture from the model, in ink. */
 static double compare(double span, double tone)
 {
@@ -66,30 +62,33 @@ static double compare(double span, double tone)
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
     hatch_rptam_amounts(&rptam, tone, amounts);
-    double depth = log2(rptam.style.tile_px / (SIZE / span));
     for (uint32_t y = 0; y < SIZE; y++)
         for (uint32_t x = 0; x < SIZE; x++) {
             const double uv[2] = {0.5 + span * ((x + 0.5) / SIZE - 0.5), 0.5 + span * ((y + 0.5) / SIZE - 0.5)};
-            double want = 1 - hatch_rptam_ink(&rptam, uv, depth, amounts, false);
+            double want = 1 - model_ink(uv, SIZE / span, amounts);
             worst = fmax(worst, fabs((double)picture.pixels[3 * (y * SIZE + x)] - want));
         }
     return worst;
 }
 
-static const struct hatch_rptam_style styles[] = {
-    {.tile_px = 60, .length_px = 20, .width_px = 2, .angle_rad = {0, 1.5, 0.4}, .ink = 1, .overlap = 1,
-     .tone_overlap = 0.3},
+enum { LOOKS = 5 };
+static const struct model_how looks[LOOKS] = {
+    {.tile_px = 60, .length_px = 20, .width_px = 2, .angle_rad = {0, 1.5, 0.4}, .layers = 3, .overlap = 1},
     {.tile_px = 40, .length_px = 14, .width_px = 3, .angle_rad = {0.7, -1, 2}, .ink = 0.8, .overlap = 0.2,
-     .tone_overlap = 1, .fade_size = true},
-    {.tile_px = 77, .length_px = 30, .width_px = 1.5, .angle_rad = {0.1, 1.2, 3}, .ink = 1,
-     .law = HATCH_FADE_PAPER, .overlap = 0.5, .tone_overlap = 0.5},
+     .fade_size = true, .layers = 3, .seeds = 37},
+    {.tile_px = 77, .length_px = 30, .width_px = 1.5, .angle_rad = {0.1, 1.2, 3}, .layers = 3,
+     .law = HATCH_FADE_PAPER, .overlap = 0.5},
+    {.tile_px = 64, .length_px = 25, .width_px = 2.5, .angle_rad = {0, 1.3, 2}, .ink = 0.9,
+     .law = HATCH_FADE_WEIGHTED, .overlap = 0.3, .layers = 3, .seeds = 25},
+    {.tile_px = 24, .length_px = 60, .width_px = 2, .angle_rad = {0.2, 1, 2}, .ink = 0.7, /* over the tile */
+     .law = HATCH_FADE_WEIGHTED, .overlap = 0.8, .fade_size = true, .layers = 3, .seeds = 2},
 };
 
 START_TEST(a_plane_is_the_model)
 {
     static const double spans[] = {1, 0.7, 0.31, 0.11};
     frame_arenas(&frame);
-    make_model(_i == 1 ? 37 : 64, 3, &styles[_i]);
+    model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
     begin_plane();
     for (int i = 0; i < 4; i++)
         for (int tone = 1; tone <= 3; tone++) {
@@ -109,7 +108,7 @@ START_TEST(lists_hold_every_stroke_that_shows)
     struct view view = view_of(0.8);
     view.half_height = 1.5;
     frame_arenas(&frame);
-    make_model(_i == 1 ? 100 : 16, 3, &styles[_i]);
+    model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
     HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
                   &frame.err);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
@@ -135,11 +134,10 @@ END_TEST
 START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
 {
     struct hatch_image near_picture, far_picture;
-    struct hatch_rptam_style style = styles[0];
-    style.length_px = style.width_px = 4; /* dots: only whether they are there counts */
-    style.tile_px = SIZE;
+    /* dots: only whether they are there counts */
+    const struct model_how how = {.seeds = 16, .tile_px = SIZE, .length_px = 4, .width_px = 4, .overlap = 1};
     frame_arenas(&frame);
-    make_model(16, 1, &style);
+    model_make(&how, &frame.arena, &frame.scratch, &rptam);
     begin_plane();
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
     struct view view = view_of(1); /* depth 0 */
@@ -165,12 +163,54 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
 }
 END_TEST
 
+/* Each with a stroke, a size, a tile and a set of its own; their stretches of tones overlap and come in any
+ * order. */
+START_TEST(layers_differ_in_everything)
+{
+    frame_arenas(&frame);
+    struct hatch_rptam_style style;
+    struct hatch_image dot, brush;
+    model_style(&looks[3], &frame.arena, &brush, &style);
+    HATCH_TEST_OK(hatch_image_make(&frame.arena, 3, 3, "A", &dot, &frame.err), &frame.err);
+    dot.pixels[4] = 1;
+    style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot};
+    style.layers[1].high = 0.9;
+    style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush};
+    model_of_style(&looks[3], &style, &frame.arena, &frame.scratch, &rptam);
+    begin_plane();
+    for (int tone = 1; tone <= 4; tone++) {
+        double worst = compare(0.45, rptam.darkest * tone / 4);
+        ck_assert_msg(worst <= 1 / 255.0, "tone %d: %g", tone, worst);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+START_TEST(no_layer_is_paper)
+{
+    struct hatch_image picture;
+    struct view view = view_of(1);
+    const struct hatch_rptam_style none = {.overlap = 0.5};
+    const struct hatch_seeds no_sets = {0};
+    frame_arenas(&frame);
+    HATCH_TEST_OK(hatch_rptam_make(&no_sets, &none, &frame.arena, &frame.scratch, &rptam, &frame.err), &frame.err);
+    begin_plane();
+    frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
+    for (uint32_t i = 0; i < 3 * SIZE * SIZE; i++)
+        ck_assert_float_eq(picture.pixels[i], 1);
+    ck_assert_double_eq(rptam.darkest, 0);
+    frame_end(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render rptam");
     TCase *tests = tcase_create("rptam");
-    tcase_add_loop_test(tests, a_plane_is_the_model, 0, 3);
-    tcase_add_loop_test(tests, lists_hold_every_stroke_that_shows, 0, 3);
+    tcase_add_loop_test(tests, a_plane_is_the_model, 0, LOOKS);
+    tcase_add_loop_test(tests, lists_hold_every_stroke_that_shows, 0, LOOKS);
+    tcase_add_test(tests, layers_differ_in_everything);
+    tcase_add_test(tests, no_layer_is_paper);
     tcase_add_test(tests, strokes_of_a_sparser_level_are_a_part_of_the_denser);
     suite_add_tcase(suite, tests);
     return suite;

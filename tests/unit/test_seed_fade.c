@@ -20,6 +20,14 @@ START_TEST(the_even_law_keeps_the_ink)
 }
 END_TEST
 
+/* Of a stroke at a rank where those that go have a mean of f left. */
+static double weight_at(double f, double rank, double overlap)
+{
+    double m = 1 - log2(1 + 3 * f) / 2;
+    struct hatch_fade fade = hatch_fade_at(HATCH_FADE_EVEN, m, overlap);
+    return hatch_fade_weight(&fade, 1 - rank, 0);
+}
+
 /* The mean of the weights over ranks is f, for every overlap; they lie in 0..1 and fall with rank. */
 START_TEST(weights_have_the_mean_that_is_asked)
 {
@@ -28,7 +36,7 @@ START_TEST(weights_have_the_mean_that_is_asked)
         for (int step = 0; step <= 20; step++) {
             double f = step / 20.0, sum = 0, last = 1;
             for (int r = 0; r < RANKS; r++) {
-                double weight = hatch_fade_weight(f, (r + 0.5) / RANKS, overlap / 10.0);
+                double weight = weight_at(f, (r + 0.5) / RANKS, overlap / 10.0);
                 if (!(weight >= 0 && weight <= last))
                     ck_abort_msg("rank %d: %g after %g", r, weight, last);
                 last = weight;
@@ -43,8 +51,8 @@ START_TEST(the_ends_of_overlap_are_together_and_one_after_the_other)
 {
     for (int r = 0; r < 10; r++) {
         double rank = (r + 0.5) / 10;
-        ck_assert_double_eq_tol(hatch_fade_weight(0.37, rank, 1), 0.37, 1e-12);
-        ck_assert_double_eq_tol(hatch_fade_weight(0.4, rank, 0), r < 4 ? 1 : 0, 1e-12);
+        ck_assert_double_eq_tol(weight_at(0.37, rank, 1), 0.37, 1e-12);
+        ck_assert_double_eq_tol(weight_at(0.4, rank, 0), r < 4 ? 1 : 0, 1e-12);
     }
 }
 END_TEST
@@ -55,7 +63,7 @@ START_TEST(overlap_is_the_share_in_transition)
     enum { RANKS = 10000 };
     int moving = 0;
     for (int r = 0; r < RANKS; r++) {
-        double weight = hatch_fade_weight(0.5, (r + 0.5) / RANKS, 0.2);
+        double weight = weight_at(0.5, (r + 0.5) / RANKS, 0.2);
         moving += weight > 0 && weight < 1;
     }
     ck_assert_double_eq_tol(moving / (double)RANKS, 0.25, 0.001); /* 0.2 / (1 - 0.2) of the ranks */

@@ -8,7 +8,6 @@
 #include "math/pair.h"
 #include "math/vector.h"
 #include "render_frame.h"
-#include "seed/spread.h"
 
 struct zoom_error {
     double largest_px, mean_px; /* of where strokes lie; INFINITY where nothing is drawn */
@@ -26,22 +25,6 @@ struct zoom_corner {
 struct zoom_ray {
     double begin[2], along[3];
 };
-
-static inline void zoom_seeds(struct test_frame *frame, const struct hatch_rptam_style *style,
-                              uint32_t layers, struct hatch_rptam *rptam)
-{
-    const struct hatch_seeds_options how = {
-        .cycle = {.count = 64, .seed = 2}, .layers = layers, .candidates = 5};
-    struct hatch_seeds seeds;
-    struct hatch_image stroke;
-    uint64_t steps;
-    struct hatch_err *err = &frame->err;
-    HATCH_TEST_OK(hatch_seeds_make(&how, &frame->arena, &frame->scratch, &seeds, &steps, err), err);
-    HATCH_TEST_OK(hatch_image_make(&frame->arena, 64, 16, "A", &stroke, err), err);
-    for (uint32_t i = 0; i < 64 * 16; i++)
-        stroke.pixels[i] = (float)sin(3.1416 * (i / 64 + 0.5) / 16);
-    HATCH_TEST_OK(hatch_rptam_make(&seeds, style, &stroke, &frame->arena, &frame->scratch, rptam, err), err);
-}
 
 /* A picture of what lies at a distance from a point of the surface, seen along a direction. */
 static inline struct view zoom_view(struct test_frame *frame, const double point[3], const double back[3],
@@ -204,7 +187,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct vi
     zoom_pixels(view, ray, hit, height, span, pixels);
     for (int k = 0; k < 2; k++)
         across[k] = -layer->sine * pixels[0][k] + layer->cosine * pixels[1][k];
-    double depth = log2(rptam->style.tile_px / hypot(across[0], across[1]));
+    double depth = log2(layer->style.tile_px / hypot(across[0], across[1]));
     if (fabs(depth - round(depth)) < 1e-3) /* either depth is right */
         return;
     for (int k = 0; k < 2; k++) {

@@ -19,7 +19,7 @@ void main()
     if (opacity < 0.5)
         discard;
     vec2 turn = layers[0].turn.xy;
-    float depth = log2(stroke.w / length(pixels_along_both() * vec2(-turn.y, turn.x)));
+    float depth = log2(sqrt(layers[0].turn.z) / length(pixels_along_both() * vec2(-turn.y, turn.x)));
     if (!(abs(depth) < 60.0))
         discard;
     vec2 at = place_at(floor(depth));

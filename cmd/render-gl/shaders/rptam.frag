@@ -13,21 +13,25 @@ in vec2 v_amounts;
 #endif
 out vec4 o_color;
 
-vec2 ink_of(mat2 pixels, vec2 amounts)
+// What one layer leaves of the paper at a place on the way to the darkest tone: its pattern log4(1/amount)
+// octaves further out. Whole octaves are taken from the exponent.
+float left_by(SeedLayer layer, float way, mat2 pixels)
 {
-    vec2 left = vec2(1.0);
-    for (int layer = 0; layer < layer_count.x; layer++) {
-        vec2 turn = layers[layer].turn.xy;
-        float across = length(pixels * vec2(-turn.y, turn.x));
-        float depth = log2(stroke.w / across), whole = floor(depth);
-        if (!(abs(depth) < 60.0)) // no depth is right: the surface is seen edge on, or has no scale
-            continue;
-        vec2 at = place_at(whole);
-        left.x *= layer_paper(layer, at, depth - whole, layer_amount(layer, amounts.x));
-#ifdef TWO_INKS
-        left.y *= layer_paper(layer, at, depth - whole, layer_amount(layer, amounts.y));
-#endif
-    }
+    vec2 across = pixels * vec2(-layer.turn.y, layer.turn.x);
+    float amount = clamp(layer.tone.x * way + layer.tone.y, 0.0, 1.0);
+    float unit = dot(across, across), pattern = layer.turn.z / (unit * amount); // 4^depth
+    if (!(amount >= 1e-4 && pattern > 1e-36 && pattern < 1e36))
+        return 1.0; // no depth is right: the surface is seen edge on, or has no scale
+    int whole = ((floatBitsToInt(pattern) >> 23) - 127) >> 1;
+    float far = intBitsToFloat((127 - whole) << 23), tile = intBitsToFloat((127 + whole) << 23);
+    return layer_paper(layer, place_at(float(whole)), sqrt(unit) * tile, 1.0 / (pattern * far * far));
+}
+
+float ink_of(mat2 pixels, float amount)
+{
+    float way = way_to(amount), left = 1.0;
+    for (int i = 0; i < seed_layers.x && way > layers[i].tone.z; i++)
+        left *= left_by(layers[i], way, pixels);
     return 1.0 - left;
 }
 
@@ -37,6 +41,11 @@ void main()
 #ifdef BASE_TONE
     vec2 v_amounts = ink_amounts(v_light * base_light());
 #endif
-    vec2 ink = ink_of(pixels_along_both(), v_amounts);
-    o_color = vec4(ink_on_paper(ink.xxx, ink.yyy), opacity);
+    mat2 pixels = pixels_along_both();
+#ifdef TWO_INKS
+    float light = ink_of(pixels, v_amounts.y);
+#else
+    float light = 0.0;
+#endif
+    o_color = vec4(ink_on_paper(vec3(ink_of(pixels, v_amounts.x)), vec3(light)), opacity);
 }

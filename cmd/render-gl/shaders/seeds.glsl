@@ -1,88 +1,79 @@
 // Recursive procedural tonal art maps: the ink of strokes that stand at seeds. The same as seed/rptam.c.
 struct SeedLayer {
-    vec4 turn;        // cosine, sine of the strokes' direction; offset of their ranks
-    ivec4 at;         // seeds, the first of them, the first of its lists, texels along a side
-    vec4 darkness[5]; // of the layers up to this one, at 0, 1/16 .. 1 of it
+    vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink
+    vec4 tone;   // amount = x way + y; where on the way the layer begins; lists for smaller strokes
+    vec4 stroke; // texels of its image a pixel, along and across; its texels, without the last, along and across
+    ivec4 at;    // its first list, texels of lists along a side, its image's first texel
 };
 
 layout(std140, binding = 1) uniform SeedLayers {
-    vec4 stroke;       // length, width in pixels, ink, side of the tile in pixels
-    vec4 fade;         // overlap with depth, with tone; the paper's law; strokes shrink
-    ivec4 layer_count; // y: look at every seed
-    SeedLayer layers[8];
+    vec4 front;  // 2 p (1 - p), where it is linear: from, factor, term; p is the overlap
+    vec4 fade;   // weight = x front + y + z life (+ w in the next level), life in steps
+    vec4 law;    // the front is m itself; the share is 1 - m; strokes shrink; steps a unit of ink
+    ivec4 seed_layers; // their number
+    SeedLayer layers[64];
 };
-layout(binding = 4) uniform sampler2D stroke_image;
-layout(binding = 5) uniform samplerBuffer seeds;  // u, v, tone's rank, four times the number and the tile
+layout(binding = 4) uniform samplerBuffer stroke_texels; // alpha here, to the right, below, and both
+layout(binding = 5) uniform usamplerBuffer seeds; // u, v, lives in four tiles, lives in the next level in four
 layout(binding = 6) uniform isamplerBuffer lists; // per texel: its first seed, the one after its last
+layout(binding = 7) uniform samplerBuffer ways;   // how far the way leads to a tone; how far it goes on to the next
 
-float darkness_at(int layer, int step)
+// How far along the way from paper to the darkest an amount of ink is.
+float way_to(float amount)
 {
-    return layers[layer].darkness[step / 4][step % 4];
+    float at = clamp(amount * law.w, 0.0, 255.9999);
+    vec2 step = texelFetch(ways, int(at)).xy;
+    return step.x + fract(at) * step.y;
 }
 
-// How much of a layer an amount of ink asks for.
-float layer_amount(int layer, float amount)
+// Where the front of fading stands at m, 0 .. 1; q = 4^-m.
+float fade_front(float q)
 {
-    int low = 0;
-    for (int step = 8; step > 0; step /= 2)
-        low += amount > darkness_at(layer, low + step) ? step : 0;
-    low = min(low, 15);
-    float begin = darkness_at(layer, low), end = darkness_at(layer, low + 1);
-    return clamp((float(low) + (amount - begin) / max(end - begin, 1e-6)) / 16.0, 0.0, 1.0);
+    float m = -0.5 * log2(q);
+    float share = law.y > 0.5 ? 1.0 - m : (4.0 * q - 1.0) / 3.0;
+    float place = share * front.z + front.w;
+    place = share <= front.y ? sqrt(max(front.x * share, 0.0)) : place;
+    place = share >= 1.0 - front.y ? 1.0 - sqrt(max(front.x * (1.0 - share), 0.0)) : place;
+    return law.x > 0.5 ? m : place;
 }
 
-// Where the front of fading stands, so that the mean over ranks is `share`.
-float fade_front(float share, float overlap)
+// Alpha at a place in texels of a stroke's image. Its border is nothing, and goes on outside.
+float stroke_alpha(vec2 place, SeedLayer layer)
 {
-    float q = 1.0 - overlap, less = min(overlap, q), more = max(overlap, q);
-    float twice = 2.0 * overlap * q;
-    if (share <= less / (2.0 * more))
-        return sqrt(twice * share);
-    if (share >= 1.0 - less / (2.0 * more))
-        return 1.0 - sqrt(twice * (1.0 - share));
-    return share * more + 0.5 * less;
+    place = clamp(place, vec2(0.0), layer.stroke.zw);
+    ivec2 texel = ivec2(place);
+    vec4 alpha = texelFetch(stroke_texels, layer.at.z + texel.y * (int(layer.stroke.z) + 1) + texel.x);
+    vec2 share = fract(place);
+    vec2 row = mix(alpha.xz, alpha.yw, share.x);
+    return mix(row.x, row.y, share.y);
 }
 
-float fade_weight(float front, float rank, float overlap)
+// What one layer leaves of the paper. at: the place in the pattern, in tiles, right modulo 4; px: a tile's side
+// on the screen; q: 4^-m, m between the levels.
+float layer_paper(SeedLayer layer, vec2 at, float px, float q)
 {
-    return clamp((front - rank * (1.0 - overlap)) / overlap, 0.0, 1.0);
-}
-
-// Alpha at a place in pixels from the middle of a stroke.
-float stroke_alpha(vec2 px)
-{
-    vec2 size = vec2(textureSize(stroke_image, 0));
-    vec2 at = 1.0 + (px / stroke.xy + 0.5) * (size - 2.0);
-    return textureLod(stroke_image, at / size, 0.0).r; // its border is nothing, and goes on outside
-}
-
-// What one layer leaves of the paper. at: the place in seed space; m: between the levels, 0 .. 1.
-float layer_paper(int layer, vec2 at, float m, float amount)
-{
-    ivec4 where = layers[layer].at;
-    vec2 turn = layers[layer].turn.xy;
-    float overlap = max(fade.x, 1e-6), tone_overlap = max(fade.y, 1e-6);
-    float front = fade_front(fade.z > 0.5 ? 1.0 - m : (exp2(2.0 - 2.0 * m) - 1.0) / 3.0, overlap);
-    float tone_front = fade_front(amount, tone_overlap), px = stroke.w * exp2(-m), paper = 1.0;
-    ivec2 texel = min(ivec2(fract(at) * float(where.w)), ivec2(where.w - 1));
-    ivec2 list = texelFetch(lists, where.z + texel.y * where.w + texel.x).xy;
-    if (layer_count.y > 0)
-        list = ivec2(where.y, where.y + where.x);
-    if (amount <= 0.0)
-        list.y = list.x;
+    float paper = 1.0, base = fade.x * fade_front(q) + fade.y;
+    vec2 tile = fract(0.25 * at) * 4.0;
+    ivec2 whole = ivec2(tile), cell = ivec2(fract(tile) * float(layer.at.y));
+    uvec2 bytes = uvec2(8 * ((whole & 1).x + 2 * (whole & 1).y), 8 * ((whole >> 1).x + 2 * (whole >> 1).y));
+    int smaller = (floatBitsToInt(4.0 * px * px / layer.turn.z) >> 23) - 127;
+    int size = clamp(smaller, 0, int(layer.tone.w));
+    ivec2 list = texelFetch(lists, layer.at.x + (size * layer.at.y + cell.y) * layer.at.y + cell.x).xy;
+    vec2 scale = px * layer.stroke.xy, along = scale.x * layer.turn.xy;
+    vec2 across = scale.y * vec2(-layer.turn.y, layer.turn.x), middle = 0.5 * layer.stroke.zw;
+    tile = fract(tile);
     for (int i = list.x; i < list.y; i++) {
-        vec4 s = texelFetch(seeds, i);
-        vec2 away = at - s.xy, tile = floor(away + 0.5);
-        away -= tile;
-        vec2 odd = tile - 2.0 * floor(0.5 * tile);
-        float in_tile = 2.0 * odd.y + odd.x, number = floor(0.25 * s.w);
-        float rank = (number + 0.25 * (in_tile + layers[layer].turn.z)) / float(where.x);
-        float weight = fade_weight(tone_front, s.z, tone_overlap);
-        weight *= in_tile == s.w - 4.0 * number ? 1.0 : fade_weight(front, rank, overlap);
-        vec2 place = px * vec2(dot(turn, away), turn.x * away.y - turn.y * away.x);
-        bool shrinks = fade.w > 0.5;
-        float alpha = stroke_alpha(shrinks ? place * inversesqrt(max(weight, 1e-12)) : place);
-        paper *= 1.0 - stroke.z * alpha * (shrinks ? step(1e-12, weight) : weight);
+        uvec4 s = texelFetch(seeds, i);
+        vec2 away = tile - uintBitsToFloat(s.xy);
+        uvec2 lives = (s.zw >> bytes) & 255u;
+        float weight = base + fade.z * float(lives.x);
+        weight = lives.x == 255u ? base + fade.w + fade.z * float(lives.y) : weight;
+        weight = lives == uvec2(255u) ? 1.0 : clamp(weight, 0.0, 1.0);
+        vec2 place = vec2(dot(along, away), dot(across, away));
+        if (law.z > 0.5)
+            place *= inversesqrt(max(weight, 1e-12));
+        float ink = layer.turn.w * (law.z > 0.5 ? step(1e-12, weight) : weight);
+        paper *= 1.0 - ink * stroke_alpha(middle + place, layer);
     }
     return paper;
 }

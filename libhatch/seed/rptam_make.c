@@ -1,0 +1,224 @@
+/* Makes the model: strokes' images, lists, and the table of tones. */
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "seed/rptam.h"
+
+#define SIDE_MIN 16u
+#define SIDE_MAX 256u        /* texels along a tile, of the lists */
+#define STROKE_TEXELS 2048.0 /* along an image of a stroke, at most */
+#define GROWTH 1.0001        /* of listed strokes, against rounding on the GPU */
+#define TONE_POINTS 6765u   /* for the table of tones, and what spreads them: Fibonacci numbers */
+#define TONE_STRIDE 4181u
+#define TONE_TILES 4.0       /* along the square that they are spread over */
+#define TONE_PARTS 8u        /* of each layer's stretch */
+
+static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
+{
+    return a->stroke == b->stroke && !(a->length_px < b->length_px) && !(a->length_px > b->length_px) &&
+           !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
+}
+
+/* The mean of an image over a box. */
+static double mean_over(const struct hatch_image *image, double left, double right, double top, double bottom)
+{
+    double sum = 0;
+    for (uint32_t row = (uint32_t)top; row < bottom && row < image->height; row++)
+        for (uint32_t column = (uint32_t)left; column < right && column < image->width; column++)
+            sum += (double)image->pixels[(size_t)row * image->width + column] *
+                   (fmin(right, column + 1.0) - fmax(left, column)) *
+                   (fmin(bottom, row + 1.0) - fmax(top, row));
+    return sum / ((right - left) * (bottom - top));
+}
+
+static enum hatch_status size_stroke(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
+                                     struct hatch_image *to, struct hatch_err *err)
+{
+    const struct hatch_image *from = style->stroke;
+    uint32_t width = (uint32_t)fmin(ceil(2 * style->length_px), STROKE_TEXELS);
+    uint32_t height = (uint32_t)fmin(ceil(2 * style->width_px), STROKE_TEXELS);
+    assert(from->channel_count == 1);
+    HATCH_TRY(hatch_image_make(arena, width + 2, height + 2, "A", to, err));
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < width; x++) {
+            double mean = mean_over(from, (double)x * from->width / width, (double)(x + 1) * from->width / width,
+                                    (double)y * from->height / height,
+                                    (double)(y + 1) * from->height / height);
+            to->pixels[(size_t)(y + 1) * to->width + x + 1] = (float)(floor(mean * 255 + 0.5) / 255);
+        }
+    return HATCH_OK;
+}
+
+/* Texels about as wide as the thinnest strokes that the lists are for. */
+static uint32_t side_for(double width)
+{
+    uint32_t side = SIDE_MIN;
+    while (side < SIDE_MAX && side * width < 1)
+        side *= 2;
+    return side;
+}
+
+static enum hatch_status list_strokes(struct hatch_arena *arena, struct hatch_rptam_layer *layer,
+                                      struct hatch_err *err)
+{
+    const struct hatch_rptam_layer_style *style = &layer->style;
+    for (uint32_t i = 0; i < HATCH_RPTAM_SIZES; i++) {
+        double scale = exp2(1 - i / 2.0) * GROWTH / style->tile_px;
+        const struct hatch_coverage_stroke stroke = {(style->length_px + 1) * scale,
+                                                     (style->width_px + 1) * scale, layer->cosine,
+                                                     layer->sine};
+        uint32_t side = side_for((style->width_px + 1) / style->tile_px);
+        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &stroke, side, arena, &layer->coverage[i],
+                                      err));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t index,
+                                    const struct hatch_rptam_style *style, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_rptam *rptam,
+                                    struct hatch_err *err)
+{
+    const struct hatch_rptam_layer_style *own = &style->layers[index];
+    struct hatch_rptam_layer made = {
+        .style = *own, .count = set->count, .cosine = cos(own->angle_rad), .sine = sin(own->angle_rad)};
+    if (set->count > HATCH_RPTAM_SEEDS_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seeds: %u are the most", index + 1, set->count,
+                          HATCH_RPTAM_SEEDS_MAX);
+    if (!(fmax(own->length_px, own->width_px) <= HATCH_RPTAM_REACH * own->tile_px))
+        return hatch_fail(err, HATCH_LIMIT,
+                          "layer %u: strokes of %g by %g pixels in a tile of %g: %g tiles are the most", index + 1,
+                          own->length_px, own->width_px, own->tile_px, HATCH_RPTAM_REACH);
+    made.places = HATCH_NEW(arena, struct hatch_seed_place, set->count, err);
+    made.life = made.places ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
+    if (!made.life)
+        return HATCH_LIMIT;
+    hatch_seed_places(set, made.places);
+    HATCH_TRY(hatch_life_make(set, made.places, style->law, scratch, made.life, err));
+    for (uint32_t i = 0; i < rptam->layer_count && !made.stroke.pixels; i++)
+        if (is_same_stroke(&rptam->layers[i].style, own))
+            made.stroke = rptam->layers[i].stroke;
+    if (!made.stroke.pixels)
+        HATCH_TRY(size_stroke(own, arena, &made.stroke, err));
+    HATCH_TRY(list_strokes(arena, &made, err));
+    uint32_t at = rptam->layer_count++; /* behind those whose stretches begin no later */
+    for (; at > 0 && rptam->layers[at - 1].style.low > own->low; at--)
+        rptam->layers[at] = rptam->layers[at - 1];
+    rptam->layers[at] = made;
+    return HATCH_OK;
+}
+
+/* The mean ink at each of rising places on the way. */
+struct curve {
+    uint32_t count;
+    double *way, *darkness;
+};
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* paper[i] *= what a layer leaves at point i. */
+static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double amount, double *paper)
+{
+    struct hatch_rptam_pattern pattern;
+    hatch_rptam_pattern(rptam, layer, 0, amount, false, &pattern);
+    for (uint32_t i = 0; i < TONE_POINTS; i++) {
+        const double uv[2] = {TONE_TILES * (i + 0.5) / TONE_POINTS,
+                              TONE_TILES * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS};
+        paper[i] *= hatch_rptam_left(&pattern, uv);
+    }
+}
+
+/* Darkness at one place of the way. full: what the layers leave whose stretches have ended, as `ended` says; both
+ * go on from call to call. */
+static double darkness_at(const struct hatch_rptam *rptam, double way, bool *ended, double *full, double *paper)
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < rptam->layer_count; i++)
+        if (!ended[i] && way >= rptam->layers[i].style.high) {
+            draw_layer(rptam, i, 1, full);
+            ended[i] = true;
+        }
+    for (uint32_t i = 0; i < TONE_POINTS; i++)
+        paper[i] = full[i];
+    for (uint32_t i = 0; i < rptam->layer_count; i++) {
+        const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
+        if (!ended[i] && way > style->low)
+            draw_layer(rptam, i, (way - style->low) / (style->high - style->low), paper);
+    }
+    for (uint32_t i = 0; i < TONE_POINTS; i++)
+        sum += 1 - paper[i];
+    return sum / TONE_POINTS;
+}
+
+static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
+                                 struct curve *curve, struct hatch_err *err)
+{
+    uint32_t most = rptam->layer_count * (TONE_PARTS + 1) + 1;
+    bool ended[HATCH_RPTAM_LAYERS_MAX] = {false};
+    curve->way = HATCH_NEW(scratch, double, most, err);
+    curve->darkness = curve->way ? HATCH_NEW(scratch, double, most, err) : NULL;
+    double *full = curve->darkness ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
+    double *paper = full ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
+    if (!paper)
+        return HATCH_LIMIT;
+    curve->count = 1; /* at 0 */
+    for (uint32_t i = 0; i < rptam->layer_count; i++)
+        for (uint32_t k = 0; k <= TONE_PARTS; k++) {
+            const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
+            curve->way[curve->count++] =
+                k < TONE_PARTS ? style->low + k * (style->high - style->low) / TONE_PARTS : style->high;
+        }
+    qsort(curve->way, curve->count, sizeof *curve->way, compare);
+    for (uint32_t i = 0; i < TONE_POINTS; i++)
+        full[i] = 1;
+    for (uint32_t i = 0; i < curve->count; i++) {
+        bool again = i && !(curve->way[i] > curve->way[i - 1]);
+        double darkness = again ? 0 : darkness_at(rptam, curve->way[i], ended, full, paper);
+        curve->darkness[i] = i ? fmax(darkness, curve->darkness[i - 1]) : darkness;
+    }
+    return HATCH_OK;
+}
+
+/* Turns the curve round: the way to tones at equal steps. */
+static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rptam *rptam,
+                                    struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct curve curve;
+    HATCH_TRY(measure(rptam, scratch, &curve, err));
+    rptam->darkest = curve.darkness[curve.count - 1];
+    for (uint32_t step = 0, k = 0; step <= HATCH_RPTAM_STEPS; step++) {
+        double wanted = rptam->darkest * step / HATCH_RPTAM_STEPS;
+        while (k + 2 < curve.count && curve.darkness[k + 1] < wanted)
+            k++;
+        if (k + 1 == curve.count)
+            break; /* no layer */
+        double rise = curve.darkness[k + 1] - curve.darkness[k];
+        double part = rise > 0 ? (wanted - curve.darkness[k]) / rise : 0;
+        rptam->way[step] = curve.way[k] + part * (curve.way[k + 1] - curve.way[k]);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
+                                   const struct hatch_rptam_style *style, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_rptam *rptam,
+                                   struct hatch_err *err)
+{
+    struct hatch_rptam made = {.style = *style};
+    assert(style->layer_count <= HATCH_RPTAM_LAYERS_MAX);
+    if (seeds->layer_count < style->layer_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed sets for %u layers: each needs its own",
+                          seeds->layer_count, style->layer_count);
+    for (uint32_t i = 0; i < style->layer_count; i++)
+        HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made, err));
+    HATCH_TRY(make_table(scratch, &made, err));
+    *rptam = made;
+    return HATCH_OK;
+}
