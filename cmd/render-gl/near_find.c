@@ -213,23 +213,35 @@ static void choose_ring(const struct near_frame *frame, const struct near_shape 
     }
 }
 
+/* Room for all the faces of the blocks that a ball, or a box where there is one, touches. */
+static enum hatch_status make_room(const struct near_frame *frame, const struct near_ball *blocks,
+                                   uint32_t face_count, double reach, const struct box *box,
+                                   struct hatch_arena *arena, uint32_t **faces, struct hatch_err *err)
+{
+    size_t count = 0;
+    for (uint32_t i = 0; i < (face_count + NEAR_BLOCK - 1) / NEAR_BLOCK; i++)
+        count += box ? ball_meets(&blocks[i], box) : ball_touches(frame, &blocks[i], reach);
+    *faces = HATCH_NEW(arena, uint32_t, NEAR_BLOCK * count, err);
+    return *faces ? HATCH_OK : HATCH_LIMIT;
+}
+
 enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
                               const struct near_shape *shape, const struct near_faces *faces, int which,
                               struct hatch_arena *arena, struct near_choice *choice, struct hatch_err *err)
 {
+    const struct near_ball *blocks = shape->blocks[which];
     struct box marked = {.any = false};
     double reach = reach_of(frame, item);
-    *choice = (struct near_choice){.near_faces = HATCH_NEW(arena, uint32_t, faces->count, err)};
-    choice->piece_faces = choice->near_faces ? HATCH_NEW(arena, uint32_t, faces->count, err) : NULL;
-    if (!choice->piece_faces)
-        return HATCH_LIMIT;
+    *choice = (struct near_choice){.near_count = 0};
+    HATCH_TRY(make_room(frame, blocks, faces->count, reach, NULL, arena, &choice->near_faces, err));
     for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
-        if (!ball_touches(frame, &shape->blocks[which][begin / NEAR_BLOCK], reach))
+        if (!ball_touches(frame, &blocks[begin / NEAR_BLOCK], reach))
             continue;
         for (uint32_t face = begin; face < block_end(faces, begin); face++)
             if (face_is_near(frame, shape, faces, face, reach, &marked))
                 choice->near_faces[choice->near_count++] = face;
     }
+    HATCH_TRY(make_room(frame, blocks, faces->count, reach, &marked, arena, &choice->piece_faces, err));
     choose_ring(frame, shape, faces, which, &marked, choice);
     return HATCH_OK;
 }

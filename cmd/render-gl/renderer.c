@@ -120,14 +120,14 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
 {
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
+    if (renderer->clock)
+        clock_begin_frame(renderer->clock);
     frame_set_style(&renderer->block, &style->inks, &style->curve, columns);
     frame_set_hatch(&renderer->block, style->hatch_turn_rad, style->hatch_scale);
     HATCH_TRY(find_near(renderer, technique, view, tile, err));
     frame_set_view(&renderer->block, view, tile, target->side);
     frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
                      &style->light, style->curve.exposure);
-    if (renderer->clock)
-        clock_begin_frame(renderer->clock);
     glNamedBufferSubData(renderer->block_buffer, 0, sizeof renderer->block, &renderer->block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
     target_begin(target, background);
