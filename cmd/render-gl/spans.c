@@ -3,9 +3,11 @@
 
 #include "math/vector.h"
 #include "render-gl/seeds.h"
+#include "render-gl/weld.h"
 
-/* Adds what one face says: dP/du and dP/dv, each times twice the face's area. */
-static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, double *sums)
+/* Adds what one face says: dP/du and dP/dv, each times twice the face's area. number: of each vertex, in sums. */
+static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, const uint32_t *number,
+                     double *sums)
 {
     double p[3][3], edge[2][3], normal[3], uv[2][2];
     for (int k = 0; k < 3; k++)
@@ -25,7 +27,7 @@ static void add_face(const uint32_t corner[3], const float *position, const floa
         double du = (uv[1][1] * edge[0][k] - uv[0][1] * edge[1][k]) / turn;
         double dv = (uv[0][0] * edge[1][k] - uv[1][0] * edge[0][k]) / turn;
         for (int c = 0; c < 3; c++) {
-            double *sum = sums + 7 * (size_t)corner[c];
+            double *sum = sums + 7 * (size_t)number[corner[c]];
             sum[k] += area * du;
             sum[3 + k] += area * dv;
             sum[6] += k == 0 ? area : 0;
@@ -65,15 +67,20 @@ static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item
         item->uv_reach = reach_of(mesh, position, texcoord);
     if (!texcoord || item->posed || item->spans)
         return HATCH_OK;
-    double *sums = HATCH_NEW(scratch, double, 7 * (size_t)mesh->vertex_count, err);
+    /* A mesh whose faces have corners of their own, for flat normals, is one surface all the same. */
+    struct weld weld;
+    HATCH_TRY(weld_texcoords(mesh, scratch, &weld, err));
+    double *sums = HATCH_NEW(scratch, double, 7 * (size_t)weld.count, err);
     float *spans = sums ? HATCH_NEW(scratch, float, 6 * (size_t)mesh->vertex_count, err) : NULL;
     if (!spans)
         return HATCH_LIMIT;
     for (size_t f = 0; f < mesh->face_count; f++)
-        add_face(mesh->indices + 3 * f, position, texcoord, sums);
-    for (size_t v = 0; v < mesh->vertex_count; v++)
+        add_face(mesh->indices + 3 * f, position, texcoord, weld.number, sums);
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        const double *sum = sums + 7 * (size_t)weld.number[v];
         for (size_t k = 0; k < 6; k++)
-            spans[6 * v + k] = sums[7 * v + 6] > 0 ? (float)(sums[7 * v + k] / sums[7 * v + 6]) : 0.0f;
+            spans[6 * v + k] = sum[6] > 0 ? (float)(sum[k] / sum[6]) : 0.0f;
+    }
     scene_set_spans(item, spans, mesh->vertex_count);
     return HATCH_OK;
 }

@@ -10,10 +10,14 @@ struct weld {
     uint32_t *first;  /* of each number: its first vertex */
 };
 
-/* Numbers vertices by position and normal; the mesh has both. arena and scratch must not be the same. */
+/* Numbers vertices by position and normal; the mesh has both. */
 enum hatch_status weld_vertices(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, struct weld *weld,
                                 struct hatch_err *err) HATCH_MUST_USE;
+
+/* The same by position and TEXCOORD_0; temporaries stay in the arena, too. */
+enum hatch_status weld_texcoords(const struct hatch_mesh *mesh, struct hatch_arena *arena, struct weld *weld,
+                                 struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds the attributes that `from` has and `to` has not: vertex v gets those of from's vertex
  * origin_of[v]. Texture coordinates are left out. POSITION is filled. */

@@ -1,0 +1,65 @@
+# Scenes on which strokes at seeds break when they are done plainly: T or G of nothing or without end, few seeds,
+# no layers. Each draws, and its tone is right where one can be.
+. "${TOP:-.}/tests/tap.sh"
+
+# tone ARGUMENT ...: of the picture, linear
+tone() {
+    render-gl "$@" -t rptam --size 160x120 --lines none -o picture.exr 2>err || return
+    hatchstat frames picture.exr picture.exr | awk 'NR == 2 {print $2}'
+}
+
+# near NAME TONE WITHIN ARGUMENT ...: nothing is said, and the picture has the tone
+near() {
+    name=$1 want=$2 within=$3
+    shift 3
+    got=$(tone "$@")
+    is "$name" "$(cat err; echo "$got" | awk -v want="$want" -v within="$within" \
+        '{print ($1 >= want - within && $1 <= want + within) ? "right" : $1}')" right
+}
+
+# square NAME U0 V0 U1 V1 U2 V2 U3 V3: a square that fills the picture, with texture coordinates
+square() {
+    file=$1
+    shift
+    printf 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n' >"$file"
+    printf 'vt %s %s\n' "$@" >>"$file"
+    printf 'f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n' >>"$file"
+}
+face="--camera 0,0,3:0,0,0 --fov 20 --tone-range .3:.3"
+square plain.obj 0 0 1 0 1 1 0 1
+near "a square" 0.7 0.03 plain.obj $face
+square point.obj .5 .5 .5 .5 .5 .5 .5 .5
+near "texture coordinates of one point: no strokes" 1 0 point.obj $face
+square line.obj 0 0 1 1 1 1 0 0
+near "of one line: whatever is drawn is ink" 0.75 0.25 line.obj $face
+square large.obj 0 0 1e30 0 1e30 1e30 0 1e30
+near "beyond all digits: no strokes" 1 0 large.obj $face
+square small.obj 0 0 1e-30 0 1e-30 1e-30 0 1e-30
+near "before all digits: no strokes" 1 0 small.obj $face
+square mirrored.obj 1 0 0 0 0 1 1 1
+near "mirrored" 0.7 0.03 mirrored.obj $face
+square skewed.obj 0 0 1 0 3 .1 2 .1
+near "stretched and skewed" 0.7 0.05 skewed.obj $face
+
+# A ground of 1000 units: beside the eye, behind it, and up to the horizon in a single pair of triangles.
+printf 'v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nvt 0 0\nvt 500 0\nvt 500 500\nvt 0 500\n' >ground.obj
+printf 'f 1/1 3/3 2/2\nf 1/1 4/4 3/3\n' >>ground.obj
+ground="ground.obj --tone-range .3:.3 --size 160x120"
+near "a ground through and behind the eye, up to the horizon" 0.845 0.02 $ground --camera 0,1,0:0,1,-10
+near "from a hand's breadth" 0.845 0.02 $ground --camera 0,0.01,0:0,0.01,-10
+near "from a hair's breadth" 0.845 0.02 $ground --camera 0,1e-7,0:0,1e-7,-10
+near "edge on" 1 0.005 $ground --camera 0,0,0:0,0,-10
+
+# Seeds.
+for count in 2 3 7 100 1000; do
+    seedgen -n $count --layers 3 --candidates 20 -o sets
+    near "$count seeds a layer" 0.7 0.05 plain.obj $face --seeds sets \
+        --seed-tile "$(awk -v n=$count 'BEGIN {printf "%.3f", 32 * sqrt(n)}')" --stroke 20x9
+done
+seedgen -n 64 --layers 8 --candidates 5 -o sets
+near "more layers than tones" 0.95 0.01 plain.obj $face --seeds sets --tone-range .05:.05
+near "no layers: paper" 1 0 plain.obj $face --seeds sets --seed-layers 0
+near "no layers and no light" 1 0 plain.obj $face --seeds sets --seed-layers 0 --tone-range 1:1
+got=$(tone plain.obj $face --stroke 100x4 --seed-tile 32)
+ok "strokes larger than their tile" awk -v got="$got" 'BEGIN {exit !(got > 0.5 && got < 0.9)}'
+finish
