@@ -17,25 +17,26 @@ picture() {
         --lines none -o "$work/$1.exr"
 }
 
-# row NAME TECHNIQUE ANISOTROPY
+# row NAME TECHNIQUE ANISOTROPY SIZE: the size that one tile of the driver holds, for that is what is timed
 row() {
     "$MEASURE" 1 render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --anisotropy "$3" \
-        --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
+        --size "$4" --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
     for camera in 2,1.6,4:0,0,0 4,3.2,8:0,0,0 8,6.4,16:0,0,0; do
         picture tone gouraud $camera 1
         picture strokes "$2" $camera "$3"
         hatchstat diff "$work/strokes.exr" "$work/tone.exr" | tail -n 1
     done >"$work/errors.tsv"
-    awk -F'\t' -v name="$1" -v technique="$2" '
+    awk -F'\t' -v name="$1" -v technique="$2" -v size="$4" '
         FILENAME ~ /times/ && $2 == "frame" && $1 == technique {ms = $4; low = $5; high = $6}
         FILENAME ~ /times/ && $2 == "frame" && $1 == "gouraud" {reference = $4}
         FILENAME ~ /whole/ {peak = $5}
         FILENAME ~ /errors/ {error += $10; bias += $3; n++}
-        END {printf "%s\t1280x720\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%.5f\t%.5f\n", name, ms, low, high,
+        END {printf "%s\t%s\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%.5f\t%.5f\n", name, size, ms, low, high,
             reference, ms / reference, peak, error / n, bias / n}
     ' "$work/times.tsv" "$work/whole.tsv" "$work/errors.tsv"
 }
-for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-threshold; do
-    row $technique $technique 1
+for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple; do
+    row $technique $technique 1 1280x720
 done
-row "tam anisotropy 8" tam 8
+row tam-threshold tam-threshold 1 1024x720
+row "tam anisotropy 8" tam 8 1280x720
