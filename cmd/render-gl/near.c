@@ -141,6 +141,7 @@ enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, c
 {
     struct near_frame frame = frame_of(scene, view, wish->tile, near->frame_number + 1);
     near->items = NULL;
+    near->plane = view->near;
     if (!touches_any(&frame))
         return HATCH_OK;
     if (!near->is_open)
@@ -155,7 +156,7 @@ enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, c
         return HATCH_LIMIT;
     HATCH_TRY(choose(near, &frame, choices, err));
     if (view->near_is_own && !view->orthographic)
-        view->near = fmax(fmin(VIEW_NEAR, frame.nearest / 8), NEAREST);
+        view->near = near->plane = fmax(fmin(VIEW_NEAR, frame.nearest / 8), NEAREST);
     if (!wish->pieces)
         return HATCH_OK;
     struct hatch_buffer buffer = {.arena = &near->frame};

@@ -39,6 +39,7 @@ struct near {
     struct near_item *items;   /* of this frame; NULL: nothing is near */
     GLuint array, buffer, views[3];
     float lens[16];
+    double plane;              /* where the last frame's near plane was */
 };
 
 /* What is wanted of a frame. */

@@ -20,16 +20,22 @@ static void place(struct orbit *orbit)
     view->pivot = orbit->distance;
 }
 
+void orbit_look_at(struct orbit *orbit, double distance)
+{
+    const struct view *view = &orbit->view;
+    orbit->distance = orbit->view.pivot = distance;
+    for (int k = 0; k < 3; k++) {
+        const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
+        orbit->middle[k] = hatch_pair_sub(eye, hatch_pair_product(distance, view->back[k]));
+    }
+}
+
 void orbit_start(struct orbit *orbit, const struct view *view)
 {
     orbit->view = *view;
-    orbit->distance = view->pivot;
     orbit->azimuth_rad = atan2(view->back[0], view->back[2]);
     orbit->elevation_rad = asin(fmax(-1, fmin(1, view->back[1])));
-    for (int k = 0; k < 3; k++) {
-        const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-        orbit->middle[k] = hatch_pair_sub(eye, hatch_pair_product(view->pivot, view->back[k]));
-    }
+    orbit_look_at(orbit, view->pivot);
 }
 
 void orbit_turn(struct orbit *orbit, double azimuth_rad, double elevation_rad)

@@ -22,6 +22,9 @@ void orbit_turn(struct orbit *orbit, double azimuth_rad, double elevation_rad);
 /* Moves the middle sideways by shares of the picture's height. */
 void orbit_pan(struct orbit *orbit, double right, double up);
 
+/* From now on turns and zooms about what lies at a distance, over 0, in the picture's middle. */
+void orbit_look_at(struct orbit *orbit, double distance);
+
 /* Changes the distance by a factor over 0, between ORBIT_NEAREST and ORBIT_FARTHEST. */
 void orbit_zoom(struct orbit *orbit, double factor);
 

@@ -123,6 +123,15 @@ void target_read_samples(const struct target *target, float *rgba)
                  (GLsizei)(target->side * target->height), GL_RGBA, GL_FLOAT, rgba);
 }
 
+float target_middle_depth(const struct target *target)
+{
+    float depth = 0;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    glReadPixels((GLint)(target->side * target->width / 2), (GLint)(target->side * target->height / 2), 1, 1,
+                 GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    return depth;
+}
+
 void target_free(struct target *target)
 {
     if (target->resolved != target->color) {

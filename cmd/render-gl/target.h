@@ -39,6 +39,9 @@ void target_read(const struct target *target, uint32_t left, uint32_t below, uin
 /* Copies all samples, four floats each, from the lower left corner. */
 void target_read_samples(const struct target *target, float *rgba);
 
+/* What the depth buffer holds in the picture's middle: 0 where nothing is. */
+float target_middle_depth(const struct target *target);
+
 void target_free(struct target *target);
 
 #endif

@@ -73,6 +73,19 @@ static void toggle_lines(struct window *window)
     job->lines.style.asked = true;
 }
 
+/* Nearer and further. A surface that the middle of the picture shows close by is what counts from then on:
+ * however often one zooms, it stays before the eye. */
+static void zoom(struct window *window, double factor)
+{
+    struct orbit *orbit = &window->orbit;
+    double depth = (double)target_middle_depth(&window->target);
+    double distance = depth > 0 ? window->job->renderer.near.plane / depth : INFINITY;
+    if (!orbit->view.orthographic && distance < 0.5 * orbit->distance)
+        orbit_look_at(orbit, distance);
+    orbit_zoom(orbit, factor);
+    window->moved = window->stale = true;
+}
+
 static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
@@ -86,12 +99,10 @@ static void on_character(GLFWwindow *handle, unsigned character)
         say_keys();
         break;
     case '+':
-        orbit_zoom(&window->orbit, 0.9);
-        window->moved = true;
+        zoom(window, 0.9);
         break;
     case '-':
-        orbit_zoom(&window->orbit, 1 / 0.9);
-        window->moved = true;
+        zoom(window, 1 / 0.9);
         break;
     case 't':
         set_technique(window, window->technique + 1 < TECHNIQUE_CHOICES ? window->technique + 1 : 0);
@@ -181,8 +192,7 @@ static void on_wheel(GLFWwindow *handle, double x, double y)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
     (void)x;
-    orbit_zoom(&window->orbit, pow(0.9, y));
-    window->moved = window->stale = true;
+    zoom(window, pow(0.9, y));
 }
 
 static void on_damage(GLFWwindow *handle)

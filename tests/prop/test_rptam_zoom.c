@@ -2,6 +2,7 @@
 #include "run.h"
 
 #include "rptam_model.h"
+#include "render-gl/orbit.h"
 #include "zoom_reference.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
@@ -220,6 +221,38 @@ START_TEST(tiles_join)
 }
 END_TEST
 
+/* As in the window: from afar by halves, then round what the middle shows, and back. */
+START_TEST(a_hand_zooms_without_end)
+{
+    double point[3], normal[3], back[3];
+    struct orbit orbit;
+    make_shape(HATCH_SHAPE_TORUS, 1000);
+    begin_mesh(&odd_bounds);
+    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    lean(normal, 0.6, back);
+    struct view view = zoom_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
+    orbit_start(&orbit, &view);
+    for (int i = 0; i < 42; i++)
+        orbit_zoom(&orbit, 0.5);
+    ck_assert_double_le(orbit.distance, 0x1p-42);
+    check_places(&orbit.view, 0.05, 1);
+    orbit_turn(&orbit, 0.2, -0.1);
+    check_places(&orbit.view, 0.05, 1);
+    struct view low = orbit.view;
+    orbit_look_at(&orbit, 0.5 * orbit.distance);
+    orbit_zoom(&orbit, 1);
+    for (int k = 0; k < 3; k++) /* a new middle on the same line of sight is no step */
+        ck_assert_double_le(fabs(hatch_pair_round(hatch_pair_sub(
+                                (struct hatch_pair){low.eye[k], low.eye_rest[k]},
+                                (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_rest[k]}))),
+                            1e-14 * orbit.distance);
+    while (orbit.distance < 1)
+        orbit_zoom(&orbit, 2);
+    check_places(&orbit.view, 0.05, 1);
+    frame_end(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam zoom");
@@ -230,6 +263,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, an_eye_on_the_surface_sees_it, 0, 6);
     tcase_add_loop_test(tests, pieces_leave_no_gap, 0, 2);
     tcase_add_test(tests, tiles_join);
+    tcase_add_test(tests, a_hand_zooms_without_end);
     suite_add_tcase(suite, tests);
     return suite;
 }
