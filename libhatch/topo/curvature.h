@@ -21,7 +21,7 @@ struct hatch_curvature {
                            error of the principal axes in radians; they fall to half where the curvatures' absolute
                            values differ by .005 of their sum, and to 0 at e = 0.5, where the surface has no
                            direction (plane, sphere) or the fit has failed. That the axes may be swapped (a saddle
-                           of equal and opposite curvatures) counts little: neighbours know no better */
+                           of equal and opposite curvatures) does not count: neighbours know no better */
     double *deviation_rad; /* the standard error expected of the direction, 0 .. π/4, the danger that the axes are
                               swapped included */
     double *radius;     /* of the support that was used, in mean edges */

@@ -90,24 +90,19 @@ struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_fra
     return (struct hatch_bend_variance){unit * (variance->skew + variance->mixed) / 2, unit * variance->mean};
 }
 
-/* share: how much of the danger to take the second axis for the first counts. */
-static double deviation(const struct hatch_principal *principal,
-                        const struct hatch_bend_variance *variance, double share)
+/* The squared standard error of the principal axes, whichever of them is the first. */
+static double axes_error(const struct hatch_principal *principal, const struct hatch_bend_variance *variance)
 {
     double spread = fabs(principal->value[0] - principal->value[1]);
-    double mean = fabs(principal->value[0] + principal->value[1]) / 2;
-    if (!(spread > 0) || !(mean > 0))
-        return PI / 4;
-    double own = variance->across / (spread * spread);
-    double wrong = variance->mean > 0 ? erfc(mean / sqrt(2 * variance->mean)) / 2 : 0;
-    double both = sqrt(own + share * wrong * PI * PI / 4);
-    return both < PI / 4 ? both : PI / 4;
+    return spread > 0 ? variance->across / (spread * spread) : INFINITY;
 }
 
 double hatch_bend_deviation(const struct hatch_principal *principal,
                             const struct hatch_bend_variance *variance)
 {
-    return deviation(principal, variance, 1);
+    double mean = fabs(principal->value[0] + principal->value[1]) / 2;
+    double wrong = variance->mean > 0 ? erfc(mean / sqrt(2 * variance->mean)) / 2 : 0;
+    return fmin(sqrt(axes_error(principal, variance) + wrong * PI * PI / 4), PI / 4);
 }
 
 /* A direction known to this many radians has even odds. */
@@ -116,14 +111,13 @@ double hatch_bend_deviation(const struct hatch_principal *principal,
 #define DEVIATION_NONE 0.5
 /* The anisotropy at which the odds are half of what they would be at a larger one. */
 #define ANISOTROPY_HALF 0.005
-/* How much it takes from the confidence that the axes may be swapped. Little: beside the line on which a saddle's
- * curvatures are equal and opposite, neighbours on both sides say opposite things and know no better. */
-#define SWAP_SHARE 0.004
 
+/* That the axes may be swapped is no doubt here: beside the line on which a saddle's curvatures are equal and opposite,
+ * neighbours on both sides say opposite things and know no better. */
 double hatch_bend_confidence(const struct hatch_principal *principal,
                              const struct hatch_bend_variance *variance)
 {
-    double deviation_rad = deviation(principal, variance, SWAP_SHARE);
+    double deviation_rad = sqrt(axes_error(principal, variance));
     double first = fabs(principal->value[0]), second = fabs(principal->value[1]);
     if (!(first > second) || !(deviation_rad < DEVIATION_NONE))
         return 0;
