@@ -157,5 +157,6 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
     part->cut = work.lapped.cut;
     part->enlarged = work.lapped.enlarged;
     part->hidden = work.lapped.hidden;
+    part->placed = work.lapped.placed;
     hatch_arena_free(&work.arena);
 }

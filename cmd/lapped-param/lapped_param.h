@@ -29,6 +29,7 @@ struct lapped_param_part {
     struct hatch_scene_mesh *made;
     uint32_t made_count;
     uint32_t patches, faces, patch_faces, cut, enlarged, hidden; /* figures for --verbose */
+    uint64_t placed;
     double atlas_side;   /* length of a unit of texture coordinates on the mesh; 0: no atlas */
 };
 

@@ -111,7 +111,7 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
 static void describe(const struct lapped_param_part *parts, uint32_t count)
 {
     uint32_t patches = 0, cut = 0, enlarged = 0, hidden = 0;
-    double faces = 0, patch_faces = 0;
+    double faces = 0, patch_faces = 0, placed = 0;
     for (uint32_t i = 0; i < count; i++) {
         patches += parts[i].patches;
         hidden += parts[i].hidden;
@@ -119,11 +119,13 @@ static void describe(const struct lapped_param_part *parts, uint32_t count)
         enlarged += parts[i].enlarged;
         faces += parts[i].faces;
         patch_faces += parts[i].patch_faces;
+        placed += (double)parts[i].placed;
     }
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
         cmd_note("mesh %u: the side of its texture is %g long in the scene", i, parts[i].atlas_side);
     cmd_note("%u patches, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face",
              patches, patch_faces / faces, hidden, cut, enlarged);
+    cmd_note("each face was placed %.1f times", placed / faces);
 }
 
 int main(int argc, char **argv)

@@ -140,6 +140,7 @@ static enum hatch_status make_patch(struct making *of, uint32_t seed, double sca
     struct hatch_patch_notes notes;
     double least = of->order.filling ? 0 : KEPT_SHARE * of->ground.wish[seed];
     HATCH_TRY(hatch_patch_make(&of->growth, &of->solver, of->options, seed, least, &notes, err));
+    of->totals.placed += notes.placed;
     if (notes.given_up) {
         put_off(of, seed);
         return HATCH_OK;

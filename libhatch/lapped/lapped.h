@@ -58,6 +58,7 @@ struct hatch_lapped {
                                         cores hide them */
     uint32_t cut;                    /* patches whose faces end inside their outline */
     uint32_t enlarged;               /* patches made larger than asked, to hold a large face */
+    uint64_t placed;                 /* faces in all linear systems that were solved: what it took */
 };
 
 /* direction, confidence: per point, as hatch_field's. Guarantees: every face is covered at opacity

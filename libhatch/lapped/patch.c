@@ -109,6 +109,7 @@ struct verdict {
 struct trial {
     struct verdict verdict;
     uint32_t solved;    /* faces that places were last found for */
+    uint64_t placed_faces; /* over all times */
     bool due, placed;   /* places must be found; were found this time */
     bool shrinking;     /* it will not be asked to become larger */
     bool halved;        /* its first face was wrong */
@@ -273,6 +274,7 @@ static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solve
         hatch_growth_keep(growth);
         center_on_seed(growth);
         trial->solved = patch->face_count;
+        trial->placed_faces += patch->face_count;
     }
     return judge(growth, options, &growth->obstacles, &trial->verdict, err);
 }
@@ -322,5 +324,6 @@ enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_sol
     if (!notes->given_up)
         set_budgets(growth);
     notes->cut = trial.verdict.open;
+    notes->placed = trial.placed_faces;
     return HATCH_OK;
 }

@@ -149,6 +149,7 @@ struct hatch_patch_notes {
     bool cut;       /* its faces end inside its outline */
     bool enlarged;  /* the outline is larger than was wished */
     bool given_up;
+    uint64_t placed; /* faces in all systems solved */
 };
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
                                    const struct hatch_lapped_options *options, uint32_t seed, double least,
