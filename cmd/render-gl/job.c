@@ -29,6 +29,19 @@ static void check_scene(const struct job *job)
     }
 }
 
+/* What a technique that packs six grey columns leaves out of a map. */
+static void warn_of_map(const struct options *options, const struct hatch_tam *map)
+{
+    if (techniques[options->technique]->columns != COLUMNS_SIX)
+        return;
+    if (map->tones > COLUMNS_SIX_MOST)
+        cmd_warn(cmd_input_name(options->map_path),
+                 "%u of the map's %u columns are drawn, spread over it; tam-triple draws all",
+                 COLUMNS_SIX_MOST, map->tones);
+    if (map->color)
+        cmd_warn(cmd_input_name(options->map_path), "the map's colours are drawn grey; tam-triple draws them");
+}
+
 void job_read(struct job *job)
 {
     const struct options *options = &job->options;
@@ -41,10 +54,7 @@ void job_read(struct job *job)
         cmd_read_map(&job->args, options->map_path, &job->map);
     check_scene(job);
     cmd_warn_mesh(cmd_input_name(options->scene_path), &notes);
-    if (techniques[options->technique]->columns == COLUMNS_SIX && job->map.tones > COLUMNS_SIX_MOST)
-        cmd_warn(cmd_input_name(options->map_path),
-                 "%u of the map's %u columns are drawn, spread over it; tam-triple draws all",
-                 COLUMNS_SIX_MOST, job->map.tones);
+    warn_of_map(options, &job->map);
 }
 
 static double time_of(const struct job *job, uint32_t frame)

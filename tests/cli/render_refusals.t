@@ -72,6 +72,11 @@ try $draw torus.glb --tam eight.exr
 is "six of eight columns, in one warning" "$status $(wc -l <.err) $(grep -c "8 columns" .err)" "0 1 1"
 try $draw torus.glb --tam eight.exr --technique tam-triple
 is "all eight, in three passes" "$status $(cat .err)" "0 "
+tamgen --size 64 --levels 1 --palette dusk -o colours.exr
+try $draw torus.glb --tam colours.exr
+is "a coloured map's grey, in one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
+try $draw torus.glb --tam colours.exr --technique tam-triple
+is "its colours, in three passes" "$status $(cat .err)" "0 "
 
 render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable -o 'turn%02d.png'
 is "frames have numbers" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
