@@ -230,7 +230,7 @@ static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
                                  .y = wrap_unit(v[Y]),
                                  .length = (float)v[LENGTH],
                                  .angle_rad = (float)v[ANGLE],
-                                 .bend_rad = (float)v[BEND],
+                                 .bend_rad = (float)v[BEND] + 0.0f, /* no -0: a column of zeros is not printed */
                                  .width_px = (float)(v[WIDTH] * size_px),
                                  .tone = (float)v[TONE],
                                  .rgb = {(float)v[RED], (float)v[GREEN], (float)v[BLUE]},
