@@ -18,14 +18,9 @@ static void check(enum hatch_status status, const struct hatch_err *err)
     cmd_check(status, NULL, err);
 }
 
-void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args,
-                           const struct hatch_scene *scene)
+void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args)
 {
-    struct hatch_err err;
     *arrows = (struct dirfield_arrows){.vertices = {.arena = &args->keep}};
-    arrows->world = HATCH_NEW(&args->keep, float, (size_t)scene->node_count * 16, &err);
-    check(arrows->world ? HATCH_OK : HATCH_LIMIT, &err);
-    hatch_scene_pose(scene, HATCH_NONE, 0, arrows->world);
 }
 
 /* From blue-violet for none over green to yellow for full confidence: as different in grey as in colour. */
@@ -48,25 +43,24 @@ static double edge_length(const struct hatch_surface *surface, uint32_t point)
     return sum / (end - first) * surface->components[surface->point_component[point]].scale;
 }
 
-static void put_corner(struct dirfield_arrows *arrows, const float *matrix, const double at[3],
+static void put_corner(struct dirfield_arrows *arrows, const struct dirfield_pose *pose, const double at[3],
                        const uint8_t rgb[3])
 {
     struct hatch_err err;
-    for (int row = 0; row < 3; row++) {
-        double sum = matrix ? (double)matrix[12 + row] : at[row];
-        for (int k = 0; matrix && k < 3; k++)
-            sum += (double)matrix[k * 4 + row] * at[k];
+    double shown[3];
+    dirfield_to_scene(pose, at, shown);
+    for (int k = 0; k < 3; k++) {
         union {
             float number;
             uint32_t bits;
-        } word = {.number = (float)sum};
+        } word = {.number = (float)shown[k]};
         check(hatch_buffer_add_u32le(&arrows->vertices, word.bits, &err), &err);
     }
     check(hatch_buffer_add(&arrows->vertices, rgb, 3, &err), &err);
 }
 
 static void put_rhomb(struct dirfield_arrows *arrows, const struct dirfield_part *part,
-                      const float *matrix, uint32_t point)
+                      const struct dirfield_pose *pose, uint32_t point)
 {
     const double *along = &part->field.direction[3 * (size_t)point];
     const double *normal = &part->frames.normal[3 * (size_t)point];
@@ -79,24 +73,19 @@ static void put_rhomb(struct dirfield_arrows *arrows, const struct dirfield_part
     for (uint32_t c = 0; c < CORNERS; c++) {
         double sign = c < CORNERS / 2 ? length : -length;
         hatch_vec_add_scaled(middle, sign * (c % 2 ? HALF_WIDTH : HALF_LENGTH), c % 2 ? across : along, corner);
-        put_corner(arrows, matrix, corner, rgb);
+        put_corner(arrows, pose, corner, rgb);
     }
     arrows->count++;
 }
 
-void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct hatch_scene *scene,
-                         const struct dirfield_part *part)
+void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct dirfield_part *part)
 {
     struct hatch_err err;
-    for (uint32_t n = 0; n < scene->node_count; n++) {
-        const struct hatch_node *node = &scene->nodes[n];
-        if (part->number < node->first_mesh || part->number - node->first_mesh >= node->mesh_count)
-            continue;
-        const float *matrix = node->skin == HATCH_NONE ? &arrows->world[(size_t)n * 16] : NULL;
+    for (uint32_t i = 0; i < part->pose_count; i++) {
         check(hatch_buffer_reserve(&arrows->vertices,
                                    (size_t)part->surface->point_count * CORNERS * VERTEX_BYTES, &err), &err);
         for (uint32_t p = 0; p < part->surface->point_count; p++)
-            put_rhomb(arrows, part, matrix, p);
+            put_rhomb(arrows, part, &part->poses[i], p);
     }
 }
 

@@ -90,29 +90,37 @@ static enum hatch_status find_vertex(const struct places *places, double vertex,
                       vertex, first - 1);
 }
 
-/* How far a position is from a part's nearest point. */
-static double distance(const struct dirfield_part *part, const double position[3], uint32_t *point)
+/* How far a position of the scene is from a part's nearest point, where a pose shows it. */
+static double distance(const struct dirfield_part *part, const struct dirfield_pose *pose,
+                       const double position[3], uint32_t *point)
 {
-    double at[3];
-    *point = hatch_surface_nearest(part->surface, position);
+    double offset[3], local[3], at[3], shown[3];
+    hatch_vec_sub(position, pose->offset, offset);
+    if (!dirfield_to_mesh(pose, offset, local))
+        return INFINITY;
+    *point = hatch_surface_nearest(part->surface, local);
     hatch_surface_position(part->surface, *point, at);
-    return hatch_vec_distance(at, position);
+    dirfield_to_scene(pose, at, shown);
+    return hatch_vec_distance(shown, position);
 }
 
-static void find_nearest(const struct places *places, const double position[3],
-                         struct dirfield_part **part, uint32_t *point)
+/* The nearest point of all that the scene shows; false when it shows none. */
+static bool find_nearest(const struct places *places, const double position[3], struct dirfield_part **part,
+                         const struct dirfield_pose **pose, uint32_t *point)
 {
     double least = INFINITY;
-    for (uint32_t i = 0; i < places->part_count; i++) {
-        uint32_t candidate = 0;
-        struct dirfield_part *other = &places->parts[i];
-        double length = distance(other, position, &candidate);
-        if (!(length < least))
-            continue;
-        least = length;
-        *part = other;
-        *point = candidate;
-    }
+    for (uint32_t i = 0; i < places->part_count; i++)
+        for (uint32_t k = 0; k < places->parts[i].pose_count; k++) {
+            uint32_t candidate = 0;
+            double length = distance(&places->parts[i], &places->parts[i].poses[k], position, &candidate);
+            if (!(length < least))
+                continue;
+            least = length;
+            *part = &places->parts[i];
+            *pose = &places->parts[i].poses[k];
+            *point = candidate;
+        }
+    return least < INFINITY;
 }
 
 /* Where two rows meet at one point, the later one counts: it stands later in the part's list. */
@@ -137,14 +145,16 @@ static enum hatch_status place(struct cmd_args *args, const struct places *place
                                uint32_t row, struct hatch_err *err)
 {
     struct dirfield_part *part = NULL;
+    const struct dirfield_pose *pose = NULL;
     struct dirfield_constraint made = {.line = row, .weight = values[WEIGHT]};
     hatch_vec_copy(&values[DX], made.direction);
-    if (places->vertex_points)
+    if (places->vertex_points) {
         HATCH_TRY(find_vertex(places, values[VERTEX], row, &part, &made.point, err));
-    else
-        find_nearest(places, &values[X], &part, &made.point);
-    if (!part)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no mesh is there", row);
+    } else {
+        if (!find_nearest(places, &values[X], &part, &pose, &made.point))
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the scene shows no mesh", row);
+        dirfield_to_mesh(pose, &values[DX], made.direction);
+    }
     return add(args, part, made, err);
 }
 

@@ -27,11 +27,16 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
 
 enum dirfield_phase { PHASE_SURFACES, PHASE_FRAMES, PHASE_CURVATURE, PHASE_FIELD, PHASE_COUNT };
 
+/* Where a node shows a mesh: a point m of the mesh is at matrix m + offset. */
+struct dirfield_pose {
+    double matrix[3][3], offset[3];
+};
+
 /* A direction given by hand. */
 struct dirfield_constraint {
     uint32_t point;
     uint32_t line; /* of the file */
-    double direction[3], weight;
+    double direction[3], weight; /* in the mesh's coordinates */
 };
 
 /* One mesh of the scene. The surface and the constraints live in args->keep, the rest in work, whose
@@ -42,6 +47,8 @@ struct dirfield_part {
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
     double share; /* of the faces of all meshes */
+    uint32_t pose_count; /* 0: no node shows it */
+    struct dirfield_pose *poses;
     uint32_t constraint_count;
     struct dirfield_constraint *constraints;
     struct hatch_arena work;
@@ -50,6 +57,15 @@ struct dirfield_part {
     struct hatch_singularities singular;
     double ms[PHASE_COUNT]; /* of PHASE_SURFACES 0: all are made together */
 };
+
+/* Finds the poses of all parts: at rest, skinned meshes as they were bound. */
+void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_part *parts);
+
+/* A point of the mesh in the scene. */
+void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], double scene[3]);
+
+/* A vector of the scene (a point less the pose's offset, or a direction) in the mesh. False when the pose is flat. */
+bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3]);
 
 /* Reads a table of constraints and gives each part its own. Dies on failure. */
 void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts,
@@ -79,13 +95,10 @@ struct hatch_bytes dirfield_report_end(struct dirfield_report *report, double su
 struct dirfield_arrows {
     struct hatch_buffer vertices; /* their bytes */
     uint32_t count;               /* of rhombs */
-    float *world;                 /* 16 a node */
 };
 
-void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args,
-                           const struct hatch_scene *scene);
-void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct hatch_scene *scene,
-                         const struct dirfield_part *part);
+void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args);
+void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct dirfield_part *part);
 struct hatch_bytes dirfield_arrows_end(struct dirfield_arrows *arrows);
 
 #endif

@@ -98,7 +98,10 @@ static void put_singularity(struct dirfield_report *report, const struct dirfiel
         hatch_surface_position(part->surface, part->surface->corners[3 * (size_t)face + c], corner);
         hatch_vec_add_scaled(middle, 1.0 / 3, corner, middle);
     }
-    hatch_vec_copy(middle, &row[X]);
+    if (part->pose_count > 0)
+        dirfield_to_scene(&part->poses[0], middle, &row[X]);
+    else
+        hatch_vec_copy(middle, &row[X]);
     put_row(report, "singularity", row);
 }
 

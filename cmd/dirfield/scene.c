@@ -30,6 +30,7 @@ static void make_parts(struct run *run)
     }
     for (uint32_t i = 0; i < count; i++)
         run->parts[i].share = surfaces[i].face_count / run->faces;
+    dirfield_find_poses(run->args, &run->scene, run->parts);
 }
 
 static void begin_extras(struct run *run)
@@ -39,7 +40,7 @@ static void begin_extras(struct run *run)
         points += run->parts[i].surface->point_count;
     dirfield_report_begin(&run->report, run->args, points);
     if (run->files[DIRFIELD_ARROWS].output)
-        dirfield_arrows_begin(&run->arrows, run->args, &run->scene);
+        dirfield_arrows_begin(&run->arrows, run->args);
 }
 
 /* Faces of components whose field follows from no data: its confidence is 0 everywhere. */
@@ -65,7 +66,7 @@ static void work(struct run *run, struct dirfield_part *part)
     if (run->files[DIRFIELD_REPORT].output)
         dirfield_report_add(&run->report, part);
     if (run->files[DIRFIELD_ARROWS].output)
-        dirfield_arrows_add(&run->arrows, &run->scene, part);
+        dirfield_arrows_add(&run->arrows, part);
     run->undirected += undirected_faces(part);
     run->singularities += part->singular.count;
     hatch_arena_free(&part->work);

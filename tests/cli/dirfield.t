@@ -72,6 +72,38 @@ is "--direction does not turn what was given" "$status $(angle hand.glb towards.
 given 'vertex\tdx\tdy\tdz\tweight' '7\t1\t0\t0\t1' '7\t1\t1\t0\t1'
 is "the later row counts" "$status $(angle hand.glb towards.glb)" "0 0"
 
+# Two squares of 2 by 2; a node turns the second by a quarter about z, makes it twice as large and puts it at x = 10.
+# floats NUMBER ...: ones, minus ones and zeros
+floats() {
+    for number; do
+        case $number in
+            1) printf '\000\000\200\077' ;;
+            -1) printf '\000\000\200\277' ;;
+            *) printf '\000\000\000\000' ;;
+        esac
+    done
+}
+square=$({
+    floats -1 -1 0 1 -1 0 1 1 0 -1 1 0
+    printf '\000\000\001\000\002\000\000\000\002\000\003\000'
+} | base64 | tr -d '\n')
+mesh='{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}'
+cat >posed.gltf <<EOF
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+"nodes":[{"mesh":0},{"mesh":1,"translation":[10,0,0],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,2,2]}],
+"meshes":[$mesh,$mesh],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],
+"buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,$square"}]}
+EOF
+printf 'x\ty\tz\tdx\tdy\tdz\tweight\n0\t0\t0\t1\t1\t0\t9\n10\t0\t0\t1\t0\t0\t9\n' >hand.tsv
+try dirfield -q posed.gltf --constraints hand.tsv -o hand.glb
+printf 'vertex\tdx\tdy\tdz\tweight\n0\t1\t1\t0\t9\n4\t0\t1\t0\t9\n' >own.tsv
+dirfield -q posed.gltf --constraints own.tsv -o own.glb
+is "positions are those of the scene, vertices those of the mesh" \
+    "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
+
 # bad_row SENTENCE HEADER ROW ...
 bad_row() {
     sentence=$1

@@ -1,0 +1,63 @@
+/* Where the scene's nodes show a mesh. */
+#include "dirfield.h"
+#include "math/vector.h"
+
+static bool shows(const struct hatch_node *node, uint32_t mesh)
+{
+    return mesh >= node->first_mesh && mesh - node->first_mesh < node->mesh_count;
+}
+
+/* Skinned meshes stand as they were bound, whatever their node says. */
+static struct dirfield_pose pose_of(const struct hatch_node *node, const float *world)
+{
+    struct dirfield_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+    for (int row = 0; row < 3 && node->skin == HATCH_NONE; row++) {
+        for (int k = 0; k < 3; k++)
+            pose.matrix[row][k] = (double)world[k * 4 + row];
+        pose.offset[row] = (double)world[12 + row];
+    }
+    return pose;
+}
+
+static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, const float *world,
+                       struct dirfield_part *part)
+{
+    struct hatch_err err;
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        part->pose_count += shows(&scene->nodes[n], part->number);
+    part->poses = HATCH_NEW(&args->keep, struct dirfield_pose, part->pose_count, &err);
+    cmd_check(part->poses ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    uint32_t found = 0;
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        if (shows(&scene->nodes[n], part->number))
+            part->poses[found++] = pose_of(&scene->nodes[n], &world[(size_t)n * 16]);
+}
+
+void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_part *parts)
+{
+    struct hatch_err err;
+    float *world = HATCH_NEW(&args->keep, float, (size_t)scene->node_count * 16, &err);
+    cmd_check(world ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    hatch_scene_pose(scene, HATCH_NONE, 0, world);
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        find_poses(args, scene, world, &parts[i]);
+}
+
+void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], double scene[3])
+{
+    for (int row = 0; row < 3; row++)
+        scene[row] = pose->offset[row] + hatch_vec_dot(pose->matrix[row], mesh);
+}
+
+/* Cramer's rule, with the rows' products as cofactors. */
+bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3])
+{
+    double cofactors[3][3];
+    for (int row = 0; row < 3; row++)
+        hatch_vec_cross(pose->matrix[(row + 1) % 3], pose->matrix[(row + 2) % 3], cofactors[row]);
+    double determinant = hatch_vec_dot(pose->matrix[0], cofactors[0]);
+    for (int k = 0; k < 3; k++)
+        mesh[k] = (cofactors[0][k] * vector[0] + cofactors[1][k] * vector[1] + cofactors[2][k] * vector[2]) /
+                  determinant;
+    return isfinite(hatch_vec_length(mesh));
+}
