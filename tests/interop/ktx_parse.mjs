@@ -10,9 +10,16 @@ const { read } = await import(pathToFileURL(require.resolve('ktx-parse')));
 const bytes = readFileSync(process.argv[2]);
 const ktx = read(new Uint8Array(bytes));
 
-const channels = { 9: 1, 16: 2, 23: 3, 37: 4 }[ktx.vkFormat];
-assert(channels, 'an 8-bit format');
-assert.equal(ktx.typeSize, 1);
+const plain = { 9: 1, 16: 2, 23: 3, 37: 4 }[ktx.vkFormat];
+// R32UI, BC4, BC7: colour model, bytes of a block, texels each way, bits and largest number of its sample
+const packed = {
+    98: [1, 4, 1, 32, 1],
+    139: [131, 8, 4, 64, 0xffffffff],
+    145: [134, 16, 4, 128, 0xffffffff],
+}[ktx.vkFormat];
+assert(plain || packed, 'a format that is known');
+const [model, block, side, bits, upper] = packed ?? [1, plain, 1, 8, 255];
+assert.equal(ktx.typeSize, ktx.vkFormat === 98 ? 4 : 1);
 assert.equal(ktx.faceCount, 1);
 assert.equal(ktx.supercompressionScheme, 0);
 
@@ -20,26 +27,26 @@ const [dfd] = ktx.dataFormatDescriptor;
 assert.equal(dfd.vendorId, 0);
 assert.equal(dfd.descriptorType, 0);
 assert.equal(dfd.versionNumber, 2);
-assert.equal(dfd.colorModel, 1); // RGBSDA
+assert.equal(dfd.colorModel, model); // 1: RGBSDA
 assert.equal(dfd.colorPrimaries, 1); // BT.709
 assert.equal(dfd.transferFunction, 1); // linear
-assert.deepEqual([...dfd.texelBlockDimension], [0, 0, 0, 0]);
-assert.equal(dfd.bytesPlane[0], channels);
-assert.equal(dfd.samples.length, channels);
+assert.deepEqual([...dfd.texelBlockDimension], [side - 1, side - 1, 0, 0]);
+assert.equal(dfd.bytesPlane[0], block);
+assert.equal(dfd.samples.length, plain ?? 1);
 dfd.samples.forEach((sample, c) => {
     assert.equal(sample.bitOffset, 8 * c);
-    assert.equal(sample.bitLength, 7);
+    assert.equal(sample.bitLength, bits - 1);
     assert.equal(sample.channelType, [0, 1, 2, 15][c]);
     assert.equal(sample.sampleLower, 0);
-    assert.equal(sample.sampleUpper, 255);
+    assert.equal(sample.sampleUpper >>> 0, upper);
 });
 
 const keys = Object.keys(ktx.keyValue);
 assert.deepEqual(keys, [...keys].sort());
 assert(keys.includes('KTXwriter'));
 
-// Levels: smallest first in the file, aligned to lcm(4, texel), none overlapping.
-const alignment = channels === 3 ? 12 : 4;
+// Levels: smallest first in the file, aligned to lcm(4, block), none overlapping.
+const alignment = block === 3 ? 12 : Math.max(block, 4);
 let end = 0;
 for (let level = ktx.levels.length; level-- > 0; ) {
     const at = Number(bytes.readBigUInt64LE(80 + 24 * level));

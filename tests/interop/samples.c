@@ -46,6 +46,13 @@ static const struct {
     {"rg-one", {.width = 9, .height = 7, .layers = 1, .channels = 2, .level_count = 3}, true},
     {"rgba-array", {.width = 8, .height = 8, .layers = 3, .channels = 4, .level_count = 4}, true},
     {"rgba-volume", {.width = 8, .height = 4, .depth = 19, .channels = 4, .level_count = 5}, true},
+    {"bc4-array",
+     {.width = 37, .height = 11, .layers = 3, .channels = 1, .level_count = 6, .code = HATCH_TEXELS_BC4},
+     false},
+    {"bc7-volume",
+     {.width = 16, .height = 8, .depth = 6, .channels = 4, .level_count = 5, .code = HATCH_TEXELS_BC7},
+     false},
+    {"words", {.width = 33, .height = 5, .channels = 1, .level_count = 1, .code = HATCH_TEXELS_R32UI}, false},
 };
 
 static void save_textures(const char *folder)
