@@ -49,13 +49,18 @@ static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, 
                       double du, double dv)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
-    double weight = weight_of(pattern, seed, tile_u, tile_v), px = pattern->tile_px;
+    double along = (layer->cosine * du + layer->sine * dv) * pattern->tile_px;
+    double across = (layer->cosine * dv - layer->sine * du) * pattern->tile_px;
+    /* Beyond a stroke of full size and the softness of its border there is no need to ask how large it is. */
+    if (fabs(along) > layer->style.length_px / 2 + 1 || fabs(across) > layer->style.width_px / 2 + 1)
+        return 1;
+    double weight = weight_of(pattern, seed, tile_u, tile_v);
     if (!(weight > 0))
         return 1;
-    if (pattern->shrinks && weight < 1)
-        px /= sqrt(weight);
-    double along = (layer->cosine * du + layer->sine * dv) * px;
-    double across = (layer->cosine * dv - layer->sine * du) * px;
+    if (pattern->shrinks && weight < 1) {
+        along /= sqrt(weight);
+        across /= sqrt(weight);
+    }
     return 1 - layer->style.ink * stroke_alpha(layer, along, across) * (pattern->shrinks ? 1 : weight);
 }
 
@@ -112,7 +117,7 @@ void hatch_rptam_pattern(const struct hatch_rptam *rptam, uint32_t layer_index, 
         .weighted = style->law == HATCH_FADE_WEIGHTED,
         .shrinks = style->fade_size,
         .fade = hatch_fade_at(style->law, far - level, style->overlap),
-        .level = (int)level,
+        .scale = exp2(-level),
         .tile_px = layer->style.tile_px * exp2(level - depth)};
 }
 
@@ -120,7 +125,7 @@ double hatch_rptam_left(const struct hatch_rptam_pattern *pattern, const double 
 {
     if (pattern->nothing)
         return 1;
-    double u = ldexp(uv[0], -pattern->level), v = ldexp(uv[1], -pattern->level);
+    double u = uv[0] * pattern->scale, v = uv[1] * pattern->scale;
     return pattern->lists ? left_by_listed(pattern, u, v) : left_by_all(pattern, u, v);
 }
 

@@ -74,7 +74,7 @@ struct hatch_rptam_pattern {
     const struct hatch_coverage *lists; /* for the size that strokes have in the tile; NULL: every seed */
     bool weighted, shrinks, nothing;
     struct hatch_fade fade;
-    int level;      /* the whole part of the depth of its tile */
+    double scale;   /* tiles in a unit of texture coordinates, a power of two */
     double tile_px; /* its side on the screen */
 };
 

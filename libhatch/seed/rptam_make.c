@@ -9,8 +9,8 @@
 #define SIDE_MAX 256u        /* texels along a tile, of the lists */
 #define STROKE_TEXELS 2048.0 /* along an image of a stroke, at most */
 #define GROWTH 1.0001        /* of listed strokes, against rounding on the GPU */
-#define TONE_POINTS 6765u   /* for the table of tones, and what spreads them: Fibonacci numbers */
-#define TONE_STRIDE 4181u
+#define TONE_POINTS 4181u   /* for the table of tones, and what spreads them: Fibonacci numbers */
+#define TONE_STRIDE 2584u
 #define TONE_TILES 4.0       /* along the square that they are spread over */
 #define TONE_PARTS 8u        /* of each layer's stretch */
 
@@ -190,7 +190,11 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct curve curve;
-    HATCH_TRY(measure(rptam, scratch, &curve, err));
+    enum hatch_status status = measure(rptam, scratch, &curve, err);
+    if (status != HATCH_OK) {
+        hatch_arena_rewind(scratch, mark);
+        return status;
+    }
     rptam->darkest = curve.darkness[curve.count - 1];
     for (uint32_t step = 0, k = 0; step <= HATCH_RPTAM_STEPS; step++) {
         double wanted = rptam->darkest * step / HATCH_RPTAM_STEPS;

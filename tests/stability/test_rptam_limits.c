@@ -19,8 +19,9 @@ START_TEST(levels_meet)
         bool size;
         double overlap;
     } fades[] = {{HATCH_FADE_EVEN, false, 0.3}, {HATCH_FADE_EVEN, true, 0.3}, {HATCH_FADE_EVEN, false, 1},
-                 {HATCH_FADE_PAPER, true, 1}};
-    static const double amounts[] = {1};
+                 {HATCH_FADE_PAPER, true, 1}, {HATCH_FADE_WEIGHTED, false, 0.3},
+                 {HATCH_FADE_WEIGHTED, true, 1}};
+    static const double amounts[] = {1, 0.6, 0.1};
     static const uint32_t counts[] = {2, 16, 37, 64};
     struct model_how model = how;
     model.law = fades[_i].law;
@@ -149,7 +150,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam limits");
     TCase *tests = tcase_create("limits");
-    tcase_add_loop_test(tests, levels_meet, 0, 4);
+    tcase_add_loop_test(tests, levels_meet, 0, 6);
     tcase_add_test(tests, strokes_pass_edges);
     tcase_add_test(tests, strokes_may_be_larger_than_the_tile);
     suite_add_tcase(suite, tests);
