@@ -63,21 +63,19 @@ static void apply_settings(struct cmd_args *args, const char *settings, struct h
         cmd_usage("--set: %s", err.text);
 }
 
-/* A brush image that a style names stands beside the style's file. */
-static const char *brush_beside(struct cmd_args *args, const char *style_path, const char *brush)
+const char *cmd_beside(struct cmd_args *args, const char *path, const char *name)
 {
     struct hatch_err err;
-    const char *slash = strrchr(style_path, '/');
-    if (brush[0] == '/' || !slash)
-        return brush;
+    const char *slash = strrchr(path, '/');
+    if (name[0] == '/' || !slash)
+        return name;
     struct hatch_buffer joined = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - style_path), style_path,
-                                 brush, '\0'),
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, name, '\0'),
               NULL, &err);
     return (const char *)joined.data;
 }
 
-static void read_brush_image(struct cmd_args *args, const char *path, struct hatch_brush *brush)
+void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush *brush)
 {
     struct hatch_err err;
     struct hatch_image image;
@@ -96,9 +94,9 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
     if (settings)
         apply_settings(args, settings, style);
     if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
-        brush_path = brush_beside(args, path, style->brush_file);
+        brush_path = cmd_beside(args, path, style->brush_file);
     if (brush_path)
-        read_brush_image(args, brush_path, brush);
+        cmd_read_brush(args, brush_path, brush);
     else
         cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
 }

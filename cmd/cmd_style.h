@@ -18,6 +18,12 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
  * lines, or any style that has some. */
 void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style);
 
+/* A file that another one names: beside it, unless the name begins at the root. */
+const char *cmd_beside(struct cmd_args *args, const char *path, const char *name);
+
+/* A brush from a picture, in args->keep. Dies on failure. */
+void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush *brush);
+
 /* Whether a style of that name comes with the commands. A path is no such name, so that what a file says
  * of its style opens no other file. */
 bool cmd_has_style(struct cmd_args *args, const char *name);

@@ -6,13 +6,21 @@
 #include "render-gl/field.h"
 #include "render-gl/load.h"
 #include "render-gl/options.h"
+#include "seed/layers.h"
 #include "tam/style.h"
+
+/* What a stroke looks like. */
+struct job_stroke {
+    struct hatch_image alpha, grain; /* grain: of no pixels where there is none */
+};
 
 /* What the model of strokes at seeds is made from. */
 struct stroke_source {
     struct hatch_seeds sets;
     struct hatch_style drawing;
-    struct hatch_image stroke;
+    struct job_stroke stroke;         /* the drawing style's */
+    struct hatch_layers layers;       /* those that differ; count 0: none */
+    struct job_stroke *layer_strokes; /* of each of them that has its own */
     struct hatch_arena arenas[2]; /* the model lies in one; the next is made in the other */
     int arena;
 };

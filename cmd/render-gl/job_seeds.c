@@ -7,36 +7,88 @@
 
 /* A drawing style's strokes are as long as a share of a tile of this many pixels. */
 #define STYLE_TILE_PX 128
+#define LAYERS 4 /* unless somebody says how many */
 
-/* Four layers of 64, spread well. */
-static void make_seeds(struct cmd_args *args, struct hatch_seeds *seeds)
+/* Sets of 64, spread well. */
+static void make_seeds(struct cmd_args *args, uint32_t layers, struct hatch_seeds *seeds)
 {
     const struct hatch_seeds_options how = {
-        .cycle = {.count = 64, .seed = 1}, .layers = 4, .candidates = 100};
+        .cycle = {.count = 64, .seed = 1}, .layers = layers, .candidates = 100};
     uint64_t steps;
     struct hatch_err err;
     cmd_check(hatch_seeds_make(&how, &args->keep, &args->scratch, seeds, &steps, &err), NULL, &err);
 }
 
-static void read_seeds(struct cmd_args *args, const char *path, struct hatch_seeds *seeds)
+static void read_sets(struct job *job)
+{
+    const char *path = job->options.seeds.path;
+    struct cmd_args *args = &job->args;
+    uint32_t layers = job->source.layers.count;
+    struct hatch_err err;
+    if (!path)
+        make_seeds(args, layers ? layers : LAYERS, &job->source.sets);
+    else
+        cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &job->source.sets, &err),
+                  cmd_input_name(path), &err);
+    if (job->source.sets.layer_count < layers) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "%u seed sets for the %u layers of %s", job->source.sets.layer_count, layers,
+                   cmd_input_name(job->options.seeds.layers_path));
+        cmd_die(cmd_input_name(path), &err);
+    }
+}
+
+static void copy_pixels(struct cmd_args *args, const float *pixels, uint32_t width, uint32_t height,
+                        struct hatch_image *image)
 {
     struct hatch_err err;
-    if (path)
-        cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, seeds, &err), cmd_input_name(path),
-                  &err);
+    cmd_check(hatch_image_make(&args->keep, width, height, "A", image, &err), NULL, &err);
+    memcpy(image->pixels, pixels, sizeof *pixels * width * height);
+}
+
+static void take_brush(struct cmd_args *args, const struct hatch_brush *brush, struct job_stroke *stroke)
+{
+    *stroke = (struct job_stroke){0};
+    copy_pixels(args, brush->alpha, brush->width, brush->height, &stroke->alpha);
+    if (brush->grain)
+        copy_pixels(args, brush->grain, HATCH_GRAIN_SIZE, HATCH_GRAIN_SIZE, &stroke->grain);
+}
+
+/* By the name of a brush, or from a picture beside the file of layers. */
+static void read_stroke(struct job *job, const char *name, struct job_stroke *stroke)
+{
+    struct hatch_brush brush;
+    struct hatch_err err;
+    int kind = 0;
+    while (kind < HATCH_BRUSH_IMAGE && strcmp(name, hatch_brush_name((enum hatch_brush_kind)kind)) != 0)
+        kind++;
+    if (kind < HATCH_BRUSH_IMAGE)
+        cmd_check(hatch_brush_make((enum hatch_brush_kind)kind, &job->args.keep, &brush, &err), NULL, &err);
     else
-        make_seeds(args, seeds);
+        cmd_read_brush(&job->args, cmd_beside(&job->args, job->options.seeds.layers_path, name), &brush);
+    take_brush(&job->args, &brush, stroke);
+}
+
+static void read_layers(struct job *job)
+{
+    struct stroke_source *source = &job->source;
+    const char *path = job->options.seeds.layers_path;
+    struct hatch_err err;
+    if (!path)
+        return;
+    cmd_check(hatch_layers_read(cmd_read(&job->args, path), &job->args.keep, &source->layers, &err),
+              cmd_input_name(path), &err);
+    source->layer_strokes = HATCH_NEW(&job->args.keep, struct job_stroke, source->layers.count, &err);
+    cmd_check(source->layer_strokes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < source->layers.count; i++)
+        if (source->layers.lines[i].stroke)
+            read_stroke(job, source->layers.lines[i].stroke, &source->layer_strokes[i]);
 }
 
 static void read_drawing(struct job *job)
 {
-    struct stroke_source *source = &job->source;
     struct hatch_brush brush;
-    struct hatch_err err;
-    cmd_read_style(&job->args, job->options.seeds.drawing, NULL, NULL, &source->drawing, &brush);
-    cmd_check(hatch_image_make(&job->args.keep, brush.width, brush.height, "A", &source->stroke, &err), NULL,
-              &err);
-    memcpy(source->stroke.pixels, brush.alpha, sizeof *source->stroke.pixels * brush.width * brush.height);
+    cmd_read_style(&job->args, job->options.seeds.drawing, NULL, NULL, &job->source.drawing, &brush);
+    take_brush(&job->args, &brush, &job->source.stroke);
 }
 
 /* What the options leave to the drawing style. */
@@ -52,30 +104,61 @@ static void settle(const struct hatch_style *drawing, struct seed_choice *choice
     style->length_px = fmax(style->length_px, style->width_px); /* a dot */
 }
 
+static void set_stroke(const struct job_stroke *stroke, struct hatch_rptam_layer_style *layer)
+{
+    layer->stroke = &stroke->alpha;
+    layer->grain = stroke->grain.pixels ? &stroke->grain : NULL;
+}
+
 /* Layers take the style's directions one after the other, and between them from the third time on; each comes in
  * where the one before it is complete. */
-static void set_layers(const struct stroke_source *source, const struct seed_choice *choice, uint32_t count,
-                       struct hatch_rptam_style *style)
+static void set_layer(const struct stroke_source *source, const struct seed_choice *choice, uint32_t index,
+                      uint32_t count, struct hatch_rptam_layer_style *layer)
 {
     const struct hatch_style *from = &source->drawing;
     const struct seed_style *common = &choice->style;
-    *style = (struct hatch_rptam_style){.law = common->law,
-                                        .fade_size = common->fade_size,
-                                        .overlap = common->overlap,
-                                        .layer_count = count};
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t round = i / from->direction_count;
-        style->layers[i] = (struct hatch_rptam_layer_style){
-            .low = (double)i / count,
-            .high = (i + 1.0) / count,
-            .angle_rad = (double)from->directions[i % from->direction_count].angle_rad +
-                         choice->turn_rad * (round + 1) / 2 * (round % 2 ? 1 : -1) + choice->stroke_turn_rad,
-            .length_px = common->length_px,
-            .width_px = common->width_px,
-            .tile_px = common->tile_px,
-            .ink = common->ink,
-            .stroke = &source->stroke};
+    int round = (int)(index / from->direction_count), turns = (round + 1) / 2 * (round % 2 ? 1 : -1);
+    *layer = (struct hatch_rptam_layer_style){
+        .low = (double)index / count,
+        .high = (index + 1.0) / count,
+        .angle_rad = (double)from->directions[index % from->direction_count].angle_rad +
+                     choice->turn_rad * turns + choice->stroke_turn_rad,
+        .length_px = common->length_px,
+        .width_px = common->width_px,
+        .tile_px = common->tile_px,
+        .ink = common->ink};
+    set_stroke(&source->stroke, layer);
+}
+
+/* What a line of the file of layers says goes before all else. */
+static void change_layer(const struct stroke_source *source, const struct seed_choice *choice, uint32_t index,
+                         struct hatch_rptam_layer_style *layer)
+{
+    const struct hatch_layer_line *line = &source->layers.lines[index];
+    if (line->tone_given) {
+        layer->low = line->low;
+        layer->high = line->high;
     }
+    if (line->turn_given)
+        layer->angle_rad = line->turn_rad + choice->stroke_turn_rad;
+    if (line->width_px > 0)
+        layer->width_px = line->width_px;
+    if (line->length_px > 0)
+        layer->length_px = line->length_px;
+    layer->length_px = fmax(layer->length_px, layer->width_px); /* a dot */
+    if (line->ink > 0)
+        layer->ink = line->ink;
+    if (line->tile_px > 0)
+        layer->tile_px = line->tile_px;
+    if (line->stroke)
+        set_stroke(&source->layer_strokes[index], layer);
+}
+
+/* As many layers as there are sets or lines, but no more than the option says. */
+static uint32_t count_layers(const struct job *job)
+{
+    uint32_t most = job->source.layers.count ? job->source.layers.count : job->source.sets.layer_count;
+    return (uint32_t)lround(fmin(job->options.seeds.layers, most));
 }
 
 enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
@@ -83,12 +166,20 @@ enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
     struct seed_choice *choice = &job->options.seeds;
     struct hatch_arena *arena = &job->source.arenas[job->source.arena ^ 1];
     struct hatch_rptam_style style;
-    choice->layers = fmin(choice->layers, job->source.sets.layer_count);
-    uint32_t count = (uint32_t)lround(choice->layers);
+    uint32_t count = count_layers(job);
+    choice->layers = fmin(choice->layers, count);
     if (count > HATCH_RPTAM_LAYERS_MAX)
         return hatch_fail(err, HATCH_LIMIT, "%u layers of seeds: %u are the most", count, HATCH_RPTAM_LAYERS_MAX);
     settle(&job->source.drawing, choice);
-    set_layers(&job->source, choice, count, &style);
+    style = (struct hatch_rptam_style){.law = choice->style.law,
+                                       .fade_size = choice->style.fade_size,
+                                       .overlap = choice->style.overlap,
+                                       .layer_count = count};
+    for (uint32_t i = 0; i < count; i++) {
+        set_layer(&job->source, choice, i, count, &style.layers[i]);
+        if (job->source.layers.count)
+            change_layer(&job->source, choice, i, &style.layers[i]);
+    }
     hatch_arena_free(arena);
     hatch_arena_init(arena, job->args.max_memory);
     HATCH_TRY(hatch_rptam_make(&job->source.sets, &style, arena, &job->args.scratch, &job->rptam, err));
@@ -100,7 +191,8 @@ void job_read_seeds(struct job *job)
 {
     const struct seed_choice *choice = &job->options.seeds;
     struct hatch_err err;
-    read_seeds(&job->args, choice->path, &job->source.sets);
+    read_layers(job);
+    read_sets(job);
     read_drawing(job);
     cmd_check(job_make_strokes(job, &err), choice->path ? cmd_input_name(choice->path) : NULL, &err);
     job->renderer.rptam = &job->rptam;

@@ -20,7 +20,7 @@ static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
-static const char *seeds, *drawing = "ink";
+static const char *seeds, *layers_path, *drawing = "ink";
 static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile = 256, overlap = 0.3;
 static double zoom = 1;
 static int64_t seed_layers = HATCH_RPTAM_LAYERS_MAX;
@@ -44,6 +44,8 @@ static struct cmd_option table[] = {
      NULL},
     {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
      &seeds, NULL, NULL},
+    {0, "layers", CMD_TEXT, 0, 0, "FILE", "+rptam: strokes and tones of each layer, a line each", &layers_path, NULL,
+     NULL},
     {0, "style", CMD_TEXT, 0, 0, "STYLE", "rptam: the drawing style of the strokes (default ink)", &drawing,
      NULL, NULL},
     {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "+rptam: length and width in pixels (default: the style's)",
@@ -202,6 +204,7 @@ static void read_style(struct style *style)
 static void read_seed_choice(struct seed_choice *choice)
 {
     *choice = (struct seed_choice){.path = seeds,
+                                   .layers_path = layers_path,
                                    .drawing = drawing,
                                    .style = {.tile_px = seed_tile,
                                              .length_px = stroke[0],

@@ -17,6 +17,7 @@ struct seed_style {
 /* What draws at seeds. */
 struct seed_choice {
     const char *path;    /* of the sets; NULL: made */
+    const char *layers_path; /* of layers that differ; NULL: none */
     const char *drawing; /* the style: brush, ink, directions, width and length where none is given */
     struct seed_style style;
     double turn_rad;     /* between layers that have one direction */

@@ -28,6 +28,8 @@ struct hatch_rptam_layer_style {
     double ink;       /* how dark a stroke is, over 0 .. 1 */
     const struct hatch_image *stroke; /* one channel: alpha, 0 .. 1, x along and y across, of any size: it
                                          is brought to the size that is drawn */
+    const struct hatch_image *grain;  /* NULL, or one channel: repeats over the stroke, a pixel on the screen
+                                         each, and multiplies it */
 };
 
 struct hatch_rptam_style {

@@ -16,8 +16,8 @@
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
-    return a->stroke == b->stroke && !(a->length_px < b->length_px) && !(a->length_px > b->length_px) &&
-           !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
+    return a->stroke == b->stroke && a->grain == b->grain && !(a->length_px < b->length_px) &&
+           !(a->length_px > b->length_px) && !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
 }
 
 /* The mean of an image over a box. */
@@ -30,6 +30,12 @@ static double mean_over(const struct hatch_image *image, double left, double rig
                    (fmin(right, column + 1.0) - fmax(left, column)) *
                    (fmin(bottom, row + 1.0) - fmax(top, row));
     return sum / ((right - left) * (bottom - top));
+}
+
+static double grain_at(const struct hatch_image *grain, double x_px, double y_px)
+{
+    uint32_t x = (uint32_t)x_px % grain->width, y = (uint32_t)y_px % grain->height;
+    return (double)grain->pixels[(size_t)y * grain->width + x];
 }
 
 static enum hatch_status size_stroke(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
@@ -45,6 +51,9 @@ static enum hatch_status size_stroke(const struct hatch_rptam_layer_style *style
             double mean = mean_over(from, (double)x * from->width / width, (double)(x + 1) * from->width / width,
                                     (double)y * from->height / height,
                                     (double)(y + 1) * from->height / height);
+            if (style->grain)
+                mean *= grain_at(style->grain, (x + 0.5) * style->length_px / width,
+                                 (y + 0.5) * style->width_px / height);
             to->pixels[(size_t)(y + 1) * to->width + x + 1] = (float)(floor(mean * 255 + 0.5) / 255);
         }
     return HATCH_OK;

@@ -169,17 +169,43 @@ START_TEST(layers_differ_in_everything)
 {
     frame_arenas(&frame);
     struct hatch_rptam_style style;
-    struct hatch_image dot, brush;
+    struct hatch_image dot, brush, grain;
     model_style(&looks[3], &frame.arena, &brush, &style);
     HATCH_TEST_OK(hatch_image_make(&frame.arena, 3, 3, "A", &dot, &frame.err), &frame.err);
     dot.pixels[4] = 1;
-    style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot};
+    HATCH_TEST_OK(hatch_image_make(&frame.arena, 2, 2, "A", &grain, &frame.err), &frame.err);
+    grain.pixels[1] = grain.pixels[2] = 1;
+    style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot, NULL};
     style.layers[1].high = 0.9;
-    style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush};
+    style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush, &grain};
     model_of_style(&looks[3], &style, &frame.arena, &frame.scratch, &rptam);
     begin_plane();
     for (int tone = 1; tone <= 4; tone++) {
         double worst = compare(0.45, rptam.darkest * tone / 4);
+        ck_assert_msg(worst <= 1 / 255.0, "tone %d: %g", tone, worst);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
+/* Each comes in on its small stretch; a light tone needs few of them, and the others leave it alone. */
+START_TEST(more_layers_than_tones)
+{
+    struct model_how how = looks[0];
+    double amounts[HATCH_RPTAM_LAYERS_MAX];
+    frame_arenas(&frame);
+    how.layers = HATCH_RPTAM_LAYERS_MAX;
+    how.seeds = 4;
+    how.ink = 0.5;
+    for (uint32_t i = 0; i < how.layers; i++)
+        how.angle_rad[i] = i;
+    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    begin_plane();
+    hatch_rptam_amounts(&rptam, rptam.darkest / 8, amounts);
+    ck_assert_double_gt(amounts[0], 0.99);
+    ck_assert_double_eq(amounts[HATCH_RPTAM_LAYERS_MAX / 2], 0);
+    for (int tone = 1; tone <= 8; tone += 7) {
+        double worst = compare(0.7, rptam.darkest * tone / 8);
         ck_assert_msg(worst <= 1 / 255.0, "tone %d: %g", tone, worst);
     }
     frame_end(&frame);
@@ -210,6 +236,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, a_plane_is_the_model, 0, LOOKS);
     tcase_add_loop_test(tests, lists_hold_every_stroke_that_shows, 0, LOOKS);
     tcase_add_test(tests, layers_differ_in_everything);
+    tcase_add_test(tests, more_layers_than_tones);
     tcase_add_test(tests, no_layer_is_paper);
     tcase_add_test(tests, strokes_of_a_sparser_level_are_a_part_of_the_denser);
     suite_add_tcase(suite, tests);

@@ -1,0 +1,39 @@
+# render-gl --layers: layers that say nothing new, strokes from pictures beside the file, and what is refused.
+. "${TOP:-.}/tests/tap.sh"
+
+meshgen torus --faces 200 -o torus.glb
+draw="render-gl -t rptam --size 96x72 --samples 1 --lines none torus.glb"
+mkdir folder
+seedgen -n 16 --layers 2 -o two.seeds
+
+ok "without a file" $draw -o plain.png
+printf 'turn 0\n# a comment\nink 1\ntone 0.5..0.75\ntile 256\n' >folder/same.layers
+ok "lines of what is so anyway" $draw --layers folder/same.layers -o same.png
+ok "change nothing" cmp plain.png same.png
+printf 'ink 1\nturn 91\ntone 0.5..0.75\nwidth 1.8\n' >other.layers
+ok "another direction" $draw --layers other.layers -o other.png
+is "is another picture" "$(cmp -s plain.png other.png || echo another)" another
+
+render-gl -t gouraud --size 64x8 torus.glb -o folder/stroke.png
+printf 'stroke stroke.png\nstroke stipple\n' >folder/own.layers
+ok "a stroke from a picture beside the file" $draw --layers folder/own.layers -o own.png
+is "is another picture, too" "$(cmp -s plain.png own.png || echo another)" another
+ok "with sets of its own" $draw --layers folder/own.layers --seeds two.seeds -o two.png
+ok "fewer than the file has" $draw --layers folder/own.layers --seed-layers 1 -o one.png
+
+# refuses NAME STATUS WORDS OPTION ...
+refuses() {
+    name=$1 want=$2 words=$3
+    shift 3
+    try $draw "$@" -o picture.png
+    is "$name" "$status $(wc -l <.err) $(grep -cF -e "$words" .err)" "$want 1 1"
+    [ ! -e picture.png ] || fail "$name: no picture is left"
+}
+refuses "a key that is none" 3 "bad.layers: line 2: no such key 'nib'" --layers "$(printf 'turn 3\nnib 3\n' >bad.layers && echo bad.layers)"
+refuses "no layer" 3 "no layer in it" --layers /dev/null
+refuses "less sets than layers" 3 "two.seeds: 2 seed sets for the 4 layers of other.layers" --layers other.layers --seeds two.seeds
+printf 'stroke gone.png\n' >gone.layers
+refuses "a stroke that is not there" 4 "gone.png" --layers gone.layers
+printf 'length 900 tile 100\n' >long.layers
+refuses "strokes over 8 tiles" 5 "layer 1: strokes of 900 by 1.8 pixels in a tile of 100: 8 tiles are the most" --layers long.layers
+finish
