@@ -26,8 +26,7 @@ row() {
     for name in faces singularities deg_p50 deg_p95 smoothness; do
         printf '%s\t' "$(column $name <"$work/figures.tsv")"
     done
-    printf '%s\t' "$(awk -v a="$(column smoothness <"$work/report.tsv")" \
-        -v b="$(column disagreement <"$work/report.tsv")" 'BEGIN {print a + b}')"
+    printf '%s\t' "$(column energy <"$work/report.tsv")"
     "$MEASURE" "$runs" "$@" -o "$work/field.glb" | tr '\n' '\t' | sed 's/\t$//'
     echo
 }

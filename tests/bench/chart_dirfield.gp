@@ -1,16 +1,18 @@
-# Angle to the truth against time, 10,000 faces, clean and noisy. Grey: other programs, as measured elsewhere (2-ring
+# Angle to the truth against time, clean and noisy: 10,000 faces, and the smoothed field at other sizes; below on the
+# right, time against faces. Grey: other programs, as measured elsewhere (2-ring
 # quadric; trimesh2; libigl, 5 rings; CGAL's jets; fieldgen; Instant Meshes with libigl's seeds).
-set multiplot layout 1,3 title "direction of curvature: 10,000 faces, one thread, mean of five shapes"
+set multiplot layout 2,2 title "direction of curvature: one thread, mean of five shapes, 10,000 faces if nothing else is said"
 set grid
 set logscale xy
 set format y "%g"
 set format x "%g"
-set xrange [1:2000]
+set xrange [1:20000]
 set yrange [0.00003:100]
 set xlabel "milliseconds"
 set key bottom left Left reverse samplen 0.5 font ",9"
 rows(noise, test) = sprintf("< awk -F'\\t' '$2 == 10000 && $3 == %s && %s {print $4 * 1000, $8, $9, $1}' %s", noise, test, data)
 fixed = "$1 ~ /^radius/"
+sizes(noise) = sprintf("< awk -F'\\t' '$1 == \"adaptive, linear\" && $3 == %s {print $4 * 1000, $8, $2 / 1000, $2, $4}' %s", noise, data)
 ours = "$1 ~ /^adaptive/ && $1 != \"adaptive\""
 raw = "$1 == \"adaptive\""
 coarse = "$1 ~ /^simplified/"
@@ -33,6 +35,18 @@ do for [n = 1:3] {
          rows(noise, fixed) using 1:2:(short(stringcolumn(4) . " " . stringcolumn(5) . " " . stringcolumn(6) . " " . stringcolumn(7))) with labels offset 0,0.8 font ",8" tc rgb "#b8541a" notitle, \
          rows(noise, coarse) using 1:2 with points pt 9 lc rgb "#7a4fa0" title "simplified mesh", \
          rows(noise, raw) using 1:2 with points pt 5 ps 1.3 lc rgb "#3a8f3a" title "adaptive", \
+         sizes(noise) using 1:2 with lines lw 1 dt 2 lc rgb "#1f5fa8" notitle, \
+         sizes(noise) using 1:2:(sprintf("%gk", column(3))) with labels offset 2.4,0 font ",8" tc rgb "#1f5fa8" notitle, \
          rows(noise, ours) using 1:2 with points pt 13 ps 1.5 lc rgb "#1f5fa8" title "adaptive, smoothed"
 }
+set title "frames, curvature and field against faces"
+set xrange [500:2000000]
+set autoscale y
+set xlabel "faces"
+set ylabel "seconds"
+set key top left Left reverse samplen 1
+plot sizes("0") using 4:5 with linespoints pt 13 lc rgb "#1f5fa8" title "clean", \
+     sizes("0.05") using 4:5 with linespoints pt 7 lc rgb "#b8541a" title "noise 0.05", \
+     sizes("0.2") using 4:5 with linespoints pt 9 lc rgb "#7a4fa0" title "noise 0.2", \
+     x * log(x) * 4e-7 with lines dt 3 lc rgb "#999999" title "n log n"
 unset multiplot

@@ -96,4 +96,20 @@ awk 'BEGIN {pi = 3.14159265358979; n = 24; m = 12
         c = i + 1 < n ? a + m : (m - j) % m; d = i + 1 < n ? b + m : (m - k) % m
         printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >klein.obj
 fine "a Klein bottle" klein.obj
+awk 'BEGIN {pi = 3.14159265358979; n = 40; m = 5
+    for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+        u = 2 * pi * i / n; v = j / (m - 1) - .5
+        printf "v %.9f %.9f %.9f\n", (2 + v * cos(u / 2)) * cos(u), (2 + v * cos(u / 2)) * sin(u), v * sin(u / 2)}
+    for (i = 0; i < n; i++) for (j = 0; j < m - 1; j++) {
+        a = i * m + j; b = a + 1; c = i + 1 < n ? a + m : m - 1 - j; d = i + 1 < n ? b + m : m - 2 - j
+        printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >moebius.obj
+fine "a Moebius strip" moebius.obj
+is "has no singularity" "$(column singularities <figures.tsv)" 0
+meshgen cylinder --faces 1000 --jitter 1 --field -o open.glb
+fine "open borders" open.glb
+is "at which lines go on as they should" \
+    "$(hatchstat field -q out.glb --reference open.glb | column deg_max | awk '{print ($1 < 0.2)}')" 1
+awk '/^v/ && ++n == 500 {print "v 1 nan 0"; next} {print}' torus.obj >nan.obj
+try dirfield nan.obj -o nan.glb
+refused "a number that is none" 3 1
 finish
