@@ -14,7 +14,8 @@
 static const char *const columns[] = {
     "tone",    "level",   "size",    "target", "mean",   "error",    "allowed",  "allowed_by",
     "stroke",  "lighter", "missing", "seam_x", "seam_y", "spread32", "spread16", "spread8",
-    "spread4", "even32",  "even16",  "even8",  "even4",  NULL};
+    "spread4", "even32",  "even16",  "even8",  "even4",
+    "chroma",  "hue_error", NULL};
 
 /* A map with all that is known of it. */
 struct subject {
@@ -33,6 +34,7 @@ struct subject {
 struct summary {
     uint32_t broken; /* images whose tone is further off than allowed */
     uint64_t lighter, missing;
+    double hue_error; /* largest, NaN where none is known */
     double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
 };
 
@@ -129,6 +131,8 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
     const double *even =
         level || !subject->evenness ? NULL : subject->evenness + tone * HATCH_EVENNESS_BOXES;
     put_numbers(report, even, HATCH_EVENNESS_BOXES);
+    cmd_report_number(report, f->chroma);
+    cmd_report_number(report, f->hue_error_deg);
 
     summary->lighter += f->lighter_pixels;
     for (uint32_t box = 0; level == 0 && box < HATCH_EVENNESS_BOXES; box++) {
@@ -139,6 +143,7 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
         return;
     summary->broken += !(fabs(f->error) <= allowed);
     summary->error = fmax(summary->error, fabs(f->error));
+    summary->hue_error = fmax(summary->hue_error, f->hue_error_deg); /* of a number and NaN, the number */
     summary->images++;
     for (int axis = 0; axis < 2; axis++)
         summary->seam[axis] += f->seam_z[axis];
@@ -164,6 +169,8 @@ static void put_summary(struct cmd_report *report, const struct subject *subject
     put_numbers(report, seam, 2);
     put_numbers(report, s->spread, HATCH_EVENNESS_BOXES);
     put_numbers(report, s->even, HATCH_EVENNESS_BOXES);
+    put_numbers(report, NULL, 1);
+    cmd_report_number(report, s->hue_error);
 }
 
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
@@ -171,7 +178,7 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
 {
     struct hatch_err err;
     struct subject subject = {.has_strokes = false};
-    struct summary summary = {0};
+    struct summary summary = {.hue_error = NAN};
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
     if (!options->strokes && (options->style || options->settings || options->brush))
         cmd_usage("--style, --set and --brush tell of the strokes: --strokes is missing");

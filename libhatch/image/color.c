@@ -1,8 +1,10 @@
 #include "image/color.h"
 
+#include <assert.h>
+#include <math.h>
 #include <string.h>
 
-#include "image/image.h"
+#define DEGREES_PER_RADIAN 57.29577951308232
 
 static int digit(char c)
 {
@@ -25,4 +27,23 @@ bool hatch_color_from_hex(struct hatch_text digits, float rgb[3])
     }
     memcpy(rgb, made, sizeof made);
     return true;
+}
+
+void hatch_color_chroma(const struct hatch_image *image, double chroma[2])
+{
+    assert(image->channel_count >= 3);
+    size_t pixels = (size_t)image->width * image->height;
+    double sum[3] = {0, 0, 0};
+    const float *p = image->pixels;
+    for (size_t i = 0; i < pixels; i++, p += image->channel_count)
+        for (int c = 0; c < 3; c++)
+            sum[c] += (double)p[c];
+    chroma[0] = (sum[0] - (sum[1] + sum[2]) / 2) / (double)pixels;
+    chroma[1] = (sum[1] - sum[2]) * 0.86602540378443865 / (double)pixels;
+}
+
+double hatch_color_hue_between(const double a[2], const double b[2])
+{
+    double cross = a[0] * b[1] - a[1] * b[0], dot = a[0] * b[0] + a[1] * b[1];
+    return atan2(fabs(cross), dot) * DEGREES_PER_RADIAN;
 }

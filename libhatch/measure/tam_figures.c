@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "filter/blur.h"
+#include "image/color.h"
 
 const uint32_t hatch_evenness_divisors[HATCH_EVENNESS_BOXES] = {32, 16, 8, 4};
 
@@ -92,6 +93,20 @@ enum hatch_status hatch_measure_spreads(const struct hatch_image *image, struct 
     return HATCH_OK;
 }
 
+static void measure_color(const struct hatch_tam *tam, uint32_t tone, uint32_t level,
+                          struct hatch_tam_image_figures *figures)
+{
+    double finest[2], chroma[2];
+    figures->chroma = figures->hue_error_deg = NAN;
+    if (!tam->color)
+        return;
+    hatch_color_chroma(&tam->columns[tone].levels[0], finest);
+    hatch_color_chroma(&tam->columns[tone].levels[level], chroma);
+    figures->chroma = hypot(chroma[0], chroma[1]);
+    if (fmin(figures->chroma, hypot(finest[0], finest[1])) > HATCH_COLOR_CHROMA_MIN)
+        figures->hue_error_deg = hatch_color_hue_between(finest, chroma);
+}
+
 enum hatch_status hatch_measure_tam_image(const struct hatch_tam *tam, uint32_t tone, uint32_t level,
                                           struct hatch_arena *scratch,
                                           struct hatch_tam_image_figures *figures, struct hatch_err *err)
@@ -109,6 +124,7 @@ enum hatch_status hatch_measure_tam_image(const struct hatch_tam *tam, uint32_t 
         made.lighter_pixels = count_lighter(tam, &tam->columns[tone - 1].levels[level], image);
     for (uint32_t axis = 0; axis < 2; axis++)
         made.seam_z[axis] = seam_z(tam, image, axis);
+    measure_color(tam, tone, level, &made);
     HATCH_TRY(hatch_measure_spreads(image, scratch, made.spread, err));
     *figures = made;
     return HATCH_OK;

@@ -18,6 +18,8 @@ struct hatch_tam_image_figures {
     uint64_t lighter_pixels;   /* pixels lighter than in the column before: broken nesting over tones */
     double seam_z[2];          /* jump across the wrap, in standard deviations of all rows' (columns')
                                   jumps from their mean: [0] left and right, [1] top and bottom */
+    double chroma, hue_error_deg; /* of the mean; the second from that of the tone's finest image. NaN in grey
+                                     maps, the second also where either has HATCH_COLOR_CHROMA_MIN or less */
     double spread[HATCH_EVENNESS_BOXES]; /* standard deviation of the box-blurred image; 0 where the box
                                             would be under a pixel */
 };

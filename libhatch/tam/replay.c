@@ -5,9 +5,8 @@
 #include <stdlib.h>
 
 #include "base/random.h"
+#include "image/color.h"
 #include "tam/column.h"
-
-#define RADIANS_PER_DEGREE 0.017453292519943295
 
 /* How many strokes --fit looks at for the one that closes a last gap best. */
 #define CLOSING_CANDIDATES 64u
@@ -161,32 +160,25 @@ static void fill_image(struct replay *r, uint32_t level, uint32_t tone)
     r->result.exhausted += !met && error < -(double)HATCH_REPLAY_TONE;
 }
 
-/* Chroma and hue of the image's mean, as a vector. */
 static void mean_chroma(const struct replay *r, uint32_t level, double chroma[2])
 {
-    const float *rgb = r->canvas.rgb[level];
-    size_t pixels = (size_t)hatch_canvas_size(&r->canvas, level) * hatch_canvas_size(&r->canvas, level);
-    double sum[3] = {0, 0, 0};
-    for (size_t i = 0; i < 3 * pixels; i++)
-        sum[i % 3] += (double)rgb[i];
-    chroma[0] = (sum[0] - (sum[1] + sum[2]) / 2) / (double)pixels;
-    chroma[1] = (sum[1] - sum[2]) * 0.86602540378443865 / (double)pixels;
+    uint32_t size = hatch_canvas_size(&r->canvas, level);
+    struct hatch_image image = {
+        .width = size, .height = size, .channel_count = 3, .pixels = r->canvas.rgb[level]};
+    hatch_color_chroma(&image, chroma);
 }
 
 static void compare_colors(struct replay *r)
 {
     double finest[2], chroma[2];
     mean_chroma(r, 0, finest);
-    double length = hypot(finest[0], finest[1]);
     for (uint32_t level = 1; level < r->options->levels; level++) {
         mean_chroma(r, level, chroma);
         double off = hypot(chroma[0] - finest[0], chroma[1] - finest[1]);
         r->result.chroma_error = fmaxf(r->result.chroma_error, (float)off);
-        if (!(length >= (double)HATCH_REPLAY_CHROMA))
-            continue;
-        double cross = finest[0] * chroma[1] - finest[1] * chroma[0];
-        double hue = atan2(fabs(cross), finest[0] * chroma[0] + finest[1] * chroma[1]) / RADIANS_PER_DEGREE;
-        r->result.hue_error_deg = fmaxf(r->result.hue_error_deg, (float)hue);
+        if (hypot(finest[0], finest[1]) >= HATCH_COLOR_CHROMA_MIN)
+            r->result.hue_error_deg =
+                fmaxf(r->result.hue_error_deg, (float)hatch_color_hue_between(finest, chroma));
     }
 }
 

@@ -17,10 +17,8 @@ struct hatch_replay_options {
     bool fit;         /* find the share for each image by bisection instead */
 };
 
-/* Tone errors that nobody sees, and chromas below which a hue says nothing. Chroma and hue are those of
- * the mean reflectance: the length and the angle of (R - (G + B) / 2, (G - B) sqrt(3) / 2). */
+/* A tone error that nobody sees. Chroma and hue are those of image/color.h. */
 #define HATCH_REPLAY_TONE 0.003f
-#define HATCH_REPLAY_CHROMA 0.02f
 
 struct hatch_replay_result {
     float darkest;          /* of the finest level with every stroke */
@@ -32,7 +30,7 @@ struct hatch_replay_result {
                                the finer image has */
     float chroma_error;     /* largest distance of an image's (chroma, hue) from that of its tone's finest
                                image: as both are means, no blend of images is further off */
-    float hue_error_deg;    /* largest, where the finest image has HATCH_REPLAY_CHROMA or more */
+    float hue_error_deg;    /* largest, where the finest image has HATCH_COLOR_CHROMA_MIN or more */
 };
 
 /* Draws the strokes in their order. Where they stand is noted in their column, level and delay; those that

@@ -13,7 +13,7 @@ cell() {
 try hatchstat tam ink.exr
 is "the map alone" "$status" 0
 is "a row for each image, one for all" "$(wc -l <.out)" $((4 * 8 + 2))
-is "every row has every column" "$(awk -F'\t' '{print NF}' .out | sort -u)" 21
+is "every row has every column" "$(awk -F'\t' '{print NF}' .out | sort -u)" 23
 is "without strokes none is missing or known" "$(cell missing last <.out) $(cell stroke 1 <.out)" "nan nan"
 is "sizes halve" "$(cell size 1 <.out) $(cell size 3 <.out) $(cell size 8 <.out)" "128 32 1"
 is "targets are the columns'" "$(cell target 1 <.out) $(cell target 9 <.out)" "0.224999994 0.449999988"

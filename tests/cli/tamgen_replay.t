@@ -14,6 +14,7 @@ is "and nothing else" "$(wc -l <.err)" 3
 is "the script has a column for drawn lines" "$(head -1 drawn.tsv | cut -f14- | tr '\t' ' ')" path
 hatchstat tam drawn.exr --strokes drawn.tsv -o figures.tsv
 is "every stroke is where it is to be" "$(tail -1 figures.tsv | cut -f10,11)" "0	0"
+ok "and the hue of every image is within 2 degrees" awk -F"\t" 'END {exit !($23 < 2)}' figures.tsv
 
 tamgen --replay drawn.tsv --style drawing --size 128 --fit --quiet -o again.exr
 ok "its script replays to the same map" cmp drawn.exr again.exr
