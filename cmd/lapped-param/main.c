@@ -9,8 +9,8 @@
 
 #define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */
 
-static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.05;
-static int64_t mask_size = 512;
+static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
+static int64_t mask_size = 1024;
 static bool atlas, mask_given, tile_given;
 
 static const struct cmd_option options[] = {
@@ -27,9 +27,9 @@ static const struct cmd_option options[] = {
      &tile_given},
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)",
      &roughness, NULL, NULL},
-    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.05)",
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.045)",
      &feather, NULL, NULL},
-    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 512)", &mask_size, NULL,
+    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 1024)", &mask_size, NULL,
      &mask_given},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "one ordinary layout of texture coordinates, without a mask", &atlas,
      NULL, NULL},

@@ -76,11 +76,10 @@ static void encode_mask(struct cmd_args *args, const struct hatch_outline *outli
     struct hatch_image mask, image;
     struct hatch_buffer file = {.arena = &args->keep};
     cmd_check(hatch_outline_raster(outline, side_px, &args->keep, &mask, &err), NULL, &err);
-    cmd_check(hatch_image_make(&args->keep, side_px, side_px, "RGBA", &image, &err), NULL, &err);
+    cmd_check(hatch_image_make(&args->keep, side_px, side_px, "YA", &image, &err), NULL, &err);
     for (size_t i = 0; i < (size_t)side_px * side_px; i++) {
-        float *pixel = &image.pixels[4 * i];
-        pixel[0] = pixel[1] = pixel[2] = 1;
-        pixel[3] = mask.pixels[i];
+        image.pixels[2 * i] = 1;
+        image.pixels[2 * i + 1] = mask.pixels[i];
     }
     cmd_check(hatch_png_write(&image, HATCH_PNG_RAW, 8, NULL, &args->scratch, &file, &err), NULL, &err);
     *texture = (struct hatch_texture){file.data, file.size};

@@ -22,6 +22,8 @@
  * for which places were found may be left. */
 #define FEW 12
 #define LEFT_MIN 0.8
+/* Places are found for what an outline so much larger would touch: faces move when they are placed. */
+#define ROOM 1.03
 /* After a patch of so many faces the next one around begins with so many times as many, but no fewer
  * than these, and goes on so as long as all is right. */
 #define BUDGET_MORE 4
@@ -266,15 +268,21 @@ static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solve
                                  struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
-    HATCH_TRY(hatch_growth_grow(growth, err));
-    trial->placed = trial->due || growth->unfolded * FEW > patch->vertex_count ||
-                    patch->face_count < LEFT_MIN * trial->solved;
+    trial->placed = trial->due || trial->solved == 0;
+    if (!trial->placed) {
+        HATCH_TRY(hatch_growth_grow(growth, err));
+        trial->placed = growth->unfolded * FEW > patch->vertex_count || patch->face_count < LEFT_MIN * trial->solved;
+    }
     if (trial->placed) {
+        patch->radius *= ROOM;
+        HATCH_TRY(hatch_growth_grow(growth, err));
+        patch->radius /= ROOM;
         HATCH_TRY(hatch_solver_solve(solver, growth->ground, patch, err));
         hatch_growth_keep(growth);
         center_on_seed(growth);
-        trial->solved = patch->face_count;
         trial->placed_faces += patch->face_count;
+        HATCH_TRY(hatch_growth_grow(growth, err));
+        trial->solved = patch->face_count;
     }
     return judge(growth, options, &growth->obstacles, &trial->verdict, err);
 }
