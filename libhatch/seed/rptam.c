@@ -4,10 +4,13 @@
 
 static double bilinear(const struct hatch_image *image, double x, double y)
 {
-    double column = floor(x - 0.5), row = floor(y - 0.5), right = x - 0.5 - column, low = y - 0.5 - row;
-    if (!(column >= 0 && row >= 0 && column + 1 < image->width && row + 1 < image->height))
+    x -= 0.5;
+    y -= 0.5;
+    if (!(x >= 0 && y >= 0 && x < image->width - 1 && y < image->height - 1))
         return 0;
-    const float *upper = image->pixels + (size_t)row * image->width + (size_t)column;
+    uint32_t column = (uint32_t)x, row = (uint32_t)y;
+    double right = x - column, low = y - row;
+    const float *upper = image->pixels + (size_t)row * image->width + column;
     const float *lower = upper + image->width;
     return (1 - low) * ((1 - right) * (double)upper[0] + right * (double)upper[1]) +
            low * ((1 - right) * (double)lower[0] + right * (double)lower[1]);
@@ -71,7 +74,7 @@ static double left_by_all(const struct hatch_rptam_pattern *pattern, double u, d
     double paper = 1;
     double reach = hypot(layer->style.length_px + 1, layer->style.width_px + 1) / 2 / pattern->tile_px;
     for (uint32_t seed = 0; seed < layer->count; seed++) {
-        double du = u - (double)layer->places[seed].u * 0x1p-64, dv = v - (double)layer->places[seed].v * 0x1p-64;
+        double du = u - layer->at[seed][0], dv = v - layer->at[seed][1];
         for (double tile_v = ceil(dv - reach); tile_v <= dv + reach; tile_v++)
             for (double tile_u = ceil(du - reach); tile_u <= du + reach; tile_u++)
                 paper *= left_by(pattern, seed, tile_u, tile_v, du - tile_u, dv - tile_v);
@@ -88,7 +91,7 @@ static uint32_t texel_at(double share, uint32_t side)
 static double left_by_listed(const struct hatch_rptam_pattern *pattern, double u, double v)
 {
     const struct hatch_coverage *lists = pattern->lists;
-    const struct hatch_seed_place *places = pattern->layer->places;
+    const double (*at)[2] = (const double (*)[2])pattern->layer->at;
     double base_u = floor(u), base_v = floor(v), paper = 1;
     uint32_t column = texel_at(u - base_u, lists->side), row = texel_at(v - base_v, lists->side);
     const uint32_t *list = lists->first + (size_t)row * lists->side + column;
@@ -96,8 +99,7 @@ static double left_by_listed(const struct hatch_rptam_pattern *pattern, double u
         const struct hatch_coverage_copy *copy = &lists->copies[i];
         double tile_u = base_u + copy->tile_u, tile_v = base_v + copy->tile_v;
         paper *= left_by(pattern, copy->seed, tile_u, tile_v,
-                         u - (double)places[copy->seed].u * 0x1p-64 - tile_u,
-                         v - (double)places[copy->seed].v * 0x1p-64 - tile_v);
+                         u - at[copy->seed][0] - tile_u, v - at[copy->seed][1] - tile_v);
     }
     return paper;
 }

@@ -44,6 +44,7 @@ struct hatch_rptam_layer {
     struct hatch_rptam_layer_style style;
     uint32_t count;
     struct hatch_seed_place *places;
+    double (*at)[2]; /* the same, rounded */
     uint8_t *life; /* hatch_life_make */
     double cosine, sine;
     struct hatch_image stroke; /* alpha in steps of 1/255, at two texels a pixel, with a border of nothing;

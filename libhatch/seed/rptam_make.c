@@ -12,7 +12,7 @@
 #define TONE_POINTS 4181u   /* for the table of tones, and what spreads them: Fibonacci numbers */
 #define TONE_STRIDE 2584u
 #define TONE_TILES 4.0       /* along the square that they are spread over */
-#define TONE_PARTS 8u        /* of each layer's stretch */
+#define TONE_PARTS 5u        /* of each layer's stretch */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
@@ -100,10 +100,15 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
                           "layer %u: strokes of %g by %g pixels in a tile of %g: %g tiles are the most", index + 1,
                           own->length_px, own->width_px, own->tile_px, HATCH_RPTAM_REACH);
     made.places = HATCH_NEW(arena, struct hatch_seed_place, set->count, err);
-    made.life = made.places ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
+    made.at = made.places ? hatch_arena_array(arena, set->count, sizeof *made.at, err) : NULL;
+    made.life = made.at ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
     if (!made.life)
         return HATCH_LIMIT;
     hatch_seed_places(set, made.places);
+    for (uint32_t i = 0; i < set->count; i++) {
+        made.at[i][0] = (double)made.places[i].u * 0x1p-64;
+        made.at[i][1] = (double)made.places[i].v * 0x1p-64;
+    }
     HATCH_TRY(hatch_life_make(set, made.places, style->law, scratch, made.life, err));
     for (uint32_t i = 0; i < rptam->layer_count && !made.stroke.pixels; i++)
         if (is_same_stroke(&rptam->layers[i].style, own))
@@ -136,8 +141,9 @@ static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double a
     struct hatch_rptam_pattern pattern;
     hatch_rptam_pattern(rptam, layer, 0, amount, false, &pattern);
     for (uint32_t i = 0; i < TONE_POINTS; i++) {
-        const double uv[2] = {TONE_TILES * (i + 0.5) / TONE_POINTS,
-                              TONE_TILES * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS};
+        /* Down the rows slowly, so that the lists of a row are near by for many points. */
+        const double uv[2] = {TONE_TILES * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS,
+                              TONE_TILES * (i + 0.5) / TONE_POINTS};
         paper[i] *= hatch_rptam_left(&pattern, uv);
     }
 }
