@@ -146,8 +146,9 @@ demo: all
 	@rm -rf $(B)/demo
 	PATH="$(abspath $(B))/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
 
-bench: all
-	PATH=$(abspath $(B))/bin:$$PATH sh tests/bench/run.sh $(B)/bench
+BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/bench/bench_*.c))
+bench: all $(BENCHES)
+	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
 	sh tests/bench/chart.sh $(B)/bench
 
@@ -168,11 +169,11 @@ dist:
 TEST_SRC := $(wildcard tests/unit/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
-$(TESTS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
+$(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
-$(call obj,$(TEST_SRC)): BASE += -Itests/unit
+$(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/unit
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))

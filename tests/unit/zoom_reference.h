@@ -116,9 +116,11 @@ static inline bool zoom_misses(const struct zoom_corner *const c[3], const struc
     return fmin(fmin(share[0] / sum, share[1] / sum), share[2] / sum) < -0.1;
 }
 
-/* What a ray meets first. Returns the distance along the view, negative where it meets nothing. */
+/* What a ray meets first, and the corners of its face. Returns the distance along the view, negative where it
+ * meets nothing. */
 static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners,
-                              const struct zoom_ray *ray, struct hatch_pair uv[2], double span[6])
+                              const struct zoom_ray *ray, struct hatch_pair uv[2], double span[6],
+                              const struct zoom_corner *face[3])
 {
     double nearest = -1;
     for (size_t f = 0; f < mesh->face_count; f++) {
@@ -135,6 +137,8 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
         if (!(-depth.high > 0) || (nearest >= 0 && -depth.high > nearest))
             continue;
         nearest = -depth.high;
+        for (int i = 0; i < 3; i++)
+            face[i] = c[i];
         for (int k = 0; k < 2; k++) {
             uv[k] = hatch_pair_of(0);
             for (int i = 0; i < 3; i++)
@@ -226,8 +230,9 @@ static inline struct zoom_error zoom_measure(struct test_frame *frame, const str
         for (uint32_t x = step / 2; x < width; x += step) {
             const struct zoom_ray ray = zoom_ray_of(view, (x + 0.5) / width, (y + 0.5) / height);
             const float *drawn = rgba + 4 * ((size_t)y * width + x);
+            const struct zoom_corner *face[3];
             struct hatch_pair uv[2];
-            double span[6], hit = zoom_hit(mesh, corners, &ray, uv, span);
+            double span[6], hit = zoom_hit(mesh, corners, &ray, uv, span, face);
             if ((hit > 0) != (drawn[0] >= 0))
                 error.wrong++;
             else if (hit > 0)

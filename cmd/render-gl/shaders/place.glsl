@@ -56,7 +56,7 @@ mat2 pixels_by_derivative()
 mat2 pixels_along_both()
 {
     mat2 derived = pixels_by_derivative();
-    if (dot(v_along_u, v_along_u) * dot(v_along_v, v_along_v) == 0.0)
+    if (v_along_u == vec3(0.0) || v_along_v == vec3(0.0)) // squares of small ones would be 0
         return derived;
     return mat2(pixels_along(v_along_u), pixels_along(v_along_v));
 }

@@ -1,0 +1,159 @@
+/* How wide strokes are on the screen, over what was asked, on the teapot seen from 0.01 to 1000 radii: of rptam
+ * as it is drawn, and of a tonal art map of four levels whose repeats suit a distance of 3 radii. Widths are
+ * those across the stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rptam_model.h"
+#include "zoom_reference.h"
+
+enum { COLUMNS = 80, ROWS = 60, HEIGHT_PX = 720, MAP_PX = 512, LEVELS = 4 };
+
+static struct test_frame frame;
+static struct hatch_rptam rptam;
+static struct hatch_mesh mesh;
+
+static void begin(void)
+{
+    static const struct model_how how_drawn = {.tile_px = 256, .length_px = 80, .width_px = 3};
+    const struct hatch_shape_options how = {.faces = 5000, .seed = 1};
+    frame_arenas(&frame);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
+    const struct bounds bounds = {.radius = 1.7};
+    frame_begin(&mesh, &bounds, NULL, &frame);
+    frame.renderer.rptam = &rptam;
+    HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_RPTAM, &frame.scratch, &frame.err), &frame.err);
+}
+
+/* The width of a strip along u that is one unit of v wide, on the screen. */
+static double across(double pixels[2][2])
+{
+    return fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]) / hypot(pixels[0][0], pixels[0][1]);
+}
+
+struct widths {
+    size_t count;
+    double rptam[COLUMNS * ROWS], straight[COLUMNS * ROWS], map[COLUMNS * ROWS];
+};
+
+/* The surface along a unit of u and of v on one face, in the axes of the unit scene. */
+static bool face_spans(const struct view *view, const struct zoom_corner *const c[3], double span[6])
+{
+    const double *axes[3] = {view->right, view->up, view->back};
+    double edge[2][3], uv[2][2];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 3; k++)
+            edge[i][k] = hatch_pair_round(hatch_pair_sub(c[i + 1]->at[k], c[0]->at[k]));
+        for (int k = 0; k < 2; k++)
+            uv[i][k] = hatch_pair_round(hatch_pair_sub(c[i + 1]->uv[k], c[0]->uv[k]));
+    }
+    double turn = uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1];
+    for (int k = 0; k < 6; k++)
+        span[k] = 0;
+    for (int k = 0; k < 3; k++)
+        for (int axis = 0; axis < 3; axis++) {
+            span[axis] += axes[k][axis] * (uv[1][1] * edge[0][k] - uv[0][1] * edge[1][k]) / turn;
+            span[3 + axis] += axes[k][axis] * (uv[0][0] * edge[1][k] - uv[1][0] * edge[0][k]) / turn;
+        }
+    return fabs(turn) > 0;
+}
+
+/* A map whose texels are the screen's at 3 radii, where a radius has so many repeats. */
+static double map_width(double pixels[2][2])
+{
+    const double texels = MAP_PX * 1.0;
+    double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
+    double x = hypot(pixels[1][1], pixels[0][1]) / area * texels, y = hypot(pixels[1][0], pixels[0][0]) / area * texels;
+    double level = fmin(fmax(log2(fmax(x, y)), 0), LEVELS - 1);
+    return across(pixels) / texels * exp2(level);
+}
+
+static void look(const struct view *view, double window, struct widths *widths)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
+    struct zoom_corner *corners = HATCH_NEW(&frame.arena, struct zoom_corner, mesh.vertex_count, &frame.err);
+    zoom_corners(&frame, view, corners);
+    for (int i = 0; i < COLUMNS * ROWS; i++) {
+        double x = 0.5 + window * ((i % COLUMNS + 0.5) / COLUMNS - 0.5);
+        double y = 0.5 + window * ((i / COLUMNS + 0.5) / ROWS - 0.5);
+        const struct zoom_ray ray = zoom_ray_of(view, x, y);
+        const struct zoom_corner *face[3];
+        struct hatch_pair uv[2];
+        double smooth[6], span[6], drawn[2][2], pixels[2][2], hit = zoom_hit(&mesh, corners, &ray, uv, smooth, face);
+        if (!(hit > 0) || !face_spans(view, face, span))
+            continue;
+        zoom_pixels(view, &ray, hit, HEIGHT_PX, smooth, drawn);
+        zoom_pixels(view, &ray, hit, HEIGHT_PX, span, pixels);
+        widths->rptam[widths->count] = across(pixels) / hypot(drawn[1][0], drawn[1][1]);
+        widths->straight[widths->count] = across(pixels) / across(drawn);
+        widths->map[widths->count++] = map_width(pixels);
+    }
+    hatch_arena_rewind(&frame.arena, mark);
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void print_row(const char *method, double radii, double *widths, size_t count)
+{
+    size_t within = 0;
+    for (size_t i = 0; i < count; i++)
+        within += widths[i] > 0.75 && widths[i] < 1.25;
+    qsort(widths, count, sizeof *widths, by_size);
+    printf("%s\t%g\t%zu\t%.4f\t%.4f\t%.4f\t%.4f\n", method, radii, count, widths[count / 20], widths[count / 2],
+           widths[count - 1 - count / 20], (double)within / (double)count);
+}
+
+START_TEST(measure)
+{
+    static struct widths widths;
+    static const double from[][3] = {{0.5, 0.4, 0.8}, {-0.7, 0.2, 0.7}, {0.1, 0.9, -0.4}, {-0.4, 0.1, -0.9}};
+    printf("method\tradii\tsamples\tp5\tmedian\tp95\twithin_quarter\n");
+    begin();
+    for (int step = -4; step <= 6; step++) {
+        double radii = pow(10, 0.5 * step);
+        widths.count = 0;
+        for (int i = 0; i < 4; i++) {
+            double back[3], point[3] = {0, 0, 0};
+            hatch_vec_copy(from[i], back);
+            hatch_vec_normalize(back);
+            if (radii < 3) { /* from the surface */
+                for (uint32_t v = 0; v < mesh.vertex_count; v++)
+                    if (hatch_vec_dot(back, (double[3]){(double)mesh.attributes[0].data[3 * v], (double)mesh.attributes[0].data[3 * v + 1], (double)mesh.attributes[0].data[3 * v + 2]}) > hatch_vec_dot(back, point))
+                        hatch_vec_of(mesh.attributes[0].data + 3 * (size_t)v, point);
+            }
+            struct view view = zoom_view(&frame, point, back, 1.7 * radii, 4.0 / 3);
+            struct widths part = {.count = 0};
+            look(&view, fmin(1, 2 / radii / 0.5), &part);
+            for (size_t k = 0; k < part.count && widths.count < COLUMNS * ROWS; k += 4) {
+                widths.rptam[widths.count] = part.rptam[k];
+                widths.straight[widths.count] = part.straight[k];
+                widths.map[widths.count++] = part.map[k];
+            }
+        }
+        print_row("rptam", radii, widths.rptam, widths.count);
+        print_row("rptam straight", radii, widths.straight, widths.count);
+        print_row("tam", radii, widths.map, widths.count);
+    }
+    fflush(stdout);
+    frame_end(&frame);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("bench width");
+    TCase *tests = tcase_create("width");
+    tcase_set_timeout(tests, 0);
+    tcase_add_test(tests, measure);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_set_log(runner, "/dev/stderr");
+    srunner_run_all(runner, CK_SILENT);
+    return srunner_ntests_failed(runner) ? EXIT_FAILURE : EXIT_SUCCESS;
+}
