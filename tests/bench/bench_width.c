@@ -1,13 +1,16 @@
 /* How wide strokes are on the screen, over what was asked, on the teapot seen from 0.01 to 1000 radii: of rptam
- * as it is drawn, and of a tonal art map of four levels whose repeats suit a distance of 3 radii. Widths are
- * those across the stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
+ * as it is drawn and as Algorithm 2 is printed, which measures across the strokes on the surface and not in the
+ * picture, and of a tonal art map of four levels that suits a distance of 3 radii. Widths are those across the stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "rptam_model.h"
 #include "zoom_reference.h"
 
-enum { COLUMNS = 80, ROWS = 60, HEIGHT_PX = 720, MAP_PX = 512, LEVELS = 4 };
+enum { COLUMNS = 36, ROWS = 27, VIEWS = 4, SAMPLES = VIEWS * COLUMNS * ROWS, HEIGHT_PX = 720 };
+enum { MAP_PX = 512, LEVELS = 4 };
+
+#define RADIUS 1.7
 
 static struct test_frame frame;
 static struct hatch_rptam rptam;
@@ -16,12 +19,12 @@ static struct hatch_mesh mesh;
 static void begin(void)
 {
     static const struct model_how how_drawn = {.tile_px = 256, .length_px = 80, .width_px = 3};
-    const struct hatch_shape_options how = {.faces = 5000, .seed = 1};
+    const struct hatch_shape_options how = {.faces = 20000, .seed = 1};
     frame_arenas(&frame);
     HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
                   &frame.err);
     model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
-    const struct bounds bounds = {.radius = 1.7};
+    const struct bounds bounds = {.radius = RADIUS};
     frame_begin(&mesh, &bounds, NULL, &frame);
     frame.renderer.rptam = &rptam;
     HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_RPTAM, &frame.scratch, &frame.err), &frame.err);
@@ -35,7 +38,7 @@ static double across(double pixels[2][2])
 
 struct widths {
     size_t count;
-    double rptam[COLUMNS * ROWS], straight[COLUMNS * ROWS], map[COLUMNS * ROWS];
+    double rptam[SAMPLES], paper[SAMPLES], map[SAMPLES];
 };
 
 /* The surface along a unit of u and of v on one face, in the axes of the unit scene. */
@@ -60,10 +63,10 @@ static bool face_spans(const struct view *view, const struct zoom_corner *const 
     return fabs(turn) > 0;
 }
 
-/* A map whose texels are the screen's at 3 radii, where a radius has so many repeats. */
+/* A map that repeats once a unit of u and v, read at the level that its texels' longer side on the screen asks for. */
 static double map_width(double pixels[2][2])
 {
-    const double texels = MAP_PX * 1.0;
+    const double texels = MAP_PX;
     double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
     double x = hypot(pixels[1][1], pixels[0][1]) / area * texels, y = hypot(pixels[1][0], pixels[0][0]) / area * texels;
     double level = fmin(fmax(log2(fmax(x, y)), 0), LEVELS - 1);
@@ -86,8 +89,8 @@ static void look(const struct view *view, double window, struct widths *widths)
             continue;
         zoom_pixels(view, &ray, hit, HEIGHT_PX, smooth, drawn);
         zoom_pixels(view, &ray, hit, HEIGHT_PX, span, pixels);
-        widths->rptam[widths->count] = across(pixels) / hypot(drawn[1][0], drawn[1][1]);
-        widths->straight[widths->count] = across(pixels) / across(drawn);
+        widths->rptam[widths->count] = across(pixels) / across(drawn);
+        widths->paper[widths->count] = across(pixels) / hypot(drawn[1][0], drawn[1][1]);
         widths->map[widths->count++] = map_width(pixels);
     }
     hatch_arena_rewind(&frame.arena, mark);
@@ -109,35 +112,38 @@ static void print_row(const char *method, double radii, double *widths, size_t c
            widths[count - 1 - count / 20], (double)within / (double)count);
 }
 
+/* What of the surface lies furthest towards a direction. */
+static void furthest(const double back[3], double point[3])
+{
+    double most = -INFINITY, at[3];
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        hatch_vec_of(mesh.attributes[0].data + 3 * v, at);
+        if (hatch_vec_dot(at, back) > most) {
+            most = hatch_vec_dot(at, back);
+            hatch_vec_copy(at, point);
+        }
+    }
+}
+
 START_TEST(measure)
 {
     static struct widths widths;
-    static const double from[][3] = {{0.5, 0.4, 0.8}, {-0.7, 0.2, 0.7}, {0.1, 0.9, -0.4}, {-0.4, 0.1, -0.9}};
+    static const double from[VIEWS][3] = {{0.5, 0.4, 0.8}, {-0.7, 0.2, 0.7}, {0.1, 0.9, -0.4}, {-0.4, 0.1, -0.9}};
     printf("method\tradii\tsamples\tp5\tmedian\tp95\twithin_quarter\n");
     begin();
     for (int step = -4; step <= 6; step++) {
         double radii = pow(10, 0.5 * step);
         widths.count = 0;
-        for (int i = 0; i < 4; i++) {
-            double back[3], point[3] = {0, 0, 0};
+        for (int i = 0; i < VIEWS; i++) {
+            double back[3], point[3];
             hatch_vec_copy(from[i], back);
             hatch_vec_normalize(back);
-            if (radii < 3) { /* from the surface */
-                for (uint32_t v = 0; v < mesh.vertex_count; v++)
-                    if (hatch_vec_dot(back, (double[3]){(double)mesh.attributes[0].data[3 * v], (double)mesh.attributes[0].data[3 * v + 1], (double)mesh.attributes[0].data[3 * v + 2]}) > hatch_vec_dot(back, point))
-                        hatch_vec_of(mesh.attributes[0].data + 3 * (size_t)v, point);
-            }
-            struct view view = zoom_view(&frame, point, back, 1.7 * radii, 4.0 / 3);
-            struct widths part = {.count = 0};
-            look(&view, fmin(1, 2 / radii / 0.5), &part);
-            for (size_t k = 0; k < part.count && widths.count < COLUMNS * ROWS; k += 4) {
-                widths.rptam[widths.count] = part.rptam[k];
-                widths.straight[widths.count] = part.straight[k];
-                widths.map[widths.count++] = part.map[k];
-            }
+            furthest(back, point);
+            struct view view = zoom_view(&frame, point, back, RADIUS * radii, 4.0 / 3);
+            look(&view, fmin(1, 4 / radii), &widths);
         }
         print_row("rptam", radii, widths.rptam, widths.count);
-        print_row("rptam straight", radii, widths.straight, widths.count);
+        print_row("rptam, as printed", radii, widths.paper, widths.count);
         print_row("tam", radii, widths.map, widths.count);
     }
     fflush(stdout);

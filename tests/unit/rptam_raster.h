@@ -172,8 +172,9 @@ static inline double raster_ink(const struct raster *raster, const struct raster
         raster_move(raster, pixel, pixel->point.along[k], move[k]);
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer *layer = &rptam->layers[i];
-        double across = hypot(layer->cosine * move[1][0] - layer->sine * move[0][0],
-                              layer->cosine * move[1][1] - layer->sine * move[0][1]);
+        double along = hypot(layer->cosine * move[0][0] + layer->sine * move[1][0],
+                             layer->cosine * move[0][1] + layer->sine * move[1][1]);
+        double across = fabs(move[0][0] * move[1][1] - move[0][1] * move[1][0]) / along;
         double depth = log2(layer->style.tile_px / across);
         if (fabs(depth) < 60)
             paper *= 1 - hatch_rptam_layer_ink(rptam, i, pixel->point.uv, depth, amounts[i], true);

@@ -3,7 +3,7 @@
 #include "render_frame.h"
 #include "rptam_model.h"
 
-enum { SIZE = 64, LEVELS = 5 };
+enum { SIZE = 96, LEVELS = 5 };
 
 static const uint32_t seeds[LEVELS] = {2, 16, 37, 64, 250}, layers[LEVELS] = {1, 2, 3, 5, 8};
 static const double overlaps[LEVELS] = {0, 0.1, 0.3, 0.7, 1}, turns_rad[LEVELS] = {0, 0.4, 1.5708, 2.3, -1};

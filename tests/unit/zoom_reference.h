@@ -186,12 +186,13 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct vi
                                 const struct zoom_ray *ray, double hit, const struct hatch_pair uv[2],
                                 const double span[6], const float rgba[4], struct zoom_error *error)
 {
-    double pixels[2][2], across[2], away[2] = {0, 0};
+    double pixels[2][2], along[2], away[2] = {0, 0};
     const struct hatch_rptam_layer *layer = &rptam->layers[0];
     zoom_pixels(view, ray, hit, height, span, pixels);
     for (int k = 0; k < 2; k++)
-        across[k] = -layer->sine * pixels[0][k] + layer->cosine * pixels[1][k];
-    double depth = log2(layer->style.tile_px / hypot(across[0], across[1]));
+        along[k] = layer->cosine * pixels[0][k] + layer->sine * pixels[1][k];
+    double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
+    double depth = log2(layer->style.tile_px * hypot(along[0], along[1]) / area);
     if (fabs(depth - round(depth)) < 1e-3) /* either depth is right */
         return;
     for (int k = 0; k < 2; k++) {

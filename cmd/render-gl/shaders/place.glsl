@@ -60,3 +60,11 @@ mat2 pixels_along_both()
         return derived;
     return mat2(pixels_along(v_along_u), pixels_along(v_along_v));
 }
+
+// How wide the picture shows a strip that is one unit wide and lies along the strokes. Its picture slants where the
+// surface is seen at an angle: the width is not that of the direction across the strokes.
+float width_across(mat2 pixels, vec2 turn)
+{
+    vec2 along = pixels * turn;
+    return abs(determinant(pixels)) * inversesqrt(dot(along, along));
+}

@@ -18,8 +18,7 @@ void main()
     base_holes();
     if (opacity < 0.5)
         discard;
-    vec2 turn = layers[0].turn.xy;
-    float depth = log2(sqrt(layers[0].turn.z) / length(pixels_along_both() * vec2(-turn.y, turn.x)));
+    float depth = log2(sqrt(layers[0].turn.z) / width_across(pixels_along_both(), layers[0].turn.xy));
     if (!(abs(depth) < 60.0))
         discard;
     vec2 at = place_at(floor(depth));

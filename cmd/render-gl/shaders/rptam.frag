@@ -17,14 +17,13 @@ out vec4 o_color;
 // octaves further out. Whole octaves are taken from the exponent.
 float left_by(SeedLayer layer, float way, mat2 pixels)
 {
-    vec2 across = pixels * vec2(-layer.turn.y, layer.turn.x);
     float amount = clamp(layer.tone.x * way + layer.tone.y, 0.0, 1.0);
-    float unit = dot(across, across), pattern = layer.turn.z / (unit * amount); // 4^depth
+    float unit = width_across(pixels, layer.turn.xy), pattern = layer.turn.z / (unit * unit * amount); // 4^depth
     if (!(amount >= 1e-4 && pattern > 1e-36 && pattern < 1e36))
         return 1.0; // no depth is right: the surface is seen edge on, or has no scale
     int whole = ((floatBitsToInt(pattern) >> 23) - 127) >> 1;
     float far = intBitsToFloat((127 - whole) << 23), tile = intBitsToFloat((127 + whole) << 23);
-    return layer_paper(layer, place_at(float(whole)), sqrt(unit) * tile, 1.0 / (pattern * far * far));
+    return layer_paper(layer, place_at(float(whole)), unit * tile, 1.0 / (pattern * far * far));
 }
 
 float ink_of(mat2 pixels, float amount)
