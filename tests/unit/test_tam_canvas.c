@@ -136,6 +136,37 @@ START_TEST(the_first_stroke_keeps_its_pixels)
 }
 END_TEST
 
+/* Three channels, each by the style's rule, and their mean. A stroke of alpha a and colour c over paper, and
+ * one of another colour over that. */
+START_TEST(colors_overlap_as_the_style_says)
+{
+    struct hatch_stroke first = random_stroke(3), second = first;
+    const float a[3] = {0.75f, 0.5f, 0.125f}, b[3] = {0.25f, 0.5f, 1};
+    memcpy(first.rgb, a, sizeof a);
+    memcpy(second.rgb, b, sizeof b);
+    style.overlap = (enum hatch_overlap)_i;
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, true, false, &canvas, &err), &err);
+    hatch_canvas_draw(&canvas, &first, 0, 0, 1);
+    hatch_canvas_draw(&canvas, &second, 0, 0, 1);
+    const struct hatch_footprint *f = &canvas.footprint;
+    ck_assert_uint_gt(f->count, 50);
+    for (uint32_t i = 0; i < f->count; i++) {
+        float alpha = f->alpha[i], mean = 0;
+        for (int c = 0; c < 3; c++) {
+            float alone = 1 - alpha * (1 - b[c]), under = 1 - alpha * (1 - a[c]);
+            float over = under * (1 - alpha) + alpha * b[c];
+            float stands = fminf(under, _i == HATCH_OVERLAP_FLAT ? alone : over);
+            float want = _i == HATCH_OVERLAP_DARKENS ? under * alone : stands;
+            float got = canvas.rgb[0][3 * f->at[i] + (uint32_t)c];
+            ck_assert_float_eq_tol(got, want, 1e-6f);
+            mean += got / 3;
+        }
+        ck_assert_float_eq_tol(canvas.paper[0][f->at[i]], mean, 1e-6f);
+    }
+    ck_assert_double_eq_tol(canvas.darkness[0], darkness_of(canvas.paper[0], SIZE), 1e-6);
+}
+END_TEST
+
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
                               struct hatch_err *said)
 {
@@ -159,6 +190,7 @@ static Suite *suite(void)
     tcase_add_test(tests, overlaps_are_as_the_style_says);
     tcase_add_loop_test(tests, a_grown_stroke_is_the_stroke, 0, 2);
     tcase_add_test(tests, the_first_stroke_keeps_its_pixels);
+    tcase_add_loop_test(tests, colors_overlap_as_the_style_says, 0, 3);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

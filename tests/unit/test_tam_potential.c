@@ -218,6 +218,31 @@ START_TEST(the_score_is_the_mean_along_the_line)
 }
 END_TEST
 
+/* On a smooth potential, where a cell more or less does not matter: the mean along the arc in closed form. */
+START_TEST(the_score_of_an_arc_is_the_mean_along_it)
+{
+    const double turn = 2 * acos(-1);
+    brush_of_columns(1, 0, 1);
+    for (uint32_t i = 0; i < field.size * field.size; i++)
+        field.potential[i] = (float)(2 + sin(turn * (i % field.size + 0.5) / field.size) +
+                                     cos(turn * (i / field.size + 0.5) / field.size));
+    for (uint64_t i = 0; i < 300; i++) {
+        struct hatch_stroke stroke = random_stroke(i);
+        stroke.bend_rad = (float)(i % 7 + 1) * (i % 2 ? 0.8f : -0.8f);
+        double radius = (double)stroke.length / (double)stroke.bend_rad, sum = 0;
+        double cosine = cos((double)stroke.angle_rad), sine = sin((double)stroke.angle_rad);
+        for (int k = 0; k < 1000; k++) {
+            double s = ((k + 0.5) / 1000 - 0.5) * (double)stroke.bend_rad;
+            double along = radius * sin(s), aside = radius * (1 - cos(s));
+            double x = (double)stroke.x + along * cosine - aside * sine;
+            double y = (double)stroke.y + along * sine + aside * cosine;
+            sum += (2 + sin(turn * x) + cos(turn * y)) / 1000;
+        }
+        ck_assert_double_eq_tol((double)hatch_potential_score(&field, &stroke, UINT32_MAX), sum, 0.06);
+    }
+}
+END_TEST
+
 static struct hatch_choice choice_of(uint64_t number)
 {
     return (struct hatch_choice){.seed = 7,
@@ -267,6 +292,17 @@ START_TEST(candidates_are_as_the_style_says)
         x += (double)s.x / choice.candidates;
         spread += off * off / choice.candidates;
     }
+    style.bend_min_rad = 0.5f;
+    style.bend_max_rad = 1.5f;
+    double bend = 0, side = 0;
+    for (uint32_t c = 0; c < choice.candidates; c++) {
+        struct hatch_stroke s = hatch_candidate(&style, &choice, c);
+        ck_assert(fabsf(s.bend_rad) >= 0.5f && fabsf(s.bend_rad) <= 1.5f);
+        bend += fabs((double)s.bend_rad) / choice.candidates;
+        side += (double)s.bend_rad / choice.candidates;
+    }
+    ck_assert_double_eq_tol(bend, 1, 0.02);
+    ck_assert_double_eq_tol(side, 0, 0.06);
     ck_assert_double_eq_tol(length, 0.65, 0.015);
     ck_assert_double_eq_tol(x, 0.5, 0.02);
     ck_assert_double_eq_tol(sqrt(spread) / (double)style.jitter_rad, 1, 0.05);
@@ -301,6 +337,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shares_of_ink_are_its_overlap_with_the_parts);
     tcase_add_test(tests, the_score_looks_where_the_ink_is);
     tcase_add_test(tests, the_score_is_the_mean_along_the_line);
+    tcase_add_test(tests, the_score_of_an_arc_is_the_mean_along_it);
     tcase_add_test(tests, the_best_candidate_is_chosen_and_bettered);
     tcase_add_test(tests, candidates_are_as_the_style_says);
     tcase_add_test(tests, every_failed_allocation_is_a_status);

@@ -41,6 +41,9 @@ START_TEST(every_key_reaches_its_field)
                         "darkest 0.75\n"
                         "gamma 2\n"
                         "overlap flat\n"
+                        "bend 45 180\n"
+                        "color 0.25 ff8000\n"
+                        "color 0.75 000\n"
                         "direction 45 0.25 0.5\n"
                         "direction -90 0 1\n"
                         "candidates 5e2 7"),
@@ -55,6 +58,12 @@ START_TEST(every_key_reaches_its_field)
     ck_assert_float_eq(style.tone_max, 0.75f);
     ck_assert_float_eq(style.tone_gamma, 2);
     ck_assert_int_eq(style.overlap, HATCH_OVERLAP_FLAT);
+    ck_assert(style.tone_max_given);
+    ck_assert_float_eq_tol(style.bend_min_rad, 0.785398163f, 1e-6f);
+    ck_assert_float_eq_tol(style.bend_max_rad, 3.14159265f, 1e-6f);
+    ck_assert_uint_eq(style.color_count, 2);
+    ck_assert_float_eq(style.colors[0].tone, 0.25f);
+    ck_assert_float_eq(style.colors[0].rgb[1], hatch_srgb_to_linear(128 / 255.0f));
     ck_assert_uint_eq(style.direction_count, 2); /* the default's three are gone */
     ck_assert_float_eq_tol(style.directions[0].angle_rad, 0.785398163f, 1e-6f);
     ck_assert_float_eq(style.directions[0].from, 0.25f);
@@ -112,6 +121,13 @@ static const struct {
     {"length -1 1", "line 1: length: -1"},
     {"width 2\nlength 1 0.5\nwidth 3",
      "line 2: length: the shortest, 1, is above the longest, 0.5"},
+    {"bend 5", "line 1: bend: a value is missing"},
+    {"bend 5 359", "line 1: bend: 359"},
+    {"bend 90 45", "line 1: bend: the least, 90, is above the most, 45"},
+    {"color ff0000", "line 1: color: 'ff0000' is not a number"},
+    {"color 0.5 red", "line 1: color: want a darkness and six"},
+    {"color 1.5 ff0000", "line 1: color: 1.5"},
+    {"color 0.5 ff0000\ncolor 0.5 000000", "line 2: color: darkness 0.5 does not rise"},
     {"jitter 91", "line 1: jitter: 91"},
     {"jitter -1", "line 1: jitter: -1"},
     {"ink 0", "line 1: ink: 0"},
@@ -157,6 +173,25 @@ START_TEST(a_bad_line_is_named_and_changes_nothing)
 }
 END_TEST
 
+/* Linear between the colours, the nearest beyond them, black without any; given anew, the old ones go. */
+START_TEST(colors_lie_on_a_path)
+{
+    float rgb[3] = {1, 1, 1};
+    hatch_style_color_at(&style, 0.5f, rgb);
+    ck_assert(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0);
+    HATCH_TEST_OK(parse("color 0.2 ff0000\ncolor 0.4 0000ff\ncolor 0.8 000000"), &err);
+    static const float want[][4] = {{0, 1, 0, 0},         {0.2f, 1, 0, 0},     {0.25f, 0.75f, 0, 0.25f},
+                                    {0.4f, 0, 0, 1},      {0.6f, 0, 0, 0.5f}, {0.9f, 0, 0, 0}};
+    for (int i = 0; i < 6; i++) {
+        hatch_style_color_at(&style, want[i][0], rgb);
+        for (int c = 0; c < 3; c++)
+            ck_assert_float_eq_tol(rgb[c], want[i][1 + c], 1e-6f);
+    }
+    HATCH_TEST_OK(parse("color 0 00ff00"), &err);
+    ck_assert_uint_eq(style.color_count, 1);
+}
+END_TEST
+
 START_TEST(targets_rise_to_the_darkest)
 {
     float target[HATCH_TAM_TONES_MAX];
@@ -189,6 +224,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them);
     tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0,
                         sizeof bad / sizeof *bad);
+    tcase_add_test(tests, colors_lie_on_a_path);
     tcase_add_test(tests, targets_rise_to_the_darkest);
     suite_add_tcase(suite, tests);
     return suite;
