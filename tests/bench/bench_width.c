@@ -7,7 +7,7 @@
 #include "rptam_model.h"
 #include "zoom_reference.h"
 
-enum { COLUMNS = 36, ROWS = 27, VIEWS = 4, SAMPLES = VIEWS * COLUMNS * ROWS, HEIGHT_PX = 720 };
+enum { COLUMNS = 24, ROWS = 18, VIEWS = 12, SAMPLES = VIEWS * COLUMNS * ROWS, HEIGHT_PX = 720 };
 enum { MAP_PX = 512, LEVELS = 4 };
 
 #define RADIUS 1.7
@@ -112,34 +112,31 @@ static void print_row(const char *method, double radii, double *widths, size_t c
            widths[count - 1 - count / 20], (double)within / (double)count);
 }
 
-/* What of the surface lies furthest towards a direction. */
-static void furthest(const double back[3], double point[3])
+/* From over the middle of a face, off its normal by half a radian. */
+static struct view view_over(uint32_t face, double radii)
 {
-    double most = -INFINITY, at[3];
-    for (size_t v = 0; v < mesh.vertex_count; v++) {
-        hatch_vec_of(mesh.attributes[0].data + 3 * v, at);
-        if (hatch_vec_dot(at, back) > most) {
-            most = hatch_vec_dot(at, back);
-            hatch_vec_copy(at, point);
-        }
-    }
+    double corner[3][3], point[3], normal[3], side[3];
+    hatch_mesh_corners(&mesh, face, corner);
+    hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
+    hatch_vec_normalize(normal);
+    hatch_vec_any_orthogonal(normal, side);
+    for (int k = 0; k < 3; k++)
+        point[k] = (corner[0][k] + corner[1][k] + corner[2][k]) / 3;
+    hatch_vec_add_scaled(normal, tan(0.5), side, side);
+    hatch_vec_normalize(side);
+    return zoom_view(&frame, point, side, RADIUS * radii, 4.0 / 3);
 }
 
 START_TEST(measure)
 {
     static struct widths widths;
-    static const double from[VIEWS][3] = {{0.5, 0.4, 0.8}, {-0.7, 0.2, 0.7}, {0.1, 0.9, -0.4}, {-0.4, 0.1, -0.9}};
     printf("method\tradii\tsamples\tp5\tmedian\tp95\twithin_quarter\n");
     begin();
     for (int step = -4; step <= 6; step++) {
         double radii = pow(10, 0.5 * step);
         widths.count = 0;
-        for (int i = 0; i < VIEWS; i++) {
-            double back[3], point[3];
-            hatch_vec_copy(from[i], back);
-            hatch_vec_normalize(back);
-            furthest(back, point);
-            struct view view = zoom_view(&frame, point, back, RADIUS * radii, 4.0 / 3);
+        for (uint32_t i = 0; i < VIEWS; i++) {
+            struct view view = view_over((2 * i + 1) * (mesh.face_count / (2 * VIEWS)), radii);
             look(&view, fmin(1, 4 / radii), &widths);
         }
         print_row("rptam", radii, widths.rptam, widths.count);
