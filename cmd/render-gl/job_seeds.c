@@ -7,6 +7,8 @@
 
 /* A drawing style's strokes are as long as a share of a tile of this many pixels. */
 #define STYLE_TILE_PX 128
+#define DARKEST 0.65 /* that all layers make, unless the tile is given */
+#define LAYER_INK 0.35
 #define LAYERS 4 /* unless somebody says how many */
 
 /* Sets of 64, spread well. */
@@ -91,9 +93,30 @@ static void read_drawing(struct job *job)
     take_brush(&job->args, &brush, &job->source.stroke);
 }
 
-/* What the options leave to the drawing style. */
-static void settle(const struct hatch_style *drawing, struct seed_choice *choice)
+static double mean_of(const struct hatch_image *image)
 {
+    size_t count = (size_t)image->width * image->height;
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += (double)image->pixels[i];
+    return count ? sum / (double)count : 1;
+}
+
+/* The tile in which all layers together are as dark as DARKEST, if strokes lie as by chance; but no layer holds
+ * more of them than hatching. */
+static double tile_for(const struct stroke_source *source, const struct seed_style *style)
+{
+    uint32_t layers = source->layers.count ? source->layers.count : source->sets.layer_count;
+    double ink = style->ink * mean_of(&source->stroke.alpha) * mean_of(&source->stroke.grain);
+    double share = fmin(-log(1 - DARKEST) / layers, LAYER_INK);
+    double tile_px = sqrt(source->sets.layers[0].count * ink * style->length_px * style->width_px / share);
+    return fmin(fmax(tile_px, 8), 8192);
+}
+
+/* What the options leave to the drawing style. */
+static void settle(const struct stroke_source *source, struct seed_choice *choice)
+{
+    const struct hatch_style *drawing = &source->drawing;
     struct seed_style *style = &choice->style;
     if (!(style->ink > 0))
         style->ink = (double)drawing->ink;
@@ -102,6 +125,8 @@ static void settle(const struct hatch_style *drawing, struct seed_choice *choice
         style->width_px = (double)drawing->width_px;
     }
     style->length_px = fmax(style->length_px, style->width_px); /* a dot */
+    if (!choice->tile_given)
+        style->tile_px = tile_for(source, style);
 }
 
 static void set_stroke(const struct job_stroke *stroke, struct hatch_rptam_layer_style *layer)
@@ -170,7 +195,7 @@ enum hatch_status job_make_strokes(struct job *job, struct hatch_err *err)
     choice->layers = fmin(choice->layers, count);
     if (count > HATCH_RPTAM_LAYERS_MAX)
         return hatch_fail(err, HATCH_LIMIT, "%u layers of seeds: %u are the most", count, HATCH_RPTAM_LAYERS_MAX);
-    settle(&job->source.drawing, choice);
+    settle(&job->source, choice);
     style = (struct hatch_rptam_style){.law = choice->style.law,
                                        .fade_size = choice->style.fade_size,
                                        .overlap = choice->style.overlap,

@@ -21,7 +21,7 @@ static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
 static const char *seeds, *layers_path, *drawing = "ink";
-static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile = 256, overlap = 0.3;
+static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile, overlap = 0.3;
 static double zoom = 1;
 static int64_t seed_layers = HATCH_RPTAM_LAYERS_MAX;
 static int fade, fade_by, seed_loop;
@@ -54,7 +54,7 @@ static struct cmd_option table[] = {
      NULL, NULL},
     {0, "stroke-turn", CMD_REAL, -360, 360, "DEGREES", "+rptam: turn the strokes about their middles (default 0)",
      &stroke_turn, NULL, NULL},
-    {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "+rptam: side of a set's tile (default 256)", &seed_tile, NULL,
+    {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "+rptam: side of a set's tile (default: as dark as hatching is)", &seed_tile, NULL,
      NULL},
     {0, "seed-layers", CMD_INT, 0, HATCH_RPTAM_LAYERS_MAX, "N", "+rptam: draw no more than the first N sets",
      &seed_layers, NULL, NULL},
@@ -213,6 +213,7 @@ static void read_seed_choice(struct seed_choice *choice)
                                              .fade_size = fade_by == 1,
                                              .ink = stroke_ink,
                                              .overlap = overlap},
+                                   .tile_given = seed_tile > 0,
                                    .turn_rad = LAYER_TURN * RADIANS,
                                    .stroke_turn_rad = stroke_turn * RADIANS,
                                    .layers = (double)seed_layers,

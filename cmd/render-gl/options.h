@@ -8,7 +8,8 @@
 
 /* What strokes at seeds have in common. */
 struct seed_style {
-    double tile_px, length_px, width_px, ink; /* length_px, ink 0: the drawing style's */
+    double tile_px, length_px, width_px, ink; /* length_px, ink 0: the drawing style's; tile_px is chosen
+                                                   unless it is given */
     enum hatch_fade_law law;
     bool fade_size;
     double overlap;
@@ -20,6 +21,7 @@ struct seed_choice {
     const char *layers_path; /* of layers that differ; NULL: none */
     const char *drawing; /* the style: brush, ink, directions, width and length where none is given */
     struct seed_style style;
+    bool tile_given;
     double turn_rad;     /* between layers that have one direction */
     double stroke_turn_rad; /* of all */
     double layers;       /* so many are drawn, rounded */

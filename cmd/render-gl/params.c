@@ -156,6 +156,8 @@ void params_set(struct job *job, uint32_t index, const double values[2])
         return;
     job->strokes_changed = job->strokes_changed || param->use == PARAM_SEEDS;
     job->view_changed = job->view_changed || param->use == PARAM_CAMERA;
+    if (param->at[0] == SEEDS(style.tile_px))
+        job->options.seeds.tile_given = true;
     if (param->at[0] == STYLE(curve.low))
         job->options.high_given = true;
     if (param->at[0] == STYLE(light.azimuth_rad))

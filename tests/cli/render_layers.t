@@ -7,7 +7,7 @@ mkdir folder
 seedgen -n 16 --layers 2 -o two.seeds
 
 ok "without a file" $draw -o plain.png
-printf 'turn 0\n# a comment\nink 1\ntone 0.5..0.75\ntile 256\n' >folder/same.layers
+printf 'turn 0\n# a comment\nink 1\ntone 0.5..0.75\nink 1\n' >folder/same.layers
 ok "lines of what is so anyway" $draw --layers folder/same.layers -o same.png
 ok "change nothing" cmp plain.png same.png
 printf 'ink 1\nturn 91\ntone 0.5..0.75\nwidth 1.8\n' >other.layers
