@@ -2,6 +2,13 @@
 
 #include <math.h>
 
+const char *columns_name(enum columns_form form)
+{
+    if (form == COLUMNS_VOLUME)
+        return "a volume (tamvol makes one)";
+    return form == COLUMNS_THRESHOLDS ? "thresholds (tamthresh makes them)" : "a tonal art map (tamgen makes one)";
+}
+
 /* Darkness of one texel as a byte. A coloured map seen in grey gives its luminance. */
 static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t channel, bool color)
 {
@@ -19,13 +26,14 @@ static uint32_t chosen_column(const struct gpu_columns *columns, uint32_t slot)
     return (slot + 1) * columns->map_count / columns->count - 1;
 }
 
-static void make_sampler(struct gpu_columns *columns, float anisotropy)
+void columns_make_sampler(struct gpu_columns *columns, float anisotropy)
 {
     glCreateSamplers(1, &columns->sampler);
     glSamplerParameteri(columns->sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glSamplerParameteri(columns->sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glSamplerParameteri(columns->sampler, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glSamplerParameteri(columns->sampler, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glSamplerParameteri(columns->sampler, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     if (anisotropy > 1.0f)
         glSamplerParameterf(columns->sampler, GL_TEXTURE_MAX_ANISOTROPY, anisotropy);
 }
@@ -102,6 +110,7 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
                                .levels = map->levels,
                                .count = map->tones,
                                .map_count = map->tones,
+                               .layered = true,
                                .color = map->color && form == COLUMNS_ARRAY};
     if (form == COLUMNS_SIX && made.count > COLUMNS_SIX_MOST)
         made.count = COLUMNS_SIX_MOST;
@@ -116,7 +125,7 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
     if (status == HATCH_OK && glGetError() == GL_OUT_OF_MEMORY)
         status = hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %u columns of %u texels",
                             made.count, made.size_px);
-    make_sampler(&made, anisotropy);
+    columns_make_sampler(&made, anisotropy);
     if (status == HATCH_OK)
         *columns = made;
     else

@@ -21,6 +21,7 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     block->shade[2] = (float)curve->specular;
     block->shade[3] = (float)curve->shininess;
     block->counts[1] = columns ? (int32_t)columns->count : 0;
+    block->counts[3] = columns && columns->whole;
     block->counts[2] = luminance(inks->ink) > luminance(inks->paper) ? INK_LIGHTENS : INK_DARKENS;
     if (inks->two)
         block->counts[2] = INK_BOTH;

@@ -44,7 +44,7 @@ struct frame_block {
     float shade[4]; /* 0, ambient, specular, shininess */
     float viewport[4]; /* half the tile's width and height in pixels */
     float hatch[4]; /* cosine and sine of the strokes' turn, over their size */
-    int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 0 */
+    int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 1: the last column is all ink */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */
     float targets[64][4];                   /* 256 darknesses */
     struct frame_light lights[LIGHTS_MAX];

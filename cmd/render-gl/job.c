@@ -42,6 +42,47 @@ static void warn_of_map(const struct options *options, const struct hatch_tam *m
         cmd_warn(cmd_input_name(options->map_path), "the map's colours are drawn grey; tam-triple draws them");
 }
 
+/* Dies where the file is of another kind than the technique, or --probe, reads. */
+static void check_strokes(const struct job *job)
+{
+    const struct options *options = &job->options;
+    enum columns_form form = techniques[options->technique]->columns;
+    bool map = job->map.tones > 0, wants_map = form == COLUMNS_SIX || form == COLUMNS_ARRAY || options->probe;
+    struct hatch_err err;
+    if (form == COLUMNS_NONE ? map || !options->probe : wants_map ? map : form == job->fine.form)
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT, "%s%s wants %s, this is %s", options->probe ? "--probe" : "technique ",
+               options->probe ? "" : techniques[options->technique]->name,
+               columns_name(options->probe ? COLUMNS_SIX : form), map ? "a tonal art map" : "another texture");
+    cmd_die(cmd_input_name(options->map_path), &err);
+}
+
+/* What strokes are read from: a map, or a texture that was made of one. */
+static void read_strokes(struct job *job)
+{
+    const struct options *options = &job->options;
+    const char *name = cmd_input_name(options->map_path);
+    struct hatch_bytes file = cmd_read(&job->args, options->map_path);
+    struct hatch_err err;
+    if (fine_is(file))
+        cmd_check(fine_read(file, &job->args.keep, &job->args.scratch, &job->fine, &err), name, &err);
+    else
+        cmd_parse_map(&job->args, name, file, &job->map);
+    check_strokes(job);
+    if (job->map.tones)
+        warn_of_map(options, &job->map);
+}
+
+/* How the strokes' images repeat over surfaces. */
+static enum hatch_status set_repeat(struct job *job, const struct view *view, struct hatch_err *err)
+{
+    const struct options *options = &job->options;
+    bool map = job->map.tones > 0;
+    return repeat_set(&job->gpu, options->repeat, view, options->height,
+                      map ? job->map.size_px : job->fine.texels.width, map ? job->map.levels : job->fine.levels,
+                      &job->args.scratch, err);
+}
+
 void job_read(struct job *job)
 {
     const struct options *options = &job->options;
@@ -51,10 +92,9 @@ void job_read(struct job *job)
     if (techniques[options->technique]->seeds || options->seeds.path)
         job_read_seeds(job);
     if (options->map_path)
-        cmd_read_map(&job->args, options->map_path, &job->map);
+        read_strokes(job);
     check_scene(job);
     cmd_warn_mesh(cmd_input_name(options->scene_path), &notes);
-    warn_of_map(options, &job->map);
 }
 
 static double time_of(const struct job *job, uint32_t frame)
@@ -134,7 +174,8 @@ void job_prepare(struct job *job)
     upload(job);
     job->renderer = (struct renderer){.shaders = {options->shader_folder, scratch},
                                       .style = options->style,
-                                      .map = options->map_path ? &job->map : NULL,
+                                      .map = job->map.tones ? &job->map : NULL,
+                                      .fine = job->fine.form != COLUMNS_NONE ? &job->fine : NULL,
                                       .rptam = job->renderer.rptam,
                                       .all_seeds = options->seeds.all,
                                       .scene = &job->gpu,
@@ -142,7 +183,8 @@ void job_prepare(struct job *job)
     if (options->lines.kinds)
         cmd_check(job_make_lines(job, options->lines.kinds, &err), NULL, &err);
     if (options->map_path && !options->high_given)
-        job->renderer.style.curve.high = (double)job->map.target[job->map.tones - 1];
+        job->renderer.style.curve.high =
+            (double)(job->map.tones ? job->map.target[job->map.tones - 1] : job->fine.darkest);
     if (job->renderer.rptam)
         job_set_darkest(job);
     struct view view;
@@ -151,9 +193,7 @@ void job_prepare(struct job *job)
         cmd_check(meter_exposure(&job->gpu, &view, scratch, &job->renderer.style.curve.exposure, &err),
                   cmd_input_name(options->scene_path), &err);
     if (options->map_path)
-        cmd_check(repeat_set(&job->gpu, options->repeat, &view, options->height, job->map.size_px,
-                             job->map.levels, scratch, &err),
-                  cmd_input_name(options->scene_path), &err);
+        cmd_check(set_repeat(job, &view, &err), cmd_input_name(options->scene_path), &err);
     if (options->technique == TECHNIQUE_FIELD) {
         cmd_check(field_make(&job->gpu, &view, options->height, &job->renderer.shaders, &job->args.keep,
                              scratch, &job->field, &err),

@@ -30,7 +30,8 @@ struct job {
     struct options options;
     struct hatch_scene scene;
     struct patch_mesh *patches; /* of each of its meshes */
-    struct hatch_tam map;
+    struct hatch_tam map; /* no columns: the file held what fine says, or there was none */
+    struct fine fine;
     struct stroke_source source;
     struct hatch_rptam rptam; /* made when a technique first draws at seeds */
     bool strokes_changed, view_changed; /* job_refresh has something to do */

@@ -40,7 +40,7 @@ static const char *const seed_loops[] = {"coverage", "brute", NULL};
 static struct cmd_option table[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
      &technique, NULL, &technique_given},
-    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map, as tamgen writes it", &map_path, NULL,
+    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it", &map_path, NULL,
      NULL},
     {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
      &seeds, NULL, NULL},
@@ -280,8 +280,8 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
     if (size[0] != floor(size[0]) || size[1] != floor(size[1]))
         cmd_usage("--size %gx%g: want whole numbers", size[0], size[1]);
     if (!map_path && techniques[technique]->columns != COLUMNS_NONE)
-        cmd_usage("technique %s needs a tonal art map: --tam FILE (tamgen makes one)",
-                  techniques[technique]->name);
+        cmd_usage("technique %s needs %s: --tam FILE", techniques[technique]->name,
+                  columns_name(techniques[technique]->columns));
     if (probe && !map_path)
         cmd_usage("--probe needs a tonal art map: --tam FILE");
     check_frames(args);

@@ -23,7 +23,8 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
     char defines[256];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s", technique->defines,
+    bool layered = technique->columns != COLUMNS_NONE && renderer->columns[technique->columns].layered;
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s", technique->defines, layered ? "#define LAYERED 1\n" : "",
              renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant & DRAW_PIECES ? PIECES : "",
@@ -39,21 +40,37 @@ static struct gpu_columns *columns_of(struct renderer *renderer, const struct te
     return &renderer->columns[technique->columns];
 }
 
+bool renderer_can(const struct renderer *renderer, uint32_t technique)
+{
+    enum columns_form form = techniques[technique]->columns;
+    if (form == COLUMNS_VOLUME || form == COLUMNS_THRESHOLDS)
+        return renderer->fine && renderer->fine->form == form;
+    return renderer->map || form == COLUMNS_NONE;
+}
+
+static enum hatch_status upload_columns(struct renderer *renderer, enum columns_form form,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct gpu_columns *columns = &renderer->columns[form];
+    float anisotropy = renderer->style.anisotropy;
+    if (form == COLUMNS_VOLUME || form == COLUMNS_THRESHOLDS)
+        return fine_upload(renderer->fine, anisotropy, columns, err);
+    return columns_upload(renderer->map, form, anisotropy, renderer->size_max_px, scratch, columns, err);
+}
+
 enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique,
                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct technique *chosen = techniques[technique];
-    struct gpu_columns *columns = columns_of(renderer, chosen);
-    assert(technique < TECHNIQUE_COUNT && (renderer->map || chosen->columns == COLUMNS_NONE));
+    assert(technique < TECHNIQUE_COUNT && renderer_can(renderer, technique));
     assert(renderer->rptam || !chosen->seeds);
     if (!renderer->block_buffer) {
         glCreateBuffers(1, &renderer->block_buffer);
         glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL,
                              GL_DYNAMIC_STORAGE_BIT);
     }
-    if (chosen->columns != COLUMNS_NONE && columns->form == COLUMNS_NONE)
-        HATCH_TRY(columns_upload(renderer->map, chosen->columns, renderer->style.anisotropy,
-                                 renderer->size_max_px, scratch, columns, err));
+    if (chosen->columns != COLUMNS_NONE && columns_of(renderer, chosen)->form == COLUMNS_NONE)
+        HATCH_TRY(upload_columns(renderer, chosen->columns, scratch, err));
     if (chosen->seeds && !renderer->seeds.layers) {
         HATCH_TRY(seeds_upload(renderer->rptam, renderer->all_seeds, scratch, &renderer->seeds, err));
         HATCH_TRY(seeds_set_spans(renderer->scene, scratch, err));
@@ -215,7 +232,7 @@ void renderer_free(struct renderer *renderer)
         glDeleteProgram(renderer->below_patches[geometry]);
     glDeleteProgram(renderer->pieces_below);
     near_free(&renderer->near);
-    for (uint32_t form = 0; form < 3; form++)
+    for (uint32_t form = 0; form < COLUMNS_FORMS; form++)
         columns_free(&renderer->columns[form]);
     seeds_free(&renderer->seeds);
     glDeleteBuffers(1, &renderer->block_buffer);

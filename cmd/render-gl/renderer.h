@@ -4,6 +4,7 @@
 
 #include "render-gl/clock.h"
 #include "render-gl/field.h"
+#include "render-gl/fine.h"
 #include "render-gl/frame.h"
 #include "render-gl/lines.h"
 #include "render-gl/near.h"
@@ -27,13 +28,14 @@ struct style {
 struct renderer {
     struct shader_source shaders;
     struct style style;
-    const struct hatch_tam *map; /* NULL: only techniques that draw tone alone */
+    const struct hatch_tam *map; /* NULL: no technique that draws with a map */
+    const struct fine *fine;     /* NULL: none that draws with a texture of fine tone */
     const struct hatch_rptam *rptam; /* NULL: no technique that draws at seeds */
     bool all_seeds;                  /* looks at every seed at every place */
     struct gpu_seeds seeds;          /* made when a technique first wants them */
     struct gpu_scene *scene;
     uint32_t size_max_px;
-    struct gpu_columns columns[3]; /* by form, made when a technique first wants them */
+    struct gpu_columns columns[COLUMNS_FORMS]; /* by form, made when a technique first wants them */
     GLuint programs[TECHNIQUE_COUNT][VARIANTS];
     GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
     GLuint pieces_below;     /* its pieces */
@@ -45,6 +47,9 @@ struct renderer {
     struct field *field; /* what the technique field draws; else NULL */
     struct clock *clock; /* NULL: nobody wants to know how long passes take */
 };
+
+/* Whether what the technique reads is there, apart from strokes at seeds. */
+bool renderer_can(const struct renderer *renderer, uint32_t technique);
 
 /* Makes a technique ready to draw: uploads columns and compiles what its items need. Calling it again
  * is cheap. technique: index into techniques. */

@@ -9,12 +9,12 @@
 #define TECHNIQUE_PASSES_MAX 4u
 #define TECHNIQUE_GOURAUD 6u /* the reference for tone and for speed */
 #define TECHNIQUE_RPTAM 7u
-#define TECHNIQUE_CHOICES 8u /* of --technique; those after them serve other options */
-#define TECHNIQUE_PROBE 8u
-#define TECHNIQUE_PATCHES 9u
-#define TECHNIQUE_FIELD 10u
-#define TECHNIQUE_PLACES 11u
-#define TECHNIQUE_COUNT 12u
+#define TECHNIQUE_CHOICES 11u /* of --technique; those after them serve other options */
+#define TECHNIQUE_PROBE 11u
+#define TECHNIQUE_PATCHES 12u
+#define TECHNIQUE_FIELD 13u
+#define TECHNIQUE_PLACES 14u
+#define TECHNIQUE_COUNT 15u
 
 /* What a technique makes of patches over a surface. */
 enum technique_patches {
@@ -27,7 +27,7 @@ enum technique_patches {
 struct technique {
     const char *name;
     const char *summary;          /* one line for the window's terminal help */
-    enum columns_form columns;    /* the form of the tonal art map that it draws with */
+    enum columns_form columns;    /* what it reads strokes from */
     bool seeds;                   /* it draws strokes at seeds */
     struct shader_stages stages;
     const char *defines;          /* lines before each stage, "" for none */

@@ -23,8 +23,8 @@ static void set_technique(struct window *window, uint32_t technique)
 {
     struct job *job = window->job;
     struct hatch_err err;
-    if (techniques[technique]->columns != COLUMNS_NONE && !job->renderer.map) {
-        cmd_say("%s needs a tonal art map: --tam FILE", techniques[technique]->name);
+    if (!renderer_can(&job->renderer, technique)) {
+        cmd_say("%s needs %s: --tam FILE", techniques[technique]->name, columns_name(techniques[technique]->columns));
         return;
     }
     bool strokes = technique_draws_strokes(techniques[technique]);
@@ -61,7 +61,7 @@ static void toggle_lines(struct window *window)
     struct job *job = window->job;
     struct renderer *renderer = &job->renderer;
     struct hatch_err err;
-    bool strokes = techniques[window->technique]->columns != COLUMNS_NONE;
+    bool strokes = technique_draws_strokes(techniques[window->technique]);
     if (renderer->lines && (strokes || renderer->lines->style.asked)) {
         renderer->lines = NULL;
         return;

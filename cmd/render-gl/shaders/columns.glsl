@@ -1,9 +1,16 @@
 // Reading the columns of the tonal art map, in the fragment stage: aim once, then read.
 #include "frame.glsl"
 
+#if defined(VOLUME) && !defined(LAYERED)
+layout(binding = 0) uniform sampler3D columns;
+#define ALONG_SURFACE(v) vec3(v, 0.0)
+#else
 layout(binding = 0) uniform sampler2DArray columns;
+#define ALONG_SURFACE(v) v
+#endif
 
 vec2 column_place;
+float column_level;
 
 #ifdef ANISOTROPIC
 vec2 column_x, column_y;
@@ -19,15 +26,17 @@ void aim(vec2 texcoord)
     column_place = texcoord;
     column_x = far ? vec2(1.0, 0.0) : dFdx(texcoord);
     column_y = far ? vec2(0.0, 1.0) : dFdy(texcoord);
+    vec2 size = vec2(textureSize(columns, 0).xy);
+    float longer = max(dot(column_x * size, column_x * size), dot(column_y * size, column_y * size));
+    float area = abs(column_x.x * column_y.y - column_x.y * column_y.x) * size.x * size.y;
+    column_level = 0.5 * log2(max(area * area / max(longer, 1e-20), 1e-20) * curve.w);
 }
 
 vec4 read_columns(float layer)
 {
-    return textureGrad(columns, vec3(column_place, layer), column_x, column_y);
+    return textureGrad(columns, vec3(column_place, layer), ALONG_SURFACE(column_x), ALONG_SURFACE(column_y));
 }
 #else
-float column_level;
-
 // Strokes keep their width in pixels whatever the number of samples a pixel: the level goes by the
 // pixel's footprint, not by the sample's. But where a pixel has several samples they see apart what lies
 // along the footprint's longer axis, so that half of it counts there: anisotropic filtering by the ratio

@@ -13,7 +13,7 @@ layout(std140, binding = 0) uniform Frame {
     vec4 shade; // 0, ambient, strength of the highlight, its exponent
     vec4 viewport; // half the tile's width and height in pixels
     vec4 hatch; // cosine and sine of the strokes' turn, over their size
-    ivec4 counts; // lights, columns, ink mode
+    ivec4 counts; // lights, columns, ink mode, whether the last column is all ink
     vec4 ramp_low[2], ramp_scale[2];
     vec4 targets[64];
     Light lights[64];

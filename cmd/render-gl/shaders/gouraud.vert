@@ -1,6 +1,9 @@
-// The tone alone.
+// The tone alone, or with where strokes lie.
 #include "vertex.glsl"
 
+#ifdef STROKES
+out vec2 v_texcoord;
+#endif
 #ifdef BASE_TEXTURE
 out vec2 v_base_texcoord;
 #endif
@@ -13,6 +16,9 @@ out vec2 v_amounts;
 void main()
 {
     float light = place();
+#ifdef STROKES
+    v_texcoord = hatch_texcoord();
+#endif
 #ifdef BASE_TEXTURE
     v_base_texcoord = a_base_texcoord;
 #endif

@@ -1,0 +1,61 @@
+// Thresholds: a texel's darkness is a stair over tone (Webb et al. 2002, section 3.2).
+#include "light.glsl"
+#include "inks.glsl"
+#include "columns.glsl"
+#include "base.glsl"
+
+in vec2 v_texcoord;
+#ifdef BASE_TONE
+in float v_light;
+#else
+in vec2 v_amounts;
+#endif
+out vec4 o_color;
+
+// The stair's steps, once for both inks.
+vec4 step_at[2], step_height[2];
+
+#ifdef SOFT
+// The tone at which the texel is more ink than paper.
+float half_way()
+{
+    float sum = 0.0, at = 2.0;
+    for (int i = 6; i >= 0; i--)
+        sum += step_height[i / 4][i % 4];
+    for (int i = 6; i >= 0; i--) {
+        at = sum >= 0.5 ? step_at[i / 4][i % 4] : at;
+        sum -= step_height[i / 4][i % 4];
+    }
+    return at;
+}
+#endif
+
+float coverage(float amount)
+{
+    float tone = 1.0 - (1.0 - amount) * step_at[1].a;
+#ifdef SOFT
+    return clamp(4.0 * (tone - half_way()), 0.0, 1.0);
+#else
+    vec4 taken = vec4(greaterThan(vec4(tone), step_at[0]));
+    vec3 taken_last = vec3(greaterThan(vec3(tone), step_at[1].rgb));
+    return dot(taken, step_height[0]) + dot(taken_last, step_height[1].rgb);
+#endif
+}
+
+void main()
+{
+    aim(v_texcoord);
+    base_holes();
+#ifdef BASE_TONE
+    vec2 v_amounts = ink_amounts(v_light * base_light());
+#endif
+    for (int half_of = 0; half_of < 2; half_of++) {
+        step_at[half_of] = read_columns(float(half_of));
+        step_height[half_of] = read_columns(float(2 + half_of));
+    }
+    float light = 0.0;
+#ifdef TWO_INKS
+    light = coverage(v_amounts.y);
+#endif
+    o_color = vec4(ink_on_paper(vec3(coverage(v_amounts.x)), vec3(light)), opacity * step_height[1].a);
+}

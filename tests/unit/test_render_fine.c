@@ -1,0 +1,180 @@
+/* Volumes and thresholds as they are drawn, against their models in libhatch: on a plane of one tone that is
+ * parallel to the screen, at any size of a texel. */
+#include <math.h>
+
+#include "render_frame.h"
+#include "render_map.h"
+#include "tam/thresholds.h"
+#include "tam/volume.h"
+
+enum { SIZE = 64, TONES = 16 };
+
+static struct test_frame frame;
+static struct hatch_tam map;
+static struct hatch_volume volume;
+static struct hatch_thresholds thresholds;
+static struct fine fine;
+
+/* A map whose texels darken with tone, each at two tones of its own. */
+static void nested_map(void)
+{
+    random_map(SIZE, TONES, &frame.arena, &map);
+    for (uint32_t t = 0; t < TONES; t++) {
+        map.target[t] = (float)(t + 1) / TONES;
+        for (uint32_t level = 0; level < map.columns[t].level_count; level++) {
+            struct hatch_image *image = &map.columns[t].levels[level];
+            for (uint32_t i = 0; i < image->width * image->height; i++) {
+                float first = hatch_random_unit(3, level, 2 * i), second = hatch_random_unit(3, level, 2 * i + 1);
+                image->pixels[i] = 1 - 0.5f * (map.target[t] > first) - 0.5f * (map.target[t] > second);
+            }
+        }
+    }
+}
+
+static void begin(double tone, double tiles)
+{
+    struct hatch_shape_options how = {.faces = 2, .seed = 1};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
+    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
+        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
+    }
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.fine = &fine;
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
+    frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)tiles;
+}
+
+static void make_volume(enum hatch_volume_layout layout)
+{
+    struct hatch_volume_options how = {.tones = TONES / 2, .layout = layout};
+    struct hatch_volume_figures figures;
+    HATCH_TEST_OK(hatch_volume_make(&map, &how, NULL, &frame.arena, &volume, &figures, &frame.err), &frame.err);
+    fine = (struct fine){.form = COLUMNS_VOLUME, .texels = volume.texels, .levels = volume.levels,
+                         .darkest = volume.darkest};
+}
+
+static void make_thresholds(void)
+{
+    struct hatch_threshold_options how = {.bins = HATCH_THRESHOLD_BINS, .seed = 1};
+    struct hatch_threshold_figures figures;
+    HATCH_TEST_OK(hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &figures,
+                                        &frame.err),
+                  &frame.err);
+    fine = (struct fine){.form = COLUMNS_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels,
+                         .darkest = 1};
+}
+
+/* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone
+ * may be taken or not. */
+#define FILTER (1.5 / 255)
+#define HEIGHTS 4.0 /* what seven heights, each so filtered, may sum up to, in 255ths */
+
+/* Draws at a tone, with so many tiles over the picture; returns the largest distance from the model. Levels are
+ * whole where tiles is a power of two. */
+static double worst_of(const char *technique, double tone, double tiles)
+{
+    struct hatch_image image;
+    double worst = 0;
+    begin(tone, tiles);
+    frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
+    for (uint32_t row = 0; row < SIZE; row++)
+        for (uint32_t column = 0; column < SIZE; column++) {
+            float u = (float)((column + 0.5) / SIZE * tiles), v = (float)((row + 0.5) / SIZE * tiles), want;
+            float lod = (float)fmax(log2(tiles), 0), drawn = image.pixels[3 * (row * SIZE + column)], dark;
+            if (fine.form == COLUMNS_VOLUME) {
+                hatch_volume_sample(&volume, u, v, (float)tone, lod, true, &want);
+                dark = want;
+            } else {
+                double margin = tiles < 1 ? FILTER : 0;
+                want = hatch_thresholds_sample(&thresholds, u, v, (float)(tone - margin), lod);
+                dark = hatch_thresholds_sample(&thresholds, u, v, (float)(tone + margin), lod);
+            }
+            worst = fmax(worst, fmax((double)(drawn - want), (double)(dark - drawn)));
+        }
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+    return worst;
+}
+
+static void check_volume(enum hatch_volume_layout layout)
+{
+    static const double tones[] = {0, 0.01, 0.06, 0.3, 0.517, 0.99, 1}, tiles[] = {0.4, 1, 2, 4};
+    frame_arenas(&frame);
+    nested_map();
+    make_volume(layout);
+    for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
+        for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
+            double worst = worst_of("volume", tones[t], tiles[k]);
+            ck_assert_msg(worst <= (tiles[k] < 1 ? FILTER + 0.5 / 255 : 1.0 / 255), "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
+        }
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+
+START_TEST(volume_is_its_model)
+{
+    check_volume(HATCH_VOLUME_3D);
+}
+END_TEST
+
+START_TEST(volume_in_layers_is_its_model)
+{
+    check_volume(HATCH_VOLUME_ARRAY);
+}
+END_TEST
+
+START_TEST(threshold_is_its_model)
+{
+    static const double tones[] = {0, 0.06, 0.3, 0.517, 0.99}, tiles[] = {0.4, 1, 2, 4};
+    frame_arenas(&frame);
+    nested_map();
+    make_thresholds();
+    for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
+        for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
+            double worst = worst_of("threshold", tones[t], tiles[k]);
+            ck_assert_msg(worst <= (tiles[k] < 1 ? HEIGHTS : 1.0) / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
+        }
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
+/* A tone of nothing is bare paper, whatever the technique. */
+START_TEST(no_tone_is_paper)
+{
+    frame_arenas(&frame);
+    nested_map();
+    make_thresholds();
+    begin(0, 1);
+    struct hatch_image image;
+    frame_draw(&frame, "threshold-soft", &map_facing, SIZE, SIZE, 1, &image);
+    for (size_t i = 0; i < 3 * SIZE * SIZE; i++)
+        ck_assert_float_eq(image.pixels[i], 1.0f);
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render fine");
+    TCase *tests = tcase_create("fine");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, volume_is_its_model);
+    tcase_add_test(tests, volume_in_layers_is_its_model);
+    tcase_add_test(tests, threshold_is_its_model);
+    tcase_add_test(tests, no_tone_is_paper);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
