@@ -40,8 +40,8 @@ static const char *const seed_loops[] = {"coverage", "brute", NULL};
 static struct cmd_option table[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
      &technique, NULL, &technique_given},
-    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it", &map_path, NULL,
-     NULL},
+    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it",
+     &map_path, NULL, NULL},
     {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
      &seeds, NULL, NULL},
     {0, "layers", CMD_TEXT, 0, 0, "FILE", "+rptam: strokes and tones of each layer, a line each", &layers_path, NULL,
