@@ -63,6 +63,7 @@ void orbit_zoom(struct orbit *orbit, double factor)
     if (!(distance > ORBIT_NEAREST && distance < ORBIT_FARTHEST))
         return;
     orbit->distance = distance;
+    view_free_near(&orbit->view);
     if (orbit->view.orthographic)
         orbit->view.half_height *= factor;
     place(orbit);

@@ -204,6 +204,14 @@ enum hatch_status view_make(const struct view_choice *choice, struct pose *pose,
     return HATCH_OK;
 }
 
+void view_free_near(struct view *view)
+{
+    if (view->orthographic)
+        return;
+    view->near = fmin(view->near, VIEW_NEAR);
+    view->near_is_own = true;
+}
+
 static void turn(double v[3], double c, double s)
 {
     double x = c * v[0] + s * v[2];

@@ -59,6 +59,9 @@ struct hatch_pair view_unit(const struct bounds *bounds, int axis, double world)
 /* The same view with the scene turned by angle_rad about the vertical through its middle. */
 void view_turn(struct view *view, double angle_rad);
 
+/* The near plane of a view that is moved from where it was made is nobody's wish any more. */
+void view_free_near(struct view *view);
+
 /* Puts the axes right for a direction to the camera; back need not be a unit vector. */
 void view_set_back(struct view *view, const double back[3]);
 

@@ -57,6 +57,7 @@ enum hatch_status zoom_view(struct pose *pose, const struct pose_span *moment, c
         view->eye_rest[k] = eye.low;
     }
     view->pivot = distance / factor;
+    view_free_near(view);
     if (view->orthographic)
         view->half_height /= factor;
     return HATCH_OK;

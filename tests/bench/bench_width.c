@@ -1,6 +1,7 @@
 /* How wide strokes are on the screen, over what was asked, on the teapot seen from 0.01 to 1000 radii: of rptam
- * as it is drawn and as Algorithm 2 is printed, which measures across the strokes on the surface and not in the
- * picture, and of a tonal art map of four levels that suits a distance of 3 radii. Widths are those across the stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
+ * as it is drawn; as Algorithm 2 is printed, which measures across the strokes on the surface and not in the
+ * picture; and of a tonal art map of four levels that suits a distance of 3 radii. Widths are those across the
+ * stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
 #include <stdio.h>
 #include <stdlib.h>
 
