@@ -2,6 +2,8 @@
 #
 #     make -f gallery.mk OUT=docs
 OUT  ?= .
+# What tamgen --replay draws, where it is at hand.
+DRAWING ?= tests/drawings/hatching.svg
 SIZE ?= 640x480
 
 SHELL := /bin/bash
@@ -11,8 +13,8 @@ SHELL := /bin/bash
 # Large intermediate files stay out of the folder of pictures.
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
-pictures := teapot torus ellipsoid stipple scratchboard grey threshold
-all: $(pictures:%=$(OUT)/%.png) $(OUT)/sheet.png $(OUT)/zoom-0.png
+pictures := teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
+all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png $(OUT)/zoom-0.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -32,6 +34,16 @@ $(OUT)/grey.png: $(call map,crayon)
 	$(call draw,teapot,crayon,--paper '#a8a49c' --ink black$(comma)white)
 $(OUT)/threshold.png: $(call map,ink)
 	$(call draw,saddle,ink,--technique tam-threshold)
+
+$(OUT)/arcs.png: $(call map,arcs)
+	$(call draw,torus,arcs,--from 20:40)
+$(OUT)/speckle.png: $(call map,speckle)
+	$(call draw,teapot,speckle,--technique tam-triple)
+$(OUT)/chalk.png: $(call map,chalk)
+	$(call draw,ellipsoid,chalk,--paper '#b9b2a6' --ink black$(comma)white)
+$(OUT)/replay.png: $(DRAWING)
+	mkdir -p $(OUT)
+	tamgen --replay $< --fit --quiet --size 128 --contact-sheet $@ -o /dev/null
 
 # rptam.mk stands beside this file.
 $(OUT)/zoom-0.png:
