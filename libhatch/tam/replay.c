@@ -3,12 +3,16 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/random.h"
 #include "image/color.h"
 #include "tam/column.h"
+#include "tam/potential.h"
 
-/* How many strokes --fit looks at for the one that closes a last gap best. */
+/* How many strokes --fit looks at for the one that lies emptiest, and at last for the one that closes the gap
+ * best. More of the first are more even, and their colours less so. */
+#define LOOKAHEAD 4u
 #define CLOSING_CANDIDATES 64u
 
 /* One stroke's place in the order in which --fit takes them. */
@@ -25,6 +29,7 @@ struct replay {
     float targets[HATCH_TAM_TONES_MAX];
     uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* the column in which a level first has the stroke, from 1 */
     uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* strokes before it were looked at in their order */
+    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of each coarser level's own strokes */
     struct lot *lots;                           /* strokes in the order in which fit takes them */
     double largest;                             /* darkness that a stroke added or would have added */
     struct hatch_replay_result result;
@@ -44,6 +49,10 @@ static void take(struct replay *r, uint32_t level, uint32_t stroke, uint32_t ton
 {
     hatch_canvas_draw(&r->canvas, &r->strokes[stroke], level, 0, 1);
     r->entered[level][stroke] = (uint16_t)(tone + 1);
+    if (level && r->options->fit) {
+        hatch_potential_deposit(&r->field[level], &r->canvas, level);
+        hatch_potential_settle(&r->field[level]);
+    }
 }
 
 /* Whether the next finer level has the stroke, and this one may take it. */
@@ -111,6 +120,24 @@ static uint32_t draw_lots(struct replay *r, uint32_t level, uint32_t tone)
     return count;
 }
 
+/* Moves that of the next few to the front that lies where the image is emptiest: a drawing that is even is as
+ * uneven as chance when strokes leave it by lot. A path is judged along its chord. */
+static void choose_emptiest(struct replay *r, uint32_t level, uint32_t from, uint32_t count)
+{
+    uint32_t best = from;
+    float best_score = INFINITY;
+    for (uint32_t i = from; i < count && i < from + LOOKAHEAD; i++) {
+        float score = hatch_potential_score(&r->field[level], &r->strokes[r->lots[i].stroke], UINT32_MAX);
+        if (score < best_score) {
+            best_score = score;
+            best = i;
+        }
+    }
+    struct lot chosen = r->lots[best];
+    memmove(&r->lots[from + 1], &r->lots[from], (best - from) * sizeof chosen);
+    r->lots[from] = chosen;
+}
+
 /* Takes the stroke that brings the image closest, of those left in the lots from `from` on. */
 static void close_gap(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from,
                       uint32_t count)
@@ -128,12 +155,13 @@ static void close_gap(struct replay *r, uint32_t level, uint32_t tone, double ta
         take(r, level, best, tone);
 }
 
-/* The share of this column's new strokes at which its tone is met: strokes enter in the order of their lots,
- * so that the share is found by the stroke, where bisection would end. */
+/* The share of this column's new strokes at which its tone is met. It is found without a bisection: as they
+ * enter in the order of their lots, the first that would overshoot says where one would end. */
 static bool fill_by_share(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
     uint32_t count = draw_lots(r, level, tone);
     for (uint32_t i = 0; i < count; i++) {
+        choose_emptiest(r, level, i, count);
         if (judge(r, level, r->lots[i].stroke, target) == LEAVE) {
             close_gap(r, level, tone, target, i + 1, count);
             return true;
@@ -230,8 +258,12 @@ static enum hatch_status set_targets(struct replay *r, const struct hatch_brush 
     return HATCH_OK;
 }
 
-static enum hatch_status make_lists(struct replay *r, struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status make_lists(struct replay *r, const struct hatch_brush *brush,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
+    for (uint32_t level = 1; r->options->fit && level < r->options->levels; level++)
+        HATCH_TRY(hatch_potential_make(scratch, r->options->size_px, r->options->levels, brush,
+                                       &r->field[level], err));
     for (uint32_t level = 0; level < r->options->levels; level++) {
         r->entered[level] = HATCH_NEW(scratch, uint16_t, r->count, err);
         if (!r->entered[level])
@@ -267,7 +299,7 @@ static enum hatch_status replay(struct replay *r, const struct hatch_brush *brus
 {
     struct hatch_style style;
     HATCH_TRY(set_targets(r, brush, targets, scratch, err));
-    HATCH_TRY(make_lists(r, scratch, err));
+    HATCH_TRY(make_lists(r, brush, scratch, err));
     HATCH_TRY(make_canvas(r, brush, r->options->levels, r->options->ids, &style, scratch, &r->canvas, err));
     for (uint32_t tone = 0; tone < r->options->tones; tone++) {
         for (uint32_t level = 0; level < r->options->levels; level++)

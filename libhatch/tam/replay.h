@@ -14,7 +14,7 @@ struct hatch_replay_options {
      * the drawing that is kept, at random, from level to level, before the first ones are taken until the
      * tone is met; 1: the first ones. */
     float keep;
-    bool fit;         /* find the share for each image by bisection instead */
+    bool fit;         /* take of each tone's new strokes the share that meets it, found stroke by stroke */
 };
 
 /* A tone error that nobody sees. Chroma and hue are those of image/color.h. */
