@@ -114,23 +114,24 @@ static enum hatch_status make_posed(const struct gpu_scene *scene, const struct 
                                     struct hatch_arena *posed, struct near_shape *shape,
                                     struct hatch_err *err)
 {
-    size_t count = scene->scene->meshes[item->mesh].mesh.vertex_count;
+    struct near_shape made = *shape;
     struct near_faces lists[2];
     struct pose pose = scene->pose;
-    double *positions = HATCH_NEW(posed, double, 3 * count, err);
-    if (!positions)
+    made.positions =
+        HATCH_NEW(posed, double, 3 * (size_t)scene->scene->meshes[item->mesh].mesh.vertex_count, err);
+    if (!made.positions)
         return HATCH_LIMIT;
-    pose_vertices(&pose, item->node, item->mesh, positions, NULL);
-    shape->positions = positions;
+    pose_vertices(&pose, item->node, item->mesh, made.positions, NULL);
     int list_count = near_lists(scene, item, lists);
     for (int which = 0; which < list_count; which++) {
         size_t blocks = (lists[which].count + (size_t)NEAR_BLOCK - 1) / NEAR_BLOCK;
-        shape->blocks[which] = HATCH_NEW(posed, struct near_ball, blocks, err);
-        if (!shape->blocks[which])
+        made.blocks[which] = HATCH_NEW(posed, struct near_ball, blocks, err);
+        if (!made.blocks[which])
             return HATCH_LIMIT;
         for (size_t block = 0; block < blocks; block++)
-            set_block(scene, shape, &lists[which], NEAR_BLOCK * block, &shape->blocks[which][block]);
+            set_block(scene, &made, &lists[which], NEAR_BLOCK * block, &made.blocks[which][block]);
     }
+    *shape = made;
     return HATCH_OK;
 }
 

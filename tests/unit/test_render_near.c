@@ -1,0 +1,142 @@
+/* Pieces of near faces on lapped and on moving surfaces, and when memory runs out. */
+#include "render_lapped.h"
+
+#include "math/vector.h"
+#include "rptam_model.h"
+
+enum { WIDE = 64, HIGH = 48 };
+
+static struct hatch_rptam rptam;
+
+/* Hatch coordinates of one's own in each patch. */
+static void place_turned(uint32_t patch, const float *position, float hatch[2], float outline[2])
+{
+    float turn = 0.3f + (float)patch;
+    hatch[0] = cosf(turn) * position[0] - sinf(turn) * position[1] + 0.3f * position[2];
+    hatch[1] = sinf(turn) * position[0] + cosf(turn) * position[1] - 0.2f * position[2];
+    outline[0] = outline[1] = 0.5f;
+}
+
+static const struct cut whole = {.count = 3, .materials = 1, .place = place_turned};
+
+static void make_model(void)
+{
+    static const struct model_how how_drawn = {.layers = 2, .tile_px = 40, .length_px = 14, .width_px = 2};
+    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
+    frame.renderer.rptam = &rptam;
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.5;
+}
+
+/* Near a torus's face, off its normal. */
+static struct view view_near(const struct hatch_mesh *mesh, double distance, const double shift[3])
+{
+    double corner[3][3], normal[3], side[3];
+    struct view_choice choice = {.kind = VIEW_EYE, .fov_rad = 0.5, .has_target = true};
+    struct view view;
+    ck_assert(hatch_mesh_corners(mesh, 300, corner));
+    hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
+    hatch_vec_normalize(normal);
+    hatch_vec_any_orthogonal(normal, side);
+    for (int k = 0; k < 3; k++) {
+        choice.target[k] = 0.3 * corner[0][k] + 0.3 * corner[1][k] + 0.4 * corner[2][k] + shift[k];
+        choice.eye[k] = choice.target[k] + distance * (0.9 * normal[k] + 0.44 * side[k]);
+    }
+    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH, &frame.scratch,
+                            &view, &frame.err),
+                  &frame.err);
+    return view;
+}
+
+static const double nowhere[3] = {0, 0, 0};
+
+/* Patches that cover all: the picture is that of the last one's coordinates without patches. */
+START_TEST(lapped_surfaces_hold)
+{
+    const double distance = exp2(-12 - 8 * _i);
+    struct hatch_image pictures[2];
+    begin();
+    for (uint32_t i = 0; i < SIZE * SIZE; i++)
+        mask.pixels[2 * i + 1] = 1;
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    begin_lapped(&torus, &whole);
+    make_model();
+    struct view view = view_near(&torus, distance, nowhere);
+    frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[0]);
+    ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
+    struct hatch_mesh last = patch_of(&torus, &whole, whole.count - 1);
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+    frame_begin(&last, &frame_unit, NULL, &frame);
+    make_model();
+    frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[1]);
+    double ink = 0;
+    for (size_t i = 0; i < 3 * WIDE * HIGH; i++)
+        ink += 1 - (double)pictures[1].pixels[i];
+    ck_assert_double_gt(ink, 3 * WIDE * HIGH * 0.1);
+    ck_assert_double_le(worst_difference(&pictures[0], &pictures[1]), 1 / 255.0);
+    frame_end(&frame);
+}
+END_TEST
+
+/* A surface that goes away and comes back, and an eye that goes with it: the same picture. */
+START_TEST(surfaces_may_move)
+{
+    static const double away[3] = {0.25, -0.5, 0.125};
+    struct hatch_image pictures[3];
+    begin();
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    frame_begin(&torus, &frame_unit, NULL, &frame);
+    make_model();
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            frame.scene.nodes[0].translation[k] = i == 1 ? (float)away[k] : 0.0f;
+        HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, i, &frame.scratch, &frame.err), &frame.err);
+        struct view view = view_near(&torus, 0x1p-30, i == 1 ? away : nowhere);
+        frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[i]);
+        ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
+    }
+    ck_assert_double_le(worst_difference(&pictures[0], &pictures[2]), 0);
+    /* Sums of coordinates of other sizes are rounded otherwise, by 2^-23 of the distance or less. */
+    ck_assert_double_le(worst_difference(&pictures[0], &pictures[1]), 0.02);
+    frame_end(&frame);
+}
+END_TEST
+
+/* Memory ends at every size: a status, and a picture when there is enough again. */
+START_TEST(too_little_memory_is_a_status)
+{
+    static const struct tile tile = {0, 0, WIDE, HIGH, WIDE, HIGH};
+    const struct near_wish wish = {.pieces = true, .hatch = {1, 0}, .tile = &tile};
+    uint32_t refused = 0;
+    begin();
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    frame_begin(&torus, &frame_unit, NULL, &frame);
+    struct view view = view_near(&torus, 0x1p-30, nowhere);
+    for (uint64_t bytes = 1024; bytes < (uint64_t)64 << 20; bytes += bytes / 3) {
+        struct near near = {.is_open = false};
+        enum hatch_status status = HATCH_LIMIT;
+        for (int again = 0; again < 3; again++)
+            status = near_begin(&near, &frame.gpu, &wish, &view, bytes, &frame.err);
+        ck_assert(status == HATCH_OK || status == HATCH_LIMIT);
+        ck_assert_int_eq(near_find(&near, 0) != NULL, status == HATCH_OK);
+        refused += status == HATCH_LIMIT;
+        near_free(&near);
+    }
+    ck_assert_uint_gt(refused, 3);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render near");
+    TCase *tests = tcase_create("near");
+    tcase_add_loop_test(tests, lapped_surfaces_hold, 0, 4);
+    tcase_add_test(tests, surfaces_may_move);
+    tcase_add_test(tests, too_little_memory_is_a_status);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
