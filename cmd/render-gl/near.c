@@ -112,8 +112,8 @@ static enum hatch_status choose(struct near *near, struct near_frame *frame, str
         HATCH_TRY(near_shape_make(scene, item, &near->kept, &near->posed, &near->shapes[i], err));
         int list_count = near_lists(scene, item, lists);
         for (int which = 0; which < list_count; which++)
-            HATCH_TRY(near_choose(frame, item, &near->shapes[i], &lists[which], which, &near->frame,
-                                  &choices[2 * (size_t)i + (size_t)which], err));
+            HATCH_TRY(near_choose(frame, item, &near->shapes[i], &lists[which], which, &near->kept,
+                                  &near->frame, &choices[2 * (size_t)i + (size_t)which], err));
     }
     return HATCH_OK;
 }

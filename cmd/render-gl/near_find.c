@@ -95,7 +95,12 @@ static struct near_ball ball_around(const double low[3], const double high[3])
 bool near_touches(const struct near_frame *frame, const struct gpu_item *item)
 {
     const struct near_ball ball = ball_around(item->low, item->high);
-    return ball_touches(frame, &ball, reach_of(frame, item));
+    double reach = reach_of(frame, item), square = 0;
+    for (int k = 0; k < 3 && !frame->view->orthographic; k++) {
+        double eye = frame->view->eye[k], out = fmax(fmax(item->low[k] - eye, eye - item->high[k]), 0);
+        square += out * out;
+    }
+    return sqrt(square) < reach && ball_touches(frame, &ball, reach);
 }
 
 static void set_block(const struct gpu_scene *scene, const struct near_shape *shape,
@@ -139,22 +144,12 @@ enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gp
                                   struct hatch_arena *kept, struct hatch_arena *posed,
                                   struct near_shape *shape, struct hatch_err *err)
 {
-    const struct hatch_mesh *mesh = &scene->scene->meshes[item->mesh].mesh;
-    if (!shape->points) {
-        uint32_t count;
-        uint32_t *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
-        shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
-        if (!shape->marks)
-            return HATCH_LIMIT;
-        HATCH_TRY(hatch_mesh_weld(mesh, kept, points, &count, err));
-        shape->points = points;
-    }
+    size_t count = scene->scene->meshes[item->mesh].mesh.vertex_count;
     if (item->repeats && shape->repeats_set != item->repeats_set) {
-        shape->repeats = HATCH_NEW(kept, float, 2 * (size_t)mesh->vertex_count, err);
+        shape->repeats = HATCH_NEW(kept, float, 2 * count, err);
         if (!shape->repeats)
             return HATCH_LIMIT;
-        glGetNamedBufferSubData(item->repeats, 0, (GLsizeiptr)(2 * sizeof(float) * mesh->vertex_count),
-                                shape->repeats);
+        glGetNamedBufferSubData(item->repeats, 0, (GLsizeiptr)(2 * sizeof(float) * count), shape->repeats);
     }
     if (!item->repeats)
         shape->repeats = NULL;
@@ -162,23 +157,41 @@ enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gp
     return shape->positions ? HATCH_OK : make_posed(scene, item, posed, shape, err);
 }
 
-static bool face_is_near(struct near_frame *frame, const struct near_shape *shape,
-                         const struct near_faces *faces, size_t face, double reach, struct box *marked)
+static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept,
+                                     struct near_shape *shape, struct hatch_err *err)
 {
-    double unit[3][3], corner[3][3];
+    uint32_t count, *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
+    shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
+    if (!shape->marks)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, kept, points, &count, err));
+    shape->points = points;
+    return HATCH_OK;
+}
+
+static bool face_is_near(struct near_frame *frame, const struct near_shape *shape,
+                         const struct near_faces *faces, size_t face, double reach)
+{
+    double unit[3], corner[3][3];
     for (size_t k = 0; k < 3; k++) {
-        corner_in_unit(frame->scene, shape, near_corner(faces, face, k), unit[k]);
-        from_eye(frame, unit[k], corner[k]);
+        corner_in_unit(frame->scene, shape, near_corner(faces, face, k), unit);
+        from_eye(frame, unit, corner[k]);
     }
     double distance = hatch_piece_distance((const double(*)[3])corner);
     frame->nearest = fmin(frame->nearest, distance);
-    if (!(distance < reach))
-        return false;
+    return distance < reach;
+}
+
+static void mark_face(const struct near_frame *frame, const struct near_shape *shape,
+                      const struct near_faces *faces, size_t face, struct box *marked)
+{
     for (size_t k = 0; k < 3; k++) {
-        shape->marks[shape->points[near_corner(faces, face, k)]] = frame->number;
-        grow_box(marked, unit[k]);
+        uint32_t vertex = near_corner(faces, face, k);
+        double unit[3];
+        shape->marks[shape->points[vertex]] = frame->number;
+        corner_in_unit(frame->scene, shape, vertex, unit);
+        grow_box(marked, unit);
     }
-    return true;
 }
 
 static bool ball_meets(const struct near_ball *ball, const struct box *marked)
@@ -227,8 +240,9 @@ static enum hatch_status make_room(const struct near_frame *frame, const struct 
 }
 
 enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
-                              const struct near_shape *shape, const struct near_faces *faces, int which,
-                              struct hatch_arena *arena, struct near_choice *choice, struct hatch_err *err)
+                              struct near_shape *shape, const struct near_faces *faces, int which,
+                              struct hatch_arena *kept, struct hatch_arena *arena, struct near_choice *choice,
+                              struct hatch_err *err)
 {
     const struct near_ball *blocks = shape->blocks[which];
     struct box marked = {.any = false};
@@ -239,9 +253,15 @@ enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *i
         if (!ball_touches(frame, &blocks[begin / NEAR_BLOCK], reach))
             continue;
         for (uint32_t face = begin; face < block_end(faces, begin); face++)
-            if (face_is_near(frame, shape, faces, face, reach, &marked))
+            if (face_is_near(frame, shape, faces, face, reach))
                 choice->near_faces[choice->near_count++] = face;
     }
+    if (!choice->near_count)
+        return HATCH_OK;
+    if (!shape->points)
+        HATCH_TRY(make_points(&frame->scene->scene->meshes[item->mesh].mesh, kept, shape, err));
+    for (uint32_t i = 0; i < choice->near_count; i++)
+        mark_face(frame, shape, faces, choice->near_faces[i], &marked);
     HATCH_TRY(make_room(frame, blocks, faces->count, reach, &marked, arena, &choice->piece_faces, err));
     choose_ring(frame, shape, faces, which, &marked, choice);
     return HATCH_OK;

@@ -29,7 +29,7 @@ struct near_ball {
 struct near_shape {
     double *positions;           /* three a vertex, in the world; NULL: not made for this pose */
     struct near_ball *blocks[2]; /* of the surface's faces, and of the patches' */
-    uint32_t *points;            /* of each vertex: one number at each position */
+    uint32_t *points;            /* of each vertex: one number at each position; NULL: nothing was near yet */
     uint32_t *marks;             /* of each point: the last frame in which a near face has it */
     float *repeats;              /* two a vertex, or NULL */
     uint32_t repeats_set;        /* of the item when they were read */
@@ -55,15 +55,16 @@ struct near_choice {
 /* Is anything of the item within reach? */
 bool near_touches(const struct near_frame *frame, const struct gpu_item *item);
 
-/* Makes of the item's shape what the pose, the points and the repeats need. */
+/* Makes of the item's shape what the pose and the repeats need. */
 enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item,
                                   struct hatch_arena *kept, struct hatch_arena *posed,
                                   struct near_shape *shape, struct hatch_err *err) HATCH_MUST_USE;
 
-/* which: 0 the surface's faces, 1 the patches'. Marks the points of near faces. */
+/* which: 0 the surface's faces, 1 the patches'. Marks the points of near faces. kept: for the shape's points;
+ * arena: for the choice. */
 enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
-                              const struct near_shape *shape, const struct near_faces *faces, int which,
-                              struct hatch_arena *arena, struct near_choice *choice,
+                              struct near_shape *shape, const struct near_faces *faces, int which,
+                              struct hatch_arena *kept, struct hatch_arena *arena, struct near_choice *choice,
                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* The item's lists of faces; returns how many it has: 1, or 2 with patches. */
