@@ -148,6 +148,37 @@ START_TEST(bytes_do_not_depend_on_the_threads)
 }
 END_TEST
 
+/* Pixels, and the sentence on a damaged file: that of its first damaged part. */
+START_TEST(what_is_read_does_not_depend_on_the_threads)
+{
+    struct hatch_mipmap parts[PARTS], *got[2] = {NULL, NULL};
+    struct hatch_pool *pool;
+    struct hatch_err errs[2];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < PARTS; i++)
+        make_part(&kinds[0], i, &parts[i]);
+    struct hatch_buffer file = write_all(parts, PARTS, 1);
+    struct hatch_bytes bytes = {file.data, file.size};
+    HATCH_TEST_OK(hatch_pool_make(4, &keep, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_exr_read(bytes, pool, &keep, &scratch, &got[0], &count, &err), &err);
+    ck_assert_uint_eq(count, PARTS);
+    for (uint32_t i = 0; i < PARTS; i++)
+        same_part(&got[0][i], &parts[i]);
+    uint32_t damaged = 0;
+    for (size_t at = file.size / 4; at < file.size; at += file.size / 23) {
+        enum hatch_status status[2];
+        memset(file.data + at, 0x55, 40);
+        for (int i = 0; i < 2; i++)
+            status[i] = hatch_exr_read(bytes, i ? pool : NULL, &keep, &scratch, &got[i], &count, &errs[i]);
+        ck_assert_int_eq(status[0], status[1]);
+        damaged += status[0] != HATCH_OK;
+        ck_assert(status[0] == HATCH_OK || strcmp(errs[0].text, errs[1].text) == 0);
+    }
+    ck_assert_uint_gt(damaged, 10);
+    hatch_pool_free(pool);
+}
+END_TEST
+
 START_TEST(every_cut_is_refused)
 {
     struct hatch_mipmap parts[2], *got = NULL;
@@ -276,6 +307,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, what_is_written_is_read, 0, sizeof kinds / sizeof *kinds);
     tcase_add_test(tests, bytes_do_not_depend_on_the_threads);
+    tcase_add_test(tests, what_is_read_does_not_depend_on_the_threads);
     tcase_add_test(tests, every_cut_is_refused);
     tcase_add_test(tests, what_is_no_exr_file_is_told_so);
     tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_anything_is_taken);
