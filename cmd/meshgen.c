@@ -11,7 +11,7 @@ static double jitter, noise;
 static int uv;
 static bool field;
 
-static const char *const uv_choices[] = {"natural", "even", NULL};
+static const char *const uv_choices[] = {"natural", "even", "whole", NULL};
 
 static const struct cmd_option options[] = {
     {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N",
@@ -21,7 +21,7 @@ static const struct cmd_option options[] = {
     {'N', "noise", CMD_REAL, 0, 1, "SHARE",
      "displacement along the normals, in mean edge lengths (default 0)", &noise, NULL, NULL},
     {'u', "uv", CMD_CHOICE, 0, 0, "HOW",
-     "v within a patch: natural (its parameter; default) or even (length)", &uv, uv_choices, NULL},
+     "natural (the parameter; default), even (v by length), whole (0 to 1)", &uv, uv_choices, NULL},
     {'f', "field", CMD_FLAG, 0, 0, NULL,
      "add the shape's true principal directions, as dirfield would write them", &field, NULL, NULL},
     {0},

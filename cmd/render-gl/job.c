@@ -152,8 +152,10 @@ static void upload(struct job *job)
     open_context(job);
     cmd_check(scene_upload(&job->scene, job->patches, &bounds, keep, scratch, &job->gpu, &err), name,
               &err);
-    material_upload(&job->args, name, options->style.base_tone, job->context.size_max_px,
-                    &job->gpu);
+    material_upload(&job->args, name, options->style.base_tone && !options->modulate_path,
+                    job->context.size_max_px, &job->gpu);
+    if (options->modulate_path)
+        material_modulate(&job->args, options->modulate_path, job->context.size_max_px, &job->gpu);
 }
 
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err)

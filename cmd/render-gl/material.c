@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "cmd_picture.h"
 #include "filter/pyramid.h"
 #include "io/foreign.h"
 
@@ -120,6 +121,13 @@ static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item,
     return NULL;
 }
 
+/* Tone that is taken at vertices must not hold detail that lies between them. */
+static void set_lod(struct gpu_item *item, const struct hatch_mesh *mesh)
+{
+    float vertices_side = sqrtf((float)mesh->vertex_count);
+    item->base_lod = fmaxf(0.0f, log2f(item->base_side_px / fmaxf(vertices_side, 1.0f)));
+}
+
 void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px,
                      struct gpu_scene *gpu)
 {
@@ -142,10 +150,29 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint
             other ? other->base_texture
                   : decode(args, file, size_max_px, scene, material, outline, &side_px);
         item->base_side_px = other ? other->base_side_px : side_px;
-        /* Tone that is taken at vertices must not hold detail that lies between them. */
-        float vertices_side = sqrtf((float)mesh->mesh.vertex_count);
-        item->base_lod = fmaxf(0.0f, log2f(item->base_side_px / fmaxf(vertices_side, 1.0f)));
+        set_lod(item, &mesh->mesh);
     }
+}
+
+void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct gpu_scene *gpu)
+{
+    static const enum hatch_wrap wrap[2] = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT};
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_image image;
+    struct hatch_err err;
+    cmd_read_picture(args, path, 1, &args->keep, &image);
+    cmd_check(fit(&image, size_max_px, &args->scratch, &err), path, &err);
+    for (uint32_t i = 0; i < gpu->item_count; i++) {
+        struct gpu_item *item = &gpu->items[i];
+        if (gpu->meshes[item->mesh].patches || item->alpha_cutoff > 0)
+            continue;
+        glDeleteTextures(1, &item->base_texture);
+        item->base_texture = upload(&image, wrap);
+        item->base_side_px = (float)(image.width > image.height ? image.width : image.height);
+        item->base_lightness = 1;
+        set_lod(item, &gpu->scene->meshes[item->mesh].mesh);
+    }
+    hatch_arena_rewind(&args->scratch, mark);
 }
 
 void material_free(struct gpu_scene *gpu)

@@ -13,13 +13,13 @@
 /* What the table fills; options_read turns it into struct options. */
 static int technique, show;
 static const char *map_path, *paper = "white", *ink = "black";
-static const char *camera, *uv_scale = "auto", *shader_folder;
+static const char *camera, *uv_scale = "auto", *shader_folder, *modulate;
 static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
 static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anisotropy = 1;
 static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static bool range_given, light_given, specular_given, base_tone, turntable, probe, window;
+static bool range_given, light_given, specular_given, base_tone, pixel_light, turntable, probe, window;
 static const char *seeds, *layers_path, *drawing = "ink";
 static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile, overlap = 0.3;
 static double zoom = 1;
@@ -97,6 +97,10 @@ static struct cmd_option table[] = {
      &exposure, NULL, NULL},
     {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone",
      &base_tone, NULL, NULL},
+    {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+the same of an image over the texture coordinates", &modulate, NULL,
+     NULL},
+    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel: gouraud, volume, threshold", &pixel_light, NULL,
+     NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
      &uv_scale, NULL, NULL},
     {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
@@ -190,7 +194,8 @@ static void read_style(struct style *style)
                             .anisotropy = (float)anisotropy,
                             .hatch_turn_rad = hatch_turn * RADIANS,
                             .hatch_scale = hatch_scale,
-                            .base_tone = base_tone};
+                            .base_tone = base_tone || modulate,
+                            .pixel_light = pixel_light};
     size_t first = strcspn(ink, ",");
     words_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
     words_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
@@ -282,6 +287,10 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
     if (!map_path && techniques[technique]->columns != COLUMNS_NONE)
         cmd_usage("technique %s needs %s: --tam FILE", techniques[technique]->name,
                   columns_name(techniques[technique]->columns));
+    if (pixel_light && !techniques[technique]->pixel_light)
+        cmd_usage("--pixel-light goes with gouraud, volume and threshold, not with %s", techniques[technique]->name);
+    if (modulate && base_tone)
+        cmd_usage("--modulate takes the place of --texture-tone");
     if (probe && !map_path)
         cmd_usage("--probe needs a tonal art map: --tam FILE");
     check_frames(args);
@@ -291,6 +300,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .map_path = map_path,
                                 .scene_path = args->operand_count ? args->operands[0] : NULL,
                                 .shader_folder = shader_folder,
+                                .modulate_path = modulate,
                                 .high_given = range_given,
                                 .repeat = read_uv_scale(),
                                 .width = (uint32_t)size[0],

@@ -33,6 +33,7 @@ struct options {
     const char *map_path;    /* NULL: none */
     const char *scene_path;  /* of the first; NULL: standard input */
     const char *shader_folder;
+    const char *modulate_path; /* NULL: none */
     struct style style;
     struct seed_choice seeds;
     struct line_style lines;

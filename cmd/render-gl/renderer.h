@@ -23,6 +23,7 @@ struct style {
     float anisotropy; /* 1 .. 16 */
     double hatch_turn_rad, hatch_scale; /* of the strokes on their surface; scale over 0 */
     bool base_tone;   /* the materials' colours and textures count as tone */
+    bool pixel_light; /* techniques that can light pixels, not vertices */
 };
 
 struct renderer {

@@ -31,6 +31,7 @@ struct technique {
     bool seeds;                   /* it draws strokes at seeds */
     struct shader_stages stages;
     const char *defines;          /* lines before each stage, "" for none */
+    bool pixel_light;             /* it can light each pixel: its shaders know PIXEL_LIGHT */
     uint32_t samples;             /* a pixel, by default; 0: what the option says */
     uint32_t pass_count;          /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
     const char *pass_names[TECHNIQUE_PASSES_MAX];

@@ -7,6 +7,7 @@ const struct technique technique_gouraud = {
     .columns = COLUMNS_NONE,
     .stages = {.vertex = "gouraud.vert", .fragment = "gouraud.frag"},
     .defines = "",
+    .pixel_light = true,
     .pass_count = 1,
     .patches = PATCHES_UNSEEN,
     .pass_names = {"tone"},

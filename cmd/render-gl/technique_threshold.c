@@ -7,6 +7,7 @@ const struct technique technique_threshold = {
     .columns = COLUMNS_THRESHOLDS,
     .stages = {.vertex = "gouraud.vert", .fragment = "threshold.frag"},
     .defines = "#define STROKES 1\n",
+    .pixel_light = true,
     .pass_count = 1,
     .pass_names = {"strokes"},
 };

@@ -7,6 +7,7 @@ const struct technique technique_threshold_soft = {
     .columns = COLUMNS_THRESHOLDS,
     .stages = {.vertex = "gouraud.vert", .fragment = "threshold.frag"},
     .defines = "#define STROKES 1\n#define SOFT 1\n",
+    .pixel_light = true,
     .pass_count = 1,
     .pass_names = {"strokes"},
 };

@@ -7,6 +7,7 @@ const struct technique technique_volume = {
     .columns = COLUMNS_VOLUME,
     .stages = {.vertex = "gouraud.vert", .fragment = "volume.frag"},
     .defines = "#define VOLUME 1\n#define STROKES 1\n",
+    .pixel_light = true,
     .pass_count = 1,
     .pass_names = {"strokes"},
 };

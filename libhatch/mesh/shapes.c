@@ -75,11 +75,12 @@ static void lay_texture(struct surfaces *s, enum hatch_shape_uv uv)
 {
     for (uint32_t g = 0; g < s->count; g++) {
         struct hatch_grid *grid = &s->grids[g];
-        grid->u_repeats = at_least(1, round(s->sizes[g].u / HATCH_SHAPE_TILE));
+        bool once = uv == HATCH_SHAPE_UV_WHOLE;
+        grid->u_repeats = once ? 1 : at_least(1, round(s->sizes[g].u / HATCH_SHAPE_TILE));
         double v = 0, whole = 0;
         for (uint32_t p = 0; p < grid->surface.v_pieces; p++)
             whole += s->sizes[g].v[p];
-        double repeats = at_least(1, round(whole / HATCH_SHAPE_TILE));
+        double repeats = once ? 1 : at_least(1, round(whole / HATCH_SHAPE_TILE));
         for (uint32_t p = 0; p <= grid->surface.v_pieces; p++) {
             /* Sixty-fourths: the measured length's last bits must not reach the file. */
             grid->v_texture[p] = round(64 * repeats * v / whole) / 64;

@@ -26,10 +26,11 @@ enum hatch_shape {
     HATCH_SHAPE_COUNT
 };
 
-/* How v runs within a patch. Both give a patch the same range of v. */
+/* How texture coordinates run. The first two give a patch the same range of v. */
 enum hatch_shape_uv {
     HATCH_SHAPE_UV_NATURAL, /* with the patch's own parameter */
-    HATCH_SHAPE_UV_EVEN     /* with the length along it: strokes keep their distance */
+    HATCH_SHAPE_UV_EVEN,    /* with the length along it: strokes keep their distance */
+    HATCH_SHAPE_UV_WHOLE    /* natural, 0 .. 1 once over each surface of the shape: for a picture, a map */
 };
 
 struct hatch_shape_options {

@@ -209,6 +209,29 @@ START_TEST(textures_meet_themselves_and_keep_their_shape)
 }
 END_TEST
 
+/* Every shape of one surface shows a picture once. */
+START_TEST(whole_texture_is_one_picture)
+{
+    static const enum hatch_shape shapes[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_TORUS, HATCH_SHAPE_CYLINDER,
+                                              HATCH_SHAPE_PLANE};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct hatch_mesh mesh =
+            shape_with(shapes[i], (struct hatch_shape_options){.faces = 500, .uv = HATCH_SHAPE_UV_WHOLE});
+        const float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+        float low[2] = {9, 9}, high[2] = {-9, -9};
+        for (size_t v = 0; v < mesh.vertex_count; v++)
+            for (size_t k = 0; k < 2; k++) {
+                low[k] = fminf(low[k], texcoord[2 * v + k]);
+                high[k] = fmaxf(high[k], texcoord[2 * v + k]);
+            }
+        for (int k = 0; k < 2; k++) {
+            ck_assert_float_eq_tol(low[k], 0, 0.03f); /* poles have half a step */
+            ck_assert_float_eq_tol(high[k], 1, 0.03f);
+        }
+    }
+}
+END_TEST
+
 START_TEST(seams_differ_by_whole_tiles)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TORUS, 3000, 1, 0.2f, 4);
@@ -429,6 +452,7 @@ static Suite *suite(void)
     tcase_add_test(tests, faces_look_outwards_at_any_jitter);
     tcase_add_test(tests, tangents_point_along_u);
     tcase_add_test(tests, textures_meet_themselves_and_keep_their_shape);
+    tcase_add_test(tests, whole_texture_is_one_picture);
     tcase_add_test(tests, seams_differ_by_whole_tiles);
     tcase_add_test(tests, curvatures_are_those_of_the_formulas);
     tcase_add_test(tests, field_is_the_truth_whatever_the_noise);

@@ -1,19 +1,11 @@
-#include "light.glsl"
+#include "amounts.glsl"
 #include "inks.glsl"
-#include "base.glsl"
 
-#ifdef BASE_TONE
-in float v_light;
-#else
-in vec2 v_amounts;
-#endif
 out vec4 o_color;
 
 void main()
 {
-#ifdef BASE_TONE
-    vec2 v_amounts = ink_amounts(v_light * base_light());
-#endif
+    vec2 asked = amounts();
     base_holes();
-    o_color = vec4(ink_on_paper(v_amounts.xxx, v_amounts.yyy), 1.0);
+    o_color = vec4(ink_on_paper(asked.xxx, asked.yyy), 1.0);
 }

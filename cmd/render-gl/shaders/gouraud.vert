@@ -7,7 +7,9 @@ out vec2 v_texcoord;
 #ifdef BASE_TEXTURE
 out vec2 v_base_texcoord;
 #endif
-#ifdef BASE_TONE
+#ifdef PIXEL_LIGHT
+out vec3 v_point, v_normal;
+#elif defined(BASE_TONE)
 out float v_light;
 #else
 out vec2 v_amounts;
@@ -15,16 +17,19 @@ out vec2 v_amounts;
 
 void main()
 {
-    float light = place();
 #ifdef STROKES
     v_texcoord = hatch_texcoord();
 #endif
 #ifdef BASE_TEXTURE
     v_base_texcoord = a_base_texcoord;
 #endif
-#ifdef BASE_TONE
-    v_light = light;
+#ifdef PIXEL_LIGHT
+    v_point = place_point();
+    vec3 normal = normal_from_mesh * a_normal;
+    v_normal = side * normal / max(length(normal), 1e-20);
+#elif defined(BASE_TONE)
+    v_light = place();
 #else
-    v_amounts = ink_amounts(light);
+    v_amounts = ink_amounts(place());
 #endif
 }

@@ -1,15 +1,9 @@
 // Thresholds: a texel's darkness is a stair over tone (Webb et al. 2002, section 3.2).
-#include "light.glsl"
+#include "amounts.glsl"
 #include "inks.glsl"
 #include "columns.glsl"
-#include "base.glsl"
 
 in vec2 v_texcoord;
-#ifdef BASE_TONE
-in float v_light;
-#else
-in vec2 v_amounts;
-#endif
 out vec4 o_color;
 
 // The stair's steps, once for both inks.
@@ -46,16 +40,14 @@ void main()
 {
     aim(v_texcoord);
     base_holes();
-#ifdef BASE_TONE
-    vec2 v_amounts = ink_amounts(v_light * base_light());
-#endif
+    vec2 asked = amounts();
     for (int half_of = 0; half_of < 2; half_of++) {
         step_at[half_of] = read_columns(float(half_of));
         step_height[half_of] = read_columns(float(2 + half_of));
     }
     float light = 0.0;
 #ifdef TWO_INKS
-    light = coverage(v_amounts.y);
+    light = coverage(asked.y);
 #endif
-    o_color = vec4(ink_on_paper(vec3(coverage(v_amounts.x)), vec3(light)), opacity * step_height[1].a);
+    o_color = vec4(ink_on_paper(vec3(coverage(asked.x)), vec3(light)), opacity * step_height[1].a);
 }

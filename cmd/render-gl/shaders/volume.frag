@@ -1,15 +1,9 @@
 // Volumes: tone is a coordinate (Webb et al. 2002, section 3.1). Texels are reflectance.
-#include "light.glsl"
+#include "amounts.glsl"
 #include "inks.glsl"
 #include "columns.glsl"
-#include "base.glsl"
 
 in vec2 v_texcoord;
-#ifdef BASE_TONE
-in float v_light;
-#else
-in vec2 v_amounts;
-#endif
 out vec4 o_color;
 
 // Texture units stop half a slice short of both ends: what is missing there fades to paper, and to ink
@@ -32,12 +26,10 @@ void main()
 {
     aim(v_texcoord);
     base_holes();
-#ifdef BASE_TONE
-    vec2 v_amounts = ink_amounts(v_light * base_light());
-#endif
+    vec2 asked = amounts();
     vec3 light = vec3(0.0);
 #ifdef TWO_INKS
-    light = coverage(v_amounts.y);
+    light = coverage(asked.y);
 #endif
-    o_color = vec4(ink_on_paper(coverage(v_amounts.x), light), opacity);
+    o_color = vec4(ink_on_paper(coverage(asked.x), light), opacity);
 }
