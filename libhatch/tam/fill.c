@@ -1,6 +1,7 @@
 #include "tam/fill.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "tam/column.h"
@@ -139,12 +140,24 @@ static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
     }
 }
 
+/* How dark a stroke would just do. Finer images receive it too, half as dark from one to the next: where one has
+ * less to spare, its error and the image's are made even. Nothing or less: better wait for a darker column. */
+static double room_for_stroke(const struct filler *f, uint32_t level, double target)
+{
+    double missing = target - f->canvas.darkness[level], room = missing;
+    for (uint32_t finer = 0; finer < level; finer++) {
+        double spare = ldexp(target - f->canvas.darkness[finer], (int)(level - finer));
+        room = fmin(room, (missing + spare) / 2);
+    }
+    return room;
+}
+
 /* Whether one more stroke brings the image closer to its target; else what to try instead. */
 enum verdict { TAKE, SHORTER, FRUITLESS };
 
-static enum verdict judge(double gain, double missing)
+static enum verdict judge(double gain, double room)
 {
-    if (gain > 2 * missing)
+    if (gain > 2 * room)
         return SHORTER;
     return gain > 1e-9 ? TAKE : FRUITLESS;
 }
@@ -166,11 +179,13 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
         hatch_potential_start(&f->field, level);
     grow_strokes(f, tone, level);
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
-        double missing = target - f->canvas.darkness[level];
+        double room = room_for_stroke(f, level, target);
+        if (!(room > 0))
+            return HATCH_OK;
         choice.number = f->choices++;
         struct hatch_stroke stroke = place(f, &choice);
         double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);
-        switch (judge(gain, missing)) {
+        switch (judge(gain, room)) {
         case TAKE:
             fruitless = 0;
             stroke.column = tone;
@@ -179,7 +194,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
             break;
         case SHORTER:
             fruitless = choice.length_max > f->style->length_min ? fruitless + 1 : FRUITLESS_MAX;
-            choice.length_max = stroke.length * (float)(missing / gain);
+            choice.length_max = stroke.length * (float)(room / gain);
             break;
         case FRUITLESS:
             fruitless++;
