@@ -10,7 +10,7 @@
 /* A row's work, and what it found. codes: darkness over columns and texels, NULL where nobody asks. */
 struct job {
     const struct hatch_tam *tam;
-    uint32_t level, size;
+    uint32_t level, size, channel;
     uint8_t *darkest;   /* size² texels: the largest so far */
     uint8_t *codes;     /* size rows of columns x size */
     uint32_t *count;    /* size²: runs of each texel, then the number of its next one */
@@ -61,7 +61,7 @@ static void take_row(const struct job *job, uint32_t y)
     uint8_t *darkest = job->darkest + y * size;
     for (uint32_t c = 0; c < job->tam->tones; c++) {
         const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
-        const float *pixels = image->pixels + y * size * image->channel_count;
+        const float *pixels = image->pixels + y * size * image->channel_count + job->channel;
         bool lighter = take_columns(pixels, image->channel_count, size, darkest);
         if (lighter && !job->fault[y])
             job->fault[y] = c;
@@ -125,7 +125,7 @@ static enum hatch_status tell_fault(const struct job *job, uint32_t y, struct ha
     for (; x < job->size; x++, before = 0) {
         for (uint32_t c = 0; c <= column; c++) {
             const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
-            size_t at = ((size_t)y * job->size + x) * image->channel_count;
+            size_t at = ((size_t)y * job->size + x) * image->channel_count + job->channel;
             now = (uint8_t)(255 - hatch_unorm8(image->pixels[at]));
             before = c < column && now > before ? now : before;
         }
@@ -157,9 +157,13 @@ enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct ha
 {
     enum hatch_status status = HATCH_OK;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    for (uint32_t level = 0; !tam->color && level < tam->columns[0].level_count && status == HATCH_OK; level++) {
-        struct job job = {.tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level)};
+    uint32_t channels = tam->color ? 3 : 1, count = channels * tam->columns[0].level_count;
+    for (uint32_t i = 0; i < count && status == HATCH_OK; i++) {
+        uint32_t level = i / channels;
+        struct job job = {
+            .tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level), .channel = i % channels};
         status = run_level(&job, pool, scratch, err);
+        hatch_arena_rewind(scratch, mark);
     }
     hatch_arena_rewind(scratch, mark);
     return status;

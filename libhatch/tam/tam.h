@@ -40,9 +40,8 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
                                          struct hatch_tam *tam, struct hatch_err *err)
     HATCH_MUST_USE;
 
-/* Whether no pixel of a grey map gets lighter with tone, by more than a step when rounded to 8 bits:
- * HATCH_BAD_INPUT names the first that does. A coloured map always passes: one of its channels may get
- * lighter where strokes of two colours cross. pool: NULL is one thread. */
+/* Whether no pixel gets lighter with tone, in any colour, by more than a step when rounded to 8 bits:
+ * HATCH_BAD_INPUT names the first that does. pool: NULL is one thread. */
 enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
                                           struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 

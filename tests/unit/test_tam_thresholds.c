@@ -114,6 +114,27 @@ START_TEST(x_stay_within_their_bins)
 }
 END_TEST
 
+/* Two strokes, of tones .2 and .8, an empty texel of the finest level apart. */
+static float apart(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)v, (void)level, (void)channel;
+    bool left = u > 0.25f && u < 0.5f, right = u > 0.5f + 1.0f / 64 && u < 0.75f;
+    return (left && tone > 0.1999f) || (right && tone > 0.7999f) ? 0 : 1;
+}
+
+START_TEST(an_empty_texel_has_the_mean_x_of_its_neighbours)
+{
+    struct hatch_tam tam = made_map(64, 10, 1, "Y", apart);
+    make(&tam, 1, NULL);
+    for (size_t y = 0; y < 64; y++) {
+        uint32_t left = number(0, y * 64 + 31, 0, 0), right = number(0, y * 64 + 33, 0, 0);
+        ck_assert(left < 60 && right > 190);
+        ck_assert_uint_eq(number(0, y * 64 + 32, 2, 0), 0);
+        ck_assert_uint_eq(number(0, y * 64 + 32, 0, 0), (left + right + 1) / 2);
+    }
+}
+END_TEST
+
 /* Texels without a change have a height of 0, and the x of their neighbours: the place where a stroke
  * appears is the same all over its soft edge. */
 START_TEST(empty_texels_do_not_drag_their_neighbours)
@@ -232,6 +253,19 @@ START_TEST(a_pixel_that_gets_lighter_is_named)
     ck_assert_ptr_nonnull(strstr(map_err.text, says));
     ck_assert_int_eq(hatch_tam_check_nesting(&tam, NULL, &map_scratch, &map_err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(map_err.text, says));
+}
+END_TEST
+
+static float blue_gets_lighter(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    return channel == 2 ? gets_lighter(u, v, level, tone, channel) : 1 - tone;
+}
+
+START_TEST(a_colour_that_gets_lighter_is_named)
+{
+    struct hatch_tam tam = made_map(64, 10, 1, "RGB", blue_gets_lighter);
+    ck_assert_int_eq(hatch_tam_check_nesting(&tam, NULL, &map_scratch, &map_err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(map_err.text, "tone.006: level 1: pixel (9, 16) gets lighter"));
 }
 END_TEST
 
@@ -355,6 +389,7 @@ static Suite *suite(void)
     tcase_add_test(tests, one_change_is_where_its_column_begins);
     tcase_add_test(tests, what_fits_the_bins_is_kept_whole);
     tcase_add_test(tests, x_stay_within_their_bins);
+    tcase_add_test(tests, an_empty_texel_has_the_mean_x_of_its_neighbours);
     tcase_add_test(tests, empty_texels_do_not_drag_their_neighbours);
     tcase_add_test(tests, merged_changes_keep_their_height_and_their_mean_tone);
     tcase_add_test(tests, the_error_is_the_area_between);
@@ -362,6 +397,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_constant_map_has_one_change_or_none);
     tcase_add_test(tests, pictures_go_into_the_spare_channels);
     tcase_add_test(tests, a_pixel_that_gets_lighter_is_named);
+    tcase_add_test(tests, a_colour_that_gets_lighter_is_named);
     tcase_add_test(tests, colour_is_refused);
     tcase_add_loop_test(tests, exact_runs_are_the_whole_map, 0, 2);
     tcase_add_test(tests, exact_runs_are_read_back_and_damage_is_seen);
