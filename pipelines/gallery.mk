@@ -14,7 +14,7 @@ SHELL := /bin/bash
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
-all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png $(OUT)/zoom-0.png
+all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png $(OUT)/zoom-0.png $(OUT)/fine-volume.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -45,10 +45,14 @@ $(OUT)/replay.png: $(DRAWING)
 	mkdir -p $(OUT)
 	tamgen --replay $< --fit --quiet --size 128 --contact-sheet $@ -o /dev/null
 
-# rptam.mk stands beside this file.
+# rptam.mk and fine-tone.mk stand beside this file.
 $(OUT)/zoom-0.png:
 	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))rptam.mk OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/zoom-?.png $(OUT)
+
+$(OUT)/fine-volume.png:
+	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))fine-tone.mk OUT=$(WORK) SIZE=480x480
+	[ $(WORK) = $(OUT) ] || mv $(WORK)/fine-*.png $(OUT)
 
 $(WORK)/%.exr:
 	mkdir -p $(WORK) $(OUT)

@@ -1,0 +1,74 @@
+# Volumes and thresholds in render-gl, pipelines/fine-tone.mk, --modulate and --pixel-light.
+. "${TOP:-.}/tests/tap.sh"
+
+tamgen --size 64 --levels 2 --tones 64 -o map.exr
+tamvol -q --tones 16 map.exr -o volume.ktx2
+tamvol -q --tones 16 --layout array map.exr -o layers.ktx2
+tamvol -q --tones 16 --compress map.exr -o packed.ktx2
+tamthresh -q map.exr -o thresholds.ktx2
+meshgen sphere --faces 800 --uv whole -o ball.glb
+meshgen torus --faces 800 | dirfield -q | lapped-param -q -o torus.lapped.glb
+
+# figure NAME A B: of hatchstat diff, in thousandths, without its sign
+figure() {
+    hatchstat diff "$2" "$3" | awk -F'\t' -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+        NR == 2 { x = 1000 * $at[name]; printf "%d", x < 0 ? -x : x }'
+}
+# within NAME LEAST MOST GOT
+within() {
+    [ "$4" -ge "$2" ] && [ "$4" -le "$3" ]
+    is "$1 ($4)" $? 0
+}
+draw() {
+    render-gl ball.glb --technique "$1" --tam "$2" --size 96x96 --lines none -o "$3" ${4-}
+}
+ok "a volume" draw volume volume.ktx2 volume.png
+ok "a volume in layers" draw volume layers.ktx2 layers.png
+ok "a packed volume" draw volume packed.ktx2 packed.png
+ok "thresholds" draw threshold thresholds.ktx2 thresholds.png
+ok "one threshold" draw threshold-soft thresholds.ktx2 soft.png
+ok "volume and thresholds with anisotropy" draw volume layers.ktx2 an.png "--anisotropy 8"
+for technique in volume:volume threshold:thresholds; do
+    ok "${technique%:*} on patches" render-gl torus.lapped.glb -t "${technique%:*}" -T "${technique#*:}.ktx2" \
+        --size 64x48 -o patches.png
+done
+
+render-gl ball.glb -t tam-triple -T map.exr --size 96x96 --lines none -o columns.png
+within "layers are the volume, nearly" 0 6 "$(figure mean volume.png layers.png)"
+within "so are blocks" 0 20 "$(figure mean volume.png packed.png)"
+within "thresholds have the columns' tone" 0 15 "$(figure bias columns.png thresholds.png)"
+within "so has the volume" 0 15 "$(figure bias columns.png volume.png)"
+within "but they are not the volume" 3 200 "$(figure mean volume.png thresholds.png)"
+
+# Half of each quarter of the picture is black, half white: so is the ball, whose light is even.
+awk 'BEGIN { print "P2 64 1 255"; for (i = 0; i < 64; i++) print i % 16 < 8 ? 0 : 255 }' >halves.pgm
+lit="--tone-range 0:1 --exposure 100"
+ok "a picture's tone" draw gouraud map.exr modulated.png "--modulate halves.pgm $lit"
+draw gouraud map.exr white.png "$lit"
+dark=$(figure mean modulated.png white.png)
+within "nearly half of the ball is dark" 260 380 "$dark"
+ok "light at pixels" draw threshold thresholds.ktx2 pixels.png --pixel-light
+within "on a fine ball it is the vertices'" 0 20 "$(figure bias pixels.png thresholds.png)"
+
+ok "fine-tone.mk" make -s -f "$TOP/pipelines/fine-tone.mk" SIZE=64x64 TONES=32 TAM='--size 64 --levels 2' \
+    VOLUME='-q --tones 16' BINS=-q OPTIONS=--pixel-light
+is "its pictures" "$(echo fine-*.png)" "fine-tam.png fine-threshold.png fine-volume.png"
+
+try render-gl ball.glb -t volume -T map.exr -o no.png
+is "a map is no volume" "$status $(cat .err)" \
+    "3 render-gl: map.exr: technique volume wants a volume (tamvol makes one), this is a tonal art map"
+try render-gl ball.glb -t threshold -T volume.ktx2 -o no.png
+is "a volume is no thresholds" "$status $(wc -l <.err)" "3 1"
+try render-gl ball.glb -t tam -T volume.ktx2 -o no.png
+is "a volume is no map" "$status $(wc -l <.err)" "3 1"
+try render-gl ball.glb -t volume -o no.png
+is "a volume is wanted" "$status $(wc -l <.err)" "2 2"
+head -c 3000 volume.ktx2 >cut.ktx2
+try render-gl ball.glb -t volume -T cut.ktx2 -o no.png
+is "a cut volume" "$status $(wc -l <.err)" "3 1"
+try render-gl ball.glb -t tam -T map.exr --pixel-light -o no.png
+is "tam does not light pixels" "$status" 2
+try render-gl ball.glb -t gouraud --modulate volume.ktx2 -o no.png
+is "no picture to modulate with" "$status $(wc -l <.err)" "3 1"
+is "nothing was written" "$(ls no.png 2>&1 | grep -c 'No such')" 1
+finish
