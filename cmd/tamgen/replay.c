@@ -51,7 +51,7 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
                  "the drawing reaches a darkness of %.3f: %u of %u columns are to be darker, and hold all of it",
                  (double)result->darkest, result->short_columns, job->tones);
     if (result->exhausted)
-        cmd_warn(name, "%u images stay lighter than their tone, by up to %.4f: the drawing has no more strokes",
+        cmd_warn(name, "%u images stay lighter than their tone, by up to %.4f: the finer ones have no more strokes",
                  result->exhausted, (double)result->tone_error);
 }
 
