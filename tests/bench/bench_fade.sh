@@ -1,0 +1,52 @@
+#!/bin/sh
+# render-gl --technique rptam: what fade law, way and overlap do to a zoom of one octave towards a plane of tone .3.
+# Drift: the largest difference of the tone from that of the first of nine large pictures. Change and pop
+# (hatchstat frames): how much, and how unevenly, the last 120 frames of a way move. The row `texture` is the
+# same way towards one picture of the same strokes on the plane, which is what resampling alone does; to what
+# it has come the strokes that must.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+printf 'method\tby\toverlap\tsize\tframes\tseconds\tseconds_min\tseconds_max\tcpu_seconds\tpeak_kib'
+printf '\ttone\tdrift\tchange\tpop\tpop_box8\n'
+cat >"$work/plane.gltf" <<'EOF'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+ "meshes":[{"primitives":[{"indices":2,"material":0,"attributes":{"POSITION":0,"TEXCOORD_0":1}}]}],
+ "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+ "textures":[{"source":0}],"images":[{"uri":"strokes.png"}],
+ "buffers":[{"byteLength":92,"uri":"plane.bin"}],"bufferViews":[{"buffer":0,"byteLength":92}],
+ "accessors":[
+  {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
+  {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC2"},
+  {"bufferView":0,"byteOffset":80,"componentType":5123,"count":6,"type":"SCALAR"}]}
+EOF
+perl -e 'print pack("f<12f<8S<6", -1,-1,0, 1,-1,0, 1,1,0, -1,1,0, 0,1, 1,1, 1,0, 0,0, 0,1,2, 0,2,3)' >"$work/plane.bin"
+printf 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n' >"$work/plane.obj"
+seedgen -n 16 --layers 4 --candidates 300 -o "$work/sets"
+view="--camera 0,0,8:0,0,0 --fov 14.25 --lines none" # the square fills the picture
+strokes="$work/plane.obj -t rptam --seeds $work/sets --tone-range .3:.3"
+
+# row METHOD BY OVERLAP ARGUMENT ...
+row() {
+    printf '%s\t%s\t%s\t160x160\t120\t' "$1" "$2" "$3"
+    shift 3
+    "$MEASURE" 1 render-gl "$@" $view --size 160x160 --frames 120 --animate zoom=1..2 -o "$work/f%03d.png" |
+        tr '\n' '\t'
+    render-gl "$@" $view --size 800x800 --samples 1 --frames 9 --animate zoom=1..2 -o "$work/g%d.png"
+    hatchstat frames "$work"/g?.png | awk -F'\t' '
+        NR > 1 && $1 != "all" {sum += $2; n++}
+        $1 == "all" {printf "%.4f\t%.4f\t", 1 - sum / n, $3}'
+    hatchstat frames "$work"/f*.png | awk -F'\t' '$1 == "all" {printf "%.5f\t%.5f\t%.4f\n", $4, $5, $6}'
+}
+# The strokes of the middle of the way, four times as fine.
+render-gl $strokes $view --size 904x904 --seed-tile 128 --stroke 56x6 -o "$work/strokes.png"
+row texture - 0 "$work/plane.gltf" --technique gouraud --texture-tone --light 0:0 --tone-range 0:1
+for law in even weighted paper; do
+    for overlap in 0 0.1 0.3 0.6 1; do
+        row $law opacity $overlap $strokes --seed-tile 32 --stroke 14x1.5 --fade $law --overlap $overlap
+    done
+done
+for overlap in 0 0.3 1; do
+    row even size $overlap $strokes --seed-tile 32 --stroke 14x1.5 --fade-by size --overlap $overlap
+done

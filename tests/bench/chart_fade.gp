@@ -1,0 +1,22 @@
+# Left: how far the tone drifts over an octave. Right: how unevenly pictures move, beside a fixed texture.
+set multiplot layout 1,2 title "render-gl -t rptam: a zoom of one octave in 120 frames, tone .3"
+set grid
+set key top right
+set xlabel "--overlap"
+set xrange [-0.05:1.05]
+set yrange [0:*]
+rows(law, by, column) = sprintf("< awk -F'\\t' '$1 == \"%s\" && $2 == \"%s\" {print $3, $%d}' %s", law, by, column, data)
+set ylabel "largest drift of the tone"
+plot rows("paper", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#b03a2e" title "--fade paper", \
+     rows("even", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#1f5fa8" title "even", \
+     rows("even", "size", 12) with linespoints pt 6 lw 1 lc rgb "#1f5fa8" title "even, by size", \
+     rows("weighted", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#2e8b57" title "weighted"
+set ylabel "mean |I(t - 1) - 2 I(t) + I(t + 1)|"
+stats sprintf("< awk -F'\\t' '$1 == \"texture\" {print $14}' %s", data) nooutput
+texture = STATS_max
+plot rows("paper", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#b03a2e" title "--fade paper", \
+     rows("even", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#1f5fa8" title "even", \
+     rows("even", "size", 14) with linespoints pt 6 lw 1 lc rgb "#1f5fa8" title "even, by size", \
+     rows("weighted", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#2e8b57" title "weighted", \
+     texture with lines dt 2 lc rgb "#333333" title "a fixed texture"
+unset multiplot
