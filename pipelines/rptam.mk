@@ -1,17 +1,18 @@
 # Draws one place of a model at four distances, each 16 times nearer than the one before, with strokes that
-# keep their size: zoom-0.png to zoom-3.png. And, with FRAMES, the way in.
+# keep their size: zoom-0.png to zoom-3.png. And, with FRAMES, an octave of the way in.
 #
 #     make -f rptam.mk                                       the teapot
 #     make -f rptam.mk STYLE=pencil LAYERS=3 SEEDS=100
-#     make -f rptam.mk FRAMES=48                             zoom-way-000.png ...: one octave, to be looped
-#     make -f rptam.mk MODEL=horse.glb AT=0,0.1,1 FROM=1,1,6
+#     make -f rptam.mk FRAMES=48                             zoom-way-000.png ...: to be looped
+#     make -f rptam.mk FRAMES=48 OPTIONS='--animate stroke=20x1..60x2'
+#     make -f rptam.mk MODEL=horse.glb CAMERA=1,1,6:0,0,0 NEAREST=1000000
 #
-# AT is a place on the surface, FROM the way from there to the first camera. The model needs texture
-# coordinates; dirfield and lapped-param give it some. The commands are looked for on PATH. Copy this file
-# and change it.
+# CAMERA is a place and what is looked at, in the model's coordinates; the way leads to the surface that the picture's
+# middle shows. The model needs texture coordinates; dirfield and lapped-param give it some. The commands are looked
+# for on PATH. Copy this file and change it.
 MODEL   ?= $(OUT)/teapot.glb
-AT      ?= 0,0.1,1.02
-FROM    ?= 0.9,0.7,4.4
+CAMERA  ?= 0.9,0.8,5.42:0,0.1,1.02
+NEAREST ?= 4096
 STYLE   ?= ink
 SEEDS   ?= 64
 LAYERS  ?= 4
@@ -26,19 +27,15 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 
 sets := $(OUT)/$(STYLE)-$(SEEDS)x$(LAYERS)-$(SEED).seeds
-draw = render-gl --technique rptam --style $(STYLE) --seeds "$(sets)" --size $(SIZE) $(OPTIONS) \
-    --camera "$$(place $(1))" -o "$(2)" "$(MODEL)"
-# place SHARE: the camera at that share of the way from AT to FROM
-place = place() { awk -v at=$(AT) -v from=$(FROM) -v share=$$1 'BEGIN {split(at, a, ","); split(from, f, ","); \
-    for (k = 1; k < 4; k++) printf "%s%.12g", (k > 1 ? "," : ""), a[k] + share * f[k]; print ":" at}'; }
+draw = render-gl --technique rptam --style $(STYLE) --seeds "$(sets)" --size $(SIZE) --camera $(CAMERA) $(OPTIONS) \
+    "$(MODEL)"
 
 .PHONY: strip
 strip: $(sets) $(MODEL)
-	$(place); for step in 0 1 2 3; do \
-	    $(call draw,$$(awk "BEGIN {print 16 ^ -$$step}"),$(OUT)/zoom-$$step.png) || exit 1; done
+	$(draw) --frames 4 --animate zoom=1..$(NEAREST) -o "$(OUT)/zoom-%d.png"
 ifneq ($(FRAMES),0)
-	$(place); for frame in $$(seq 0 $$(($(FRAMES) - 1))); do \
-	    $(call draw,$$(awk "BEGIN {print 2 ^ -($$frame / $(FRAMES)) / 64}"),$(OUT)/zoom-way-$$(printf %03d $$frame).png) || exit 1; done
+	$(draw) --frames $(FRAMES) -o "$(OUT)/zoom-way-%03d.png" \
+	    --animate zoom=64..$$(awk 'BEGIN {printf "%.9g", 128 * 2 ^ (-1 / $(FRAMES))}')
 endif
 
 $(sets):

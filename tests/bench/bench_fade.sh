@@ -23,7 +23,7 @@ cat >"$work/plane.gltf" <<'EOF'
 EOF
 perl -e 'print pack("f<12f<8S<6", -1,-1,0, 1,-1,0, 1,1,0, -1,1,0, 0,1, 1,1, 1,0, 0,0, 0,1,2, 0,2,3)' >"$work/plane.bin"
 printf 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n' >"$work/plane.obj"
-seedgen -n 16 --layers 4 --candidates 300 -o "$work/sets"
+seedgen -n 64 --layers 4 --candidates 300 -o "$work/sets"
 view="--camera 0,0,8:0,0,0 --fov 14.25 --lines none" # the square fills the picture
 strokes="$work/plane.obj -t rptam --seeds $work/sets --tone-range .3:.3"
 
@@ -40,13 +40,13 @@ row() {
     hatchstat frames "$work"/f*.png | awk -F'\t' '$1 == "all" {printf "%.5f\t%.5f\t%.4f\n", $4, $5, $6}'
 }
 # The strokes of the middle of the way, four times as fine.
-render-gl $strokes $view --size 904x904 --seed-tile 128 --stroke 56x6 -o "$work/strokes.png"
+render-gl $strokes $view --size 904x904 --seed-tile 256 --stroke 56x6 -o "$work/strokes.png"
 row texture - 0 "$work/plane.gltf" --technique gouraud --texture-tone --light 0:0 --tone-range 0:1
 for law in even weighted paper; do
     for overlap in 0 0.1 0.3 0.6 1; do
-        row $law opacity $overlap $strokes --seed-tile 32 --stroke 14x1.5 --fade $law --overlap $overlap
+        row $law opacity $overlap $strokes --seed-tile 64 --stroke 14x1.5 --fade $law --overlap $overlap
     done
 done
 for overlap in 0 0.3 1; do
-    row even size $overlap $strokes --seed-tile 32 --stroke 14x1.5 --fade-by size --overlap $overlap
+    row even size $overlap $strokes --seed-tile 64 --stroke 14x1.5 --fade-by size --overlap $overlap
 done
