@@ -1,7 +1,7 @@
 # Left: how far the tone drifts over an octave. Right: how unevenly pictures move, beside a fixed texture.
 set multiplot layout 1,2 title "render-gl -t rptam: a zoom of one octave in 120 frames, tone .3"
 set grid
-set key top right
+set key center right
 set xlabel "--overlap"
 set xrange [-0.05:1.05]
 set yrange [0:*]
@@ -11,6 +11,7 @@ plot rows("paper", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#b03a2e" ti
      rows("even", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#1f5fa8" title "even", \
      rows("even", "size", 12) with linespoints pt 6 lw 1 lc rgb "#1f5fa8" title "even, by size", \
      rows("weighted", "opacity", 12) with linespoints pt 7 lw 2 lc rgb "#2e8b57" title "weighted"
+set key bottom right
 set ylabel "mean |I(t - 1) - 2 I(t) + I(t + 1)|"
 stats sprintf("< awk -F'\\t' '$1 == \"texture\" {print $14}' %s", data) nooutput
 texture = STATS_max
