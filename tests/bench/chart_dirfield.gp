@@ -7,7 +7,7 @@ set logscale xy
 set format y "%g"
 set format x "%g"
 set xrange [1:20000]
-set yrange [0.00003:100]
+set yrange [0.0001:1000]
 set xlabel "milliseconds"
 set key bottom left Left reverse samplen 0.5 font ",9"
 rows(noise, test) = sprintf("< awk -F'\\t' '$2 == 10000 && $3 == %s && %s {print $4 * 1000, $8, $9, $1}' %s", noise, test, data)
