@@ -2,6 +2,7 @@
  * parallel to the screen, at any size of a texel. */
 #include <math.h>
 
+#include "image/blocks.h"
 #include "render_frame.h"
 #include "render_map.h"
 #include "tam/thresholds.h"
@@ -84,11 +85,12 @@ static double worst_of(const char *technique, double tone, double tiles)
     frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
     for (uint32_t row = 0; row < SIZE; row++)
         for (uint32_t column = 0; column < SIZE; column++) {
-            float u = (float)((column + 0.5) / SIZE * tiles), v = (float)((row + 0.5) / SIZE * tiles), want;
+            float u = (float)((column + 0.5) / SIZE * tiles), v = (float)((row + 0.5) / SIZE * tiles);
+            float want, value[4];
             float lod = (float)fmax(log2(tiles), 0), drawn = image.pixels[3 * (row * SIZE + column)], dark;
             if (fine.form == COLUMNS_VOLUME) {
-                hatch_volume_sample(&volume, u, v, (float)tone, lod, true, &want);
-                dark = want;
+                hatch_volume_sample(&volume, u, v, (float)tone, lod, true, value);
+                dark = want = value[0];
             } else {
                 double margin = tiles < 1 ? FILTER : 0;
                 want = hatch_thresholds_sample(&thresholds, u, v, (float)(tone - margin), lod);
@@ -102,12 +104,28 @@ static double worst_of(const char *technique, double tone, double tiles)
     return worst;
 }
 
-static void check_volume(enum hatch_volume_layout layout)
+/* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. BC7 holds the greys
+ * as colours. */
+static void pack(enum hatch_texels_code code)
+{
+    struct hatch_texels plain = volume.texels;
+    plain.channels = code == HATCH_TEXELS_BC7 ? 3 : 1;
+    HATCH_TEST_OK(hatch_texels_make(&frame.arena, &plain, &frame.err), &frame.err);
+    for (uint32_t level = 0; level < plain.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
+            plain.texels[level][i] = volume.texels.texels[level][i / plain.channels];
+    HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.arena, &fine.texels, NULL, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_unpack(&fine.texels, &frame.arena, &volume.texels, &frame.err), &frame.err);
+}
+
+static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code code)
 {
     static const double tones[] = {0, 0.01, 0.06, 0.3, 0.517, 0.99, 1}, tiles[] = {0.4, 1, 2, 4};
     frame_arenas(&frame);
     nested_map();
     make_volume(layout);
+    if (code != HATCH_TEXELS_PLAIN)
+        pack(code);
     for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
         for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
             double worst = worst_of("volume", tones[t], tiles[k]);
@@ -120,13 +138,22 @@ static void check_volume(enum hatch_volume_layout layout)
 
 START_TEST(volume_is_its_model)
 {
-    check_volume(HATCH_VOLUME_3D);
+    check_volume(HATCH_VOLUME_3D, HATCH_TEXELS_PLAIN);
 }
 END_TEST
 
 START_TEST(volume_in_layers_is_its_model)
 {
-    check_volume(HATCH_VOLUME_ARRAY);
+    check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_PLAIN);
+}
+END_TEST
+
+/* The driver reads them as we do. */
+START_TEST(blocks_are_their_model)
+{
+    check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC4);
+    check_volume(HATCH_VOLUME_3D, HATCH_TEXELS_BC7);
+    check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC7);
 }
 END_TEST
 
@@ -173,6 +200,7 @@ static Suite *suite(void)
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, volume_is_its_model);
     tcase_add_test(tests, volume_in_layers_is_its_model);
+    tcase_add_test(tests, blocks_are_their_model);
     tcase_add_test(tests, threshold_is_its_model);
     tcase_add_test(tests, no_tone_is_paper);
     suite_add_tcase(made, tests);
