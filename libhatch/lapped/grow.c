@@ -194,6 +194,9 @@ static void side_places(const struct hatch_growth *growth, uint32_t side, const 
 
 static enum hatch_status push_sides(struct hatch_growth *growth, uint32_t face, struct hatch_err *err)
 {
+    const struct hatch_patch *patch = &growth->patch;
+    double inner = 2 * patch->radius * growth->outline->core_min;
+    double outer = 2 * patch->radius * growth->outline->reach_max;
     for (uint32_t c = 0; c < 3; c++) {
         uint32_t side = side_of(face, c);
         if (hatch_growth_side(growth, side) != HATCH_SIDE_OPEN ||
@@ -201,9 +204,9 @@ static enum hatch_status push_sides(struct hatch_growth *growth, uint32_t face, 
             continue;
         const double *ends[2];
         side_places(growth, side, ends);
-        if (hatch_patch_touches(&growth->patch, growth->outline, ends[0], ends[1]))
-            HATCH_TRY(hatch_heap_push(&growth->heap, distance_to_side(growth->patch.center, ends[0], ends[1]),
-                                      side, err));
+        double away = distance_to_side(patch->center, ends[0], ends[1]);
+        if (away < inner || (away < outer && hatch_patch_touches(patch, growth->outline, ends[0], ends[1])))
+            HATCH_TRY(hatch_heap_push(&growth->heap, away, side, err));
     }
     return HATCH_OK;
 }

@@ -13,6 +13,8 @@
 #define SCALE_MAX 1.6
 #define SCALE_ROUNDS 4
 #define SCALE_STEP 1.7
+/* Mean change of the scales that is not worth a round. */
+#define SCALE_SETTLED 0.005
 /* Other orders are tried where the envelope is larger than this times vertices to the power of 1.5. */
 #define ENVELOPE_FAIR 1.5
 /* Weight of a face that is not asked to follow the field. */
@@ -271,16 +273,27 @@ static void substitute(const struct hatch_solver *of, uint32_t count)
     }
 }
 
-/* Places the vertices for the scales that the faces have now; the first time for 1. */
-static void place(struct hatch_solver *of, struct hatch_patch *patch, bool first)
+/* Gives the faces the scales that they have now; false when hardly any changes. */
+static bool rescale(struct hatch_solver *of, const struct hatch_patch *patch)
+{
+    double change = 0, whole = 0;
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        double *scale = &of->gradients[8 * f + 7], weight = of->gradients[8 * f + 6];
+        double next = *scale + SCALE_STEP * (scale_of(of, patch, f) - *scale);
+        next = next < SCALE_MIN ? SCALE_MIN : next > SCALE_MAX ? SCALE_MAX : next;
+        change += weight * fabs(next - *scale);
+        whole += weight;
+        *scale = next;
+    }
+    return change > SCALE_SETTLED * whole;
+}
+
+/* Places the vertices for the faces' scales. */
+static void place(struct hatch_solver *of, struct hatch_patch *patch)
 {
     memset(of->right, 0, patch->vertex_count * sizeof *of->right);
-    for (uint32_t f = 0; f < patch->face_count; f++) {
-        double *scale = &of->gradients[8 * f + 7];
-        if (!first)
-            *scale = fmin(SCALE_MAX, fmax(SCALE_MIN, *scale + SCALE_STEP * (scale_of(of, patch, f) - *scale)));
+    for (uint32_t f = 0; f < patch->face_count; f++)
         add_right(of, patch, f);
-    }
     substitute(of, patch->vertex_count);
     for (uint32_t v = 0; v < patch->vertex_count; v++)
         memcpy(&patch->place[2 * v], of->right[of->rank[v]], sizeof *of->right);
@@ -298,8 +311,9 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch
     double *pivot = of->matrix[(uint32_t)(of->start[fixed] + fixed)];
     pivot[0] = pivot[1] = 1;
     factor(of, patch->vertex_count);
-    for (int round = 0; round < SCALE_ROUNDS; round++)
-        place(of, patch, round == 0);
+    place(of, patch);
+    for (int round = 1; round < SCALE_ROUNDS && rescale(of, patch); round++)
+        place(of, patch);
     return HATCH_OK;
 }
 
