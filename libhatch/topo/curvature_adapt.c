@@ -57,7 +57,7 @@ struct work {
     struct place *places;
     double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
     uint32_t *centers;            /* the terrain's points that a fit stands on */
-    uint32_t *first_served;       /* per center: what it serves is served[first_served[c]] .. [first_served[c + 1] - 1] */
+    uint32_t *first_served;       /* per center, and one more: where in served what it serves begins */
     struct served *served;
     uint32_t served_room;
     struct fit *fits;
