@@ -11,7 +11,7 @@ static void say_keys(void)
 {
     cmd_say("drag: turn; shift+drag or right button: pan; ctrl+drag: move the light");
     cmd_say("arrows: turn; wheel, + and -: nearer and further; f: the view of the start");
-    cmd_say("1 to %u, t: technique; space: pause or play the animation", TECHNIQUE_CHOICES);
+    cmd_say("1 to 9, t: technique, the next; space: pause or play the animation");
     cmd_say("p and P: choose a parameter, which the title shows; . and ,: more and less of it; d: as it was");
     cmd_say("[ and ]: turn the strokes; < and >: make their pattern smaller and larger");
     cmd_say("s: save a picture; l: lines; r: read --shader-dir again; ?: these lines; q, escape: close");
@@ -92,7 +92,7 @@ static void on_character(GLFWwindow *handle, unsigned character)
     window->stale = true;
     if (window_param_key(window, character))
         return;
-    if (character >= '1' && character < '1' + TECHNIQUE_CHOICES)
+    if (character >= '1' && character <= '9' && character < '1' + TECHNIQUE_CHOICES)
         set_technique(window, character - '1');
     switch (character) {
     case '?':

@@ -113,7 +113,7 @@ xdotool key question key q
 wait $window
 is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
-is "nothing else is said" "$(grep -vE '^render-gl: ([1-8] |saved shot|drag|arrows|1 to 8|p and P|\[ and|s: )' err)" ""
+is "nothing else is said" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved shot|drag|arrows|1 to 9|p and P|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn
 shot turn1

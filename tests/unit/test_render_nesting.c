@@ -46,10 +46,11 @@ static uint32_t list_strokes(struct stroke *strokes)
 static void find_alone(struct stroke *strokes, uint32_t count, double pixels, double size_px)
 {
     for (uint32_t i = 0; i < count; i++) {
+        const double *at = strokes[i].uv;
         double nearest = INFINITY;
         for (uint32_t k = 0; k < count; k++)
             if (k != i)
-                nearest = fmin(nearest, hypot(strokes[i].uv[0] - strokes[k].uv[0], strokes[i].uv[1] - strokes[k].uv[1]));
+                nearest = fmin(nearest, hypot(at[0] - strokes[k].uv[0], at[1] - strokes[k].uv[1]));
         strokes[i].alone = nearest * pixels > 1.5 * size_px;
     }
 }
