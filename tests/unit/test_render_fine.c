@@ -104,8 +104,8 @@ static double worst_of(const char *technique, double tone, double tiles)
     return worst;
 }
 
-/* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. BC7 holds the greys
- * as colours. */
+/* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. Greys of all kinds,
+ * which BC7 holds as colours. */
 static void pack(enum hatch_texels_code code)
 {
     struct hatch_texels plain = volume.texels;
@@ -113,7 +113,8 @@ static void pack(enum hatch_texels_code code)
     HATCH_TEST_OK(hatch_texels_make(&frame.arena, &plain, &frame.err), &frame.err);
     for (uint32_t level = 0; level < plain.level_count; level++)
         for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
-            plain.texels[level][i] = volume.texels.texels[level][i / plain.channels];
+            plain.texels[level][i] = (uint8_t)(volume.texels.texels[level][i / plain.channels] *
+                                               hatch_random_unit(9, level, i / plain.channels));
     HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.arena, &fine.texels, NULL, &frame.err), &frame.err);
     HATCH_TEST_OK(hatch_texels_unpack(&fine.texels, &frame.arena, &volume.texels, &frame.err), &frame.err);
 }
@@ -129,8 +130,9 @@ static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code
     for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
         for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
             double worst = worst_of("volume", tones[t], tiles[k]);
-            ck_assert_msg(worst <= (tiles[k] < 1 ? 2.0 : 1.0) / 255, "tone %g, %g tiles: %g/255", tones[t],
-                          tiles[k], 255 * worst);
+            /* drivers may round what lies between two ends of a block down */
+            double most = (tiles[k] < 1 ? 2 : 1) + (code != HATCH_TEXELS_PLAIN ? 1 : 0);
+            ck_assert_msg(worst <= most / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
         }
     hatch_arena_free(&frame.arena);
     hatch_arena_free(&frame.scratch);
