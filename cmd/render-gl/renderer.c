@@ -25,7 +25,8 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
     char defines[256];
     bool layered = technique->columns != COLUMNS_NONE && renderer->columns[technique->columns].layered;
     snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s", technique->defines,
-             technique->pixel_light && renderer->style.pixel_light ? "#define PIXEL_LIGHT 1\n" : "", layered ? "#define LAYERED 1\n" : "",
+             technique->pixel_light && renderer->style.pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
+             layered ? "#define LAYERED 1\n" : "",
              renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant & DRAW_PIECES ? PIECES : "",
