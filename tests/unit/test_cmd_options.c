@@ -13,6 +13,7 @@ static int64_t whole;
 static double real, pair[2];
 static uint64_t size;
 static const char *text;
+static struct cmd_texts texts;
 static int kind;
 
 static const struct cmd_option options[] = {
@@ -21,6 +22,7 @@ static const struct cmd_option options[] = {
     {'r', "real", CMD_REAL, -1, 1e30, "X", "a number (0)", &real, NULL, &real_given},
     {0, "size", CMD_SIZE, 1, 0x1p40, "BYTES", "a size", &size, NULL, NULL},
     {'t', "text", CMD_TEXT, 0, 0, "TEXT", "a text", &text, NULL, NULL},
+    {0, "texts", CMD_TEXTS, 0, 0, "TEXT", "texts", &texts, NULL, NULL},
     {'k', "kind", CMD_CHOICE, 0, 0, "KIND", "soft or hard (soft)", &kind, kinds, NULL},
     {'p', "pair", CMD_PAIR, 0, 100, "A:B", "two numbers", pair, NULL, NULL},
     {0},
@@ -47,6 +49,18 @@ static void parse(struct cmd_args *args, char **words)
     dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
     cmd_begin(&program, count, words, args);
 }
+
+START_TEST(an_option_may_be_repeated)
+{
+    struct cmd_args args;
+    PARSE(&args, "--texts=a", "file", "--texts", "--b", "--texts", "");
+    ck_assert_int_eq(texts.count, 3);
+    ck_assert_str_eq(texts.at[0], "a");
+    ck_assert_str_eq(texts.at[1], "--b");
+    ck_assert_str_eq(texts.at[2], "");
+    ck_assert_int_eq(args.operand_count, 1);
+}
+END_TEST
 
 START_TEST(values_of_every_type)
 {
@@ -165,6 +179,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("cmd options");
     TCase *tests = tcase_create("options");
+    tcase_add_test(tests, an_option_may_be_repeated);
     tcase_add_test(tests, values_of_every_type);
     tcase_add_test(tests, the_common_options_and_their_defaults);
     tcase_add_test(tests, operands_keep_their_order);
