@@ -73,7 +73,7 @@ START_TEST(pictures_are_algorithm_2)
     model_make(&models[_i % MODELS], &frame.arena, &frame.scratch, &rptam);
     draw_both(_i / MODELS, 0.05, 0.7, &raster, &picture);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
-        shown += isfinite(raster.pixels[i].w);
+        shown += isfinite(raster.pixels[i].w) ? 1 : 0;
         if (!isfinite(raster.pixels[i].w) || !raster_is_inside(&raster, i % SIZE, i / SIZE))
             continue;
         double want = raster_ink(&raster, &raster.pixels[i], &rptam, 0.05, 0.7);
