@@ -83,7 +83,7 @@ static struct cmd_option table[] = {
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
      "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
      NULL},
-    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "of lines (default 2)", &line_width, NULL, NULL},
+    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+of lines (default 2)", &line_width, NULL, NULL},
     {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL,
      NULL},
     {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges that turn by more are creases (default 40)",
