@@ -6,10 +6,9 @@ set grid
 set logscale xy
 set format y "%g"
 set format x "%g"
-set xrange [1:20000]
-set yrange [0.0001:1000]
+set xrange [2:6000]
 set xlabel "milliseconds"
-set key bottom left Left reverse samplen 0.5 font ",9"
+set key top right Left reverse samplen 0.5 font ",8"
 rows(noise, test) = sprintf("< awk -F'\\t' '$2 == 10000 && $3 == %s && %s {print $4 * 1000, $8, $9, $1}' %s", noise, test, data)
 fixed = "$1 ~ /^radius/"
 sizes(noise) = sprintf("< awk -F'\\t' '$1 == \"adaptive, linear\" && $3 == %s {print $4 * 1000, $8, $2 / 1000, $2, $4}' %s", noise, data)
@@ -28,15 +27,16 @@ short(name) = strlen(name) > 7 && name[1:6] eq "radius" ? name[8:strstrt(name, "
 do for [n = 1:3] {
     noise = word("0 0.05 0.2", n)
     set title n == 1 ? "clean" : sprintf("noise %s of the edge", noise)
-    if (n > 1) { unset key }
+    if (n == 1) { set yrange [0.0002:500] }
+    if (n > 1) { unset key; set yrange [0.02:500] }
     set ylabel n == 1 ? "degrees: median" : ""
     plot $peers using 1:(column(n + 1)) with points pt 2 lc rgb "#999999" title "other programs", \
          rows(noise, fixed) using 1:2 with points pt 7 lc rgb "#b8541a" title "fixed: radius/degree", \
-         rows(noise, fixed) using 1:2:(short(stringcolumn(4) . " " . stringcolumn(5) . " " . stringcolumn(6) . " " . stringcolumn(7))) with labels offset 0,0.8 font ",8" tc rgb "#b8541a" notitle, \
+         rows(noise, fixed) using 1:2:(short(stringcolumn(4) . " " . stringcolumn(5) . " " . stringcolumn(6) . " " . stringcolumn(7))) with labels left rotate by 60 offset 0,0.5 font ",8" tc rgb "#b8541a" notitle, \
          rows(noise, coarse) using 1:2 with points pt 9 lc rgb "#7a4fa0" title "simplified mesh", \
          rows(noise, raw) using 1:2 with points pt 5 ps 1.3 lc rgb "#3a8f3a" title "adaptive", \
          sizes(noise) using 1:2 with lines lw 1 dt 2 lc rgb "#1f5fa8" notitle, \
-         sizes(noise) using 1:2:(sprintf("%gk", column(3))) with labels offset 2.4,0 font ",8" tc rgb "#1f5fa8" notitle, \
+         sizes(noise) using 1:2:(sprintf("%gk", column(3))) with labels offset 0,-0.9 font ",8" tc rgb "#1f5fa8" notitle, \
          rows(noise, ours) using 1:2 with points pt 13 ps 1.5 lc rgb "#1f5fa8" title "adaptive, smoothed"
 }
 set title "frames, curvature and field against faces"
