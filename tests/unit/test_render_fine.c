@@ -73,7 +73,7 @@ static void make_thresholds(void)
 /* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone
  * may be taken or not. */
 #define FILTER (1.5 / 255)
-#define HEIGHTS 4.0 /* what seven heights, each so filtered, may sum up to, in 255ths */
+#define HEIGHTS 4.0 /* in 255ths: seven heights, each rounded by half a step, and the picture's own half */
 
 /* Draws at a tone, with so many tiles over the picture; returns the largest distance from the model. Levels are
  * whole where tiles is a power of two. */
