@@ -7,6 +7,7 @@
 #include "tam/steps.h"
 
 #define FULL 255u
+#define STROKES_MEET 4u /* at most these steps of a texel in one bin are strokes */
 
 /* One level's work; a task is a row. */
 struct job {
@@ -43,12 +44,21 @@ static uint64_t area_between(const struct hatch_step *steps, uint32_t count, uin
     return area;
 }
 
-/* One of the steps, with a chance in proportion to its height. */
-static uint32_t pick(const struct job *job, const struct hatch_step *steps, uint32_t height, uint32_t bin,
-                     size_t texel)
+/* One of the steps, with a chance in proportion to its height. Where a few strokes meet, all texels that they
+ * share draw the same lot, on every level: a lot for each texel would make a stroke come in dots. More steps
+ * than that are a tone, not strokes, and a lot for each texel keeps its bands rough. */
+static uint32_t pick(const struct job *job, const struct hatch_step *steps, uint32_t count, uint32_t height,
+                     uint32_t bin, size_t texel)
 {
-    uint64_t stream = (uint64_t)job->level << 8 | bin;
-    uint64_t at = hatch_random_u64(job->options->seed, stream, texel) % height, i = 0;
+    uint64_t stream = bin, lot = 0, i = 0;
+    if (count > STROKES_MEET) {
+        stream = (uint64_t)job->level << 8 | bin;
+        lot = texel;
+    } else {
+        for (uint32_t step = 0; step < count; step++)
+            lot = lot << 8 | steps[step].x;
+    }
+    uint64_t share = hatch_random_u64(job->options->seed, stream, lot) >> 32, at = share * height >> 32;
     for (; at >= steps[i].height; i++)
         at -= steps[i].height;
     return steps[i].x;
@@ -65,7 +75,7 @@ static void merge_texel(const struct job *job, size_t texel, struct sums *sums)
             height += steps[to].height;
         if (to == from)
             continue;
-        uint32_t x = to == from + 1 ? steps[from].x : pick(job, steps + from, height, bin, texel);
+        uint32_t x = to == from + 1 ? steps[from].x : pick(job, steps + from, to - from, height, bin, texel);
         *place_of(job, job->level, texel, bin, 0) = (uint8_t)x;
         *place_of(job, job->level, texel, bin, 1) = (uint8_t)height;
         sums->merged += to > from + 1 ? to - from : 0;

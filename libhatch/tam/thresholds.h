@@ -58,7 +58,8 @@ struct hatch_threshold_figures {
 /* Every level from the map's own. A step lies half-way between the tones of two columns (rounded down
  * where 8 bits lie between), so that at each column's tone its image comes out. Several steps in a bin
  * become one of the sum of their heights, at the x of one of them, which is drawn at random with a
- * chance in proportion to its height (so that the mean over texels stays true), by seed, texel and bin.
+ * chance in proportion to its height (so that the mean stays true): one lot, by seed and bin, for all texels
+ * in which the same up to four steps meet, as along strokes; one for each texel with more.
  * HATCH_BAD_INPUT for a coloured map, and where a texel gets lighter (hatch_tam_check_nesting). */
 enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam,
                                         const struct hatch_threshold_options *options,

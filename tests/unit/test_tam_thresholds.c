@@ -176,6 +176,37 @@ START_TEST(merged_changes_keep_their_height_and_their_mean_tone)
 }
 END_TEST
 
+/* Where the soft edges of one stroke cross another, all texels come at once, on every level; greys that have
+ * a step at every tone come one by one. */
+START_TEST(strokes_that_meet_draw_one_lot)
+{
+    struct hatch_tam tam = made_map(64, 255, 1, "Y", two_strokes);
+    make(&tam, 1, NULL);
+    uint32_t met = 0, first = 0;
+    for (uint32_t level = 0; level < 3; level++) {
+        uint32_t size = 64u >> level;
+        for (uint32_t i = 0; i < size * size; i++) {
+            float u = ((float)(i % size) + 0.5f) / (float)size, v = ((float)(i / size) + 0.5f) / (float)size;
+            if (two_strokes(u, v, 0, 0.6f, 0) != 0.5f || two_strokes(u, v, 0, 1, 0) != 0)
+                continue;
+            first = met++ ? first : number(level, i, 0, 0);
+            ck_assert_uint_eq(number(level, i, 0, 0), first);
+        }
+    }
+    ck_assert_uint_ge(met, 24);
+
+    bool seen[256] = {false};
+    uint32_t kinds = 0;
+    tam = made_map(64, 255, 1, "Y", made_ramp);
+    make(&tam, 1, NULL);
+    for (size_t i = 0; i < 4096; i++) {
+        kinds += seen[number(0, i, 0, 0)] ? 0 : 1;
+        seen[number(0, i, 0, 0)] = true;
+    }
+    ck_assert_uint_gt(kinds, 128);
+}
+END_TEST
+
 /* The error is the area that hatch_thresholds_sample leaves, summed up tone by tone. */
 START_TEST(the_error_is_the_area_between)
 {
@@ -392,6 +423,7 @@ static Suite *suite(void)
     tcase_add_test(tests, an_empty_texel_has_the_mean_x_of_its_neighbours);
     tcase_add_test(tests, empty_texels_do_not_drag_their_neighbours);
     tcase_add_test(tests, merged_changes_keep_their_height_and_their_mean_tone);
+    tcase_add_test(tests, strokes_that_meet_draw_one_lot);
     tcase_add_test(tests, the_error_is_the_area_between);
     tcase_add_test(tests, fitted_bins_err_less_than_even_ones);
     tcase_add_test(tests, a_constant_map_has_one_change_or_none);
