@@ -9,7 +9,7 @@ static const struct cmd_option options[] = {
     {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
      "diff: exit 1 when the largest difference is over X (default: any)", &values.max_difference,
      NULL, NULL},
-    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames: measure sRGB numbers in place of linear light",
+    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames, ink: measure sRGB numbers in place of linear light",
      &values.srgb, NULL, NULL},
     {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: its strokes, as tamgen --strokes wrote them",
      &values.strokes, NULL, NULL},
@@ -21,7 +21,8 @@ static const struct cmd_option options[] = {
      &values.throws, NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a bar is missed: see the manual",
      &values.check, NULL, NULL},
-    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: the field that is wanted; tones: the map that FILE was made of",
+    {'R', "reference", CMD_TEXT, 0, 0, "FILE",
+     "field: the one that is wanted; tones: the map of FILE; ink: another picture",
      &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
      &values.share, NULL, NULL},
@@ -39,6 +40,7 @@ static const struct {
     {"diff", 2, 2, "2", stat_diff},
     {"field", 0, -1, "any number", stat_field},
     {"frames", 2, -1, "2 or more", stat_frames},
+    {"ink", 1, -1, "1 or more", stat_ink},
     {"lapped", 0, 1, "1 at most", stat_lapped},
     {"mesh", 0, -1, "any number", stat_mesh},
     {"seeds", 0, 1, "1 at most", stat_seeds},
@@ -58,7 +60,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
-    .summary = "measure pictures (diff A B, frames A B ...), meshes (mesh FILE ...), "
+    .summary = "measure pictures (diff A B, frames A B ..., ink FILE ...), meshes (mesh FILE ...), "
                "direction fields (field FILE ...), lapped patches (lapped FILE), "
                "tonal art maps (tam FILE), what was made of them (tones FILE), seed sets (seeds FILE)",
     .examples = examples,

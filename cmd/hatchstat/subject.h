@@ -9,11 +9,11 @@
 /* The options of all subjects; each looks at its own. */
 struct stat_options {
     double max_difference; /* diff: negative when not given */
-    bool srgb;             /* diff, frames: sRGB numbers in place of linear light */
+    bool srgb;             /* diff, frames, ink: sRGB numbers in place of linear light */
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
     int64_t throws;        /* tam, seeds: how many random drawings to compare with */
     bool check;            /* tam, lapped, seeds: what must hold decides the exit status */
-    const char *reference; /* field, tones: NULL when not given */
+    const char *reference; /* field, tones, ink: NULL when not given */
     double share;          /* field: of the reference's points, the most confident first */
     int64_t samples;       /* lapped: for coverage; tones: of each level */
 };
@@ -29,6 +29,8 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
                               struct cmd_output *output);
 enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options,
                              struct cmd_output *output);
+enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *options,
+                           struct cmd_output *output);
 enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options,
                               struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,

@@ -6,7 +6,8 @@ const char *columns_name(enum columns_form form)
 {
     if (form == COLUMNS_VOLUME)
         return "a volume (tamvol makes one)";
-    return form == COLUMNS_THRESHOLDS ? "thresholds (tamthresh makes them)" : "a tonal art map (tamgen makes one)";
+    return form == COLUMNS_THRESHOLDS ? "thresholds or exact runs (tamthresh makes them)"
+                                      : "a tonal art map (tamgen makes one)";
 }
 
 /* Darkness of one texel as a byte. A coloured map seen in grey gives its luminance. */

@@ -15,7 +15,7 @@ enum columns_form {
     COLUMNS_SIX,   /* six grey columns: the first four in a layer, the last four in another */
     COLUMNS_ARRAY, /* every column a layer, grey or coloured */
     COLUMNS_VOLUME,    /* reflectance over tone: slices of a 3D texture, or layers */
-    COLUMNS_THRESHOLDS /* four layers of tam/thresholds.h */
+    COLUMNS_THRESHOLDS /* four layers of tam/thresholds.h, or the runs of tam/exact.h */
 };
 #define COLUMNS_FORMS 5u
 
@@ -33,6 +33,7 @@ struct gpu_columns {
     bool color;
     bool layered;        /* no 3D texture */
     bool whole;          /* its last tone is all ink */
+    bool exact;          /* runs: whole numbers that no sampler filters */
     float targets[HATCH_TAM_TONES_MAX]; /* darkness of each, rising */
 };
 

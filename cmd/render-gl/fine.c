@@ -36,6 +36,16 @@ static enum hatch_status read_thresholds(const char *const *key_values, struct f
     return HATCH_OK;
 }
 
+static enum hatch_status read_exact(struct fine *fine, struct hatch_err *err)
+{
+    HATCH_TRY(hatch_exact_from_texels(&fine->texels, &fine->exact, err));
+    fine->form = COLUMNS_THRESHOLDS;
+    fine->size_px = fine->exact.size_px;
+    fine->levels = fine->exact.levels;
+    fine->darkest = hatch_exact_tone(&fine->exact, fine->exact.columns - 1);
+    return HATCH_OK;
+}
+
 /* Packed texels are unpacked once, which finds what is wrong with them, and go to the GPU as they are. */
 static enum hatch_status read_volume(const char *const *key_values, struct hatch_arena *scratch,
                                      struct fine *fine, struct hatch_err *err)
@@ -61,12 +71,15 @@ enum hatch_status fine_read(struct hatch_bytes file, struct hatch_arena *arena, 
     const char *const *key_values;
     HATCH_TRY(hatch_ktx2_read(file, arena, &made.texels, err));
     HATCH_TRY(hatch_ktx2_read_keys(file, arena, &key_values, err));
-    if (hatch_texels_value(key_values, HATCH_THRESHOLD_KEY_BORDERS))
+    made.size_px = made.texels.width;
+    if (made.texels.code == HATCH_TEXELS_R32UI)
+        HATCH_TRY(read_exact(&made, err));
+    else if (hatch_texels_value(key_values, HATCH_THRESHOLD_KEY_BORDERS))
         HATCH_TRY(read_thresholds(key_values, &made, err));
     else if (hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST))
         HATCH_TRY(read_volume(key_values, scratch, &made, err));
     else
-        return hatch_fail(err, HATCH_BAD_INPUT, "a texture that is neither a volume nor thresholds: "
+        return hatch_fail(err, HATCH_BAD_INPUT, "a texture that is no volume, no thresholds and no exact runs: "
                                                 "tamvol or tamthresh makes them");
     *fine = made;
     return HATCH_OK;
@@ -108,9 +121,44 @@ static enum hatch_status check_size(const struct hatch_texels *texels, struct ha
     return HATCH_OK;
 }
 
+/* As whole numbers in rows of HATCH_EXACT_WIDTH, which shaders fetch one by one. */
+static enum hatch_status upload_exact(const struct fine *fine, struct gpu_columns *columns, struct hatch_err *err)
+{
+    const struct hatch_texels *texels = &fine->texels;
+    GLsizei width = (GLsizei)texels->width, height = (GLsizei)texels->height;
+    GLint side;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    if (height > side)
+        return hatch_fail(err, HATCH_LIMIT, "exact runs of %d rows, the GPU takes %d", (int)height, side);
+    struct gpu_columns made = {.form = fine->form,
+                               .size_px = fine->exact.size_px,
+                               .levels = fine->levels,
+                               .count = fine->exact.columns,
+                               .map_count = fine->exact.columns,
+                               .exact = true,
+                               .whole = fine->darkest >= 1};
+    for (uint32_t i = 0; i < made.count; i++)
+        made.targets[i] = hatch_exact_tone(&fine->exact, i);
+    glCreateTextures(GL_TEXTURE_2D, 1, &made.texture);
+    glTextureStorage2D(made.texture, 1, GL_R32UI, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(made.texture, 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, texels->texels[0]);
+    columns_make_sampler(&made, 1);
+    glSamplerParameteri(made.sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(made.sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        columns_free(&made);
+        return hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %d rows of exact runs", (int)height);
+    }
+    *columns = made;
+    return HATCH_OK;
+}
+
 enum hatch_status fine_upload(const struct fine *fine, float anisotropy, struct gpu_columns *columns,
                               struct hatch_err *err)
 {
+    if (fine->exact.columns)
+        return upload_exact(fine, columns, err);
     static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
     const struct hatch_texels *texels = &fine->texels;
     uint32_t slices = texels->depth ? texels->depth : texels->layers;

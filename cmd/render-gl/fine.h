@@ -5,10 +5,13 @@
 #include "base/bytes.h"
 #include "image/texels.h"
 #include "render-gl/columns.h"
+#include "tam/exact.h"
 
 struct fine {
     enum columns_form form;     /* COLUMNS_NONE: there is none */
     struct hatch_texels texels; /* packed in blocks, perhaps */
+    struct hatch_exact exact;   /* the same as runs; no columns where it is something else */
+    uint32_t size_px;           /* of the finest level */
     uint32_t levels;            /* that hold strokes */
     float darkest;              /* tone beyond which nothing is added */
 };
@@ -16,7 +19,8 @@ struct fine {
 /* Whether a file is a KTX2 texture, by its first bytes. */
 bool fine_is(struct hatch_bytes file);
 
-/* Reads a volume, in slices or in layers, or thresholds into arena. HATCH_BAD_INPUT for any other texture. */
+/* Reads a volume, in slices or in layers, thresholds or exact runs into arena. HATCH_BAD_INPUT for any other
+ * texture. */
 enum hatch_status fine_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,
                             struct fine *fine, struct hatch_err *err) HATCH_MUST_USE;
 

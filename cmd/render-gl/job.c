@@ -79,7 +79,7 @@ static enum hatch_status set_repeat(struct job *job, const struct view *view, st
     const struct options *options = &job->options;
     bool map = job->map.tones > 0;
     return repeat_set(&job->gpu, options->repeat, view, options->height,
-                      map ? job->map.size_px : job->fine.texels.width, map ? job->map.levels : job->fine.levels,
+                      map ? job->map.size_px : job->fine.size_px, map ? job->map.levels : job->fine.levels,
                       &job->args.scratch, err);
 }
 

@@ -23,11 +23,12 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
     char defines[256];
-    bool layered = technique->columns != COLUMNS_NONE && renderer->columns[technique->columns].layered;
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s", technique->defines,
+    const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
              technique->pixel_light && renderer->style.pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
-             layered ? "#define LAYERED 1\n" : "",
-             renderer->style.anisotropy > 1 ? "#define ANISOTROPIC 1\n" : "",
+             columns->layered ? "#define LAYERED 1\n" : "",
+             columns->exact ? "#define EXACT 1\n" : "",
+             renderer->style.anisotropy > 1 && !columns->exact ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant & DRAW_PIECES ? PIECES : "",
              variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",

@@ -148,6 +148,11 @@ enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, str
     return HATCH_OK;
 }
 
+float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column)
+{
+    return get_float(exact->texels.texels[0], HATCH_EXACT_HEAD + (uint64_t)exact->level_count + column);
+}
+
 /* The darkness in force at both columns, blended. */
 static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int column, float share)
 {
@@ -165,12 +170,10 @@ static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int co
 /* The last column of at most that tone, -1 where there is none; share: of the one after it. */
 static int find_column(const struct hatch_exact *exact, float tone, float *share)
 {
-    const uint8_t *words = exact->texels.texels[0];
-    uint64_t tones = HATCH_EXACT_HEAD + (uint64_t)exact->level_count;
     uint32_t above = 0;
     float before = 0, at = 0;
     for (; above < exact->columns; above++, before = at) {
-        at = get_float(words, tones + above);
+        at = hatch_exact_tone(exact, above);
         if (at > tone)
             break;
     }

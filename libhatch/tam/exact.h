@@ -53,6 +53,9 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
 enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, struct hatch_exact *exact,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
+/* The tone of a column, 0 .. columns - 1. */
+float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column);
+
 /* The reflectance, 0 .. 1, at (u, v), repeating, tone and level of detail lod (0 is the finest):
  * evaluated at each texel, then bilinear within a level, linear between two. */
 float hatch_exact_sample(const struct hatch_exact *exact, float u, float v, float tone, float lod);

@@ -6,6 +6,7 @@ tamvol -q --tones 16 map.exr -o volume.ktx2
 tamvol -q --tones 16 --layout array map.exr -o layers.ktx2
 tamvol -q --tones 16 --compress map.exr -o packed.ktx2
 tamthresh -q map.exr -o thresholds.ktx2
+tamthresh --exact map.exr -o exact.ktx2
 meshgen sphere --faces 800 --uv whole -o ball.glb
 meshgen torus --faces 800 | dirfield -q | lapped-param -q -o torus.lapped.glb
 
@@ -28,7 +29,10 @@ ok "a packed volume" draw volume packed.ktx2 packed.png
 ok "thresholds" draw threshold thresholds.ktx2 thresholds.png
 ok "one threshold" draw threshold-soft thresholds.ktx2 soft.png
 ok "volume and thresholds with anisotropy" draw volume layers.ktx2 an.png "--anisotropy 8"
-for technique in volume:volume threshold:thresholds; do
+ok "exact runs" draw threshold exact.ktx2 exact.png
+ok "one threshold of exact runs" draw threshold-soft exact.ktx2 exact-soft.png
+ok "exact runs with anisotropy" draw threshold exact.ktx2 an.png "--anisotropy 8"
+for technique in volume:volume threshold:thresholds threshold:exact; do
     ok "${technique%:*} on patches" render-gl torus.lapped.glb -t "${technique%:*}" -T "${technique#*:}.ktx2" \
         --size 64x48 -o patches.png
 done
@@ -38,7 +42,8 @@ within "layers are the volume, nearly" 0 6 "$(figure mean volume.png layers.png)
 within "so are blocks" 0 20 "$(figure mean volume.png packed.png)"
 within "thresholds have the columns' tone" 0 15 "$(figure bias columns.png thresholds.png)"
 within "so has the volume" 0 15 "$(figure bias columns.png volume.png)"
-within "but they are not the volume" 3 200 "$(figure mean volume.png thresholds.png)"
+within "so have exact runs" 0 10 "$(figure bias columns.png exact.png)"
+within "but thresholds are not the volume" 3 200 "$(figure mean volume.png thresholds.png)"
 
 # Black and white bands, one of each to a quarter of the way around.
 awk 'BEGIN { print "P2 64 1 255"; for (i = 0; i < 64; i++) print i % 16 < 8 ? 0 : 255 }' >bands.pgm
@@ -59,6 +64,11 @@ is "a map is no volume" "$status $(cat .err)" \
     "3 render-gl: map.exr: technique volume wants a volume (tamvol makes one), this is a tonal art map"
 try render-gl ball.glb -t threshold -T volume.ktx2 -o no.png
 is "a volume is no thresholds" "$status $(wc -l <.err)" "3 1"
+try render-gl ball.glb -t volume -T exact.ktx2 -o no.png
+is "exact runs are no volume" "$status $(wc -l <.err)" "3 1"
+head -c 3000 exact.ktx2 >cut.ktx2
+try render-gl ball.glb -t threshold -T cut.ktx2 -o no.png
+is "cut runs" "$status $(wc -l <.err)" "3 1"
 try render-gl ball.glb -t tam -T volume.ktx2 -o no.png
 is "a volume is no map" "$status $(wc -l <.err)" "3 1"
 try render-gl ball.glb -t volume -o no.png

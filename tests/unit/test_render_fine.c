@@ -70,6 +70,14 @@ static void make_thresholds(void)
                          .darkest = 1};
 }
 
+static void make_exact(void)
+{
+    struct hatch_exact exact;
+    HATCH_TEST_OK(hatch_exact_make(&map, NULL, &frame.arena, &frame.scratch, &exact, &frame.err), &frame.err);
+    fine = (struct fine){.form = COLUMNS_THRESHOLDS, .texels = exact.texels, .exact = exact, .levels = exact.levels,
+                         .darkest = 1};
+}
+
 /* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone
  * may be taken or not. */
 #define FILTER (1.5 / 255)
@@ -91,6 +99,8 @@ static double worst_of(const char *technique, double tone, double tiles)
             if (fine.form == COLUMNS_VOLUME) {
                 hatch_volume_sample(&volume, u, v, (float)tone, lod, true, value);
                 dark = want = value[0];
+            } else if (fine.exact.columns) {
+                dark = want = hatch_exact_sample(&fine.exact, u, v, (float)tone, lod);
             } else {
                 double margin = tiles < 1 ? FILTER : 0;
                 want = hatch_thresholds_sample(&thresholds, u, v, (float)(tone - margin), lod);
@@ -176,12 +186,61 @@ START_TEST(threshold_is_its_model)
 }
 END_TEST
 
+START_TEST(exact_runs_are_their_model)
+{
+    static const double tones[] = {0, 0.06, 0.3, 0.75, 1}, tiles[] = {0.4, 1, 4, 64};
+    frame_arenas(&frame);
+    nested_map();
+    make_exact();
+    for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
+        for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
+            double worst = worst_of("threshold", tones[t], tiles[k]);
+            ck_assert_msg(worst <= 1.0 / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
+        }
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
+/* Where a volume's slices are columns and one texel is a pixel, both filters take the same texel. */
+START_TEST(exact_runs_are_the_volume_at_its_tones)
+{
+    frame_arenas(&frame);
+    nested_map();
+    make_volume(HATCH_VOLUME_ARRAY);
+    struct fine forms[2] = {fine};
+    make_exact();
+    forms[1] = fine;
+    for (uint32_t slice = 0; slice < TONES / 2; slice += 3)
+        for (double tiles = 1; tiles <= 4; tiles *= 2) {
+            struct hatch_image pictures[2];
+            double worst = 0;
+            for (int k = 0; k < 2; k++) {
+                fine = forms[k];
+                begin((slice + 0.5) / (TONES / 2.0), tiles);
+                frame_draw(&frame, k ? "threshold" : "volume", &map_facing, SIZE, SIZE, 1, &pictures[k]);
+                renderer_free(&frame.renderer);
+                scene_free(&frame.gpu);
+                context_close(&frame.context);
+            }
+            for (size_t i = 0; i < 3 * SIZE * SIZE; i++)
+                worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
+            ck_assert_msg(worst <= 2.0 / 255, "slice %u, %g tiles: %g/255", slice, tiles, 255 * worst);
+        }
+    hatch_arena_free(&frame.arena);
+    hatch_arena_free(&frame.scratch);
+}
+END_TEST
+
 /* A tone of nothing is bare paper, whatever the technique. */
 START_TEST(no_tone_is_paper)
 {
     frame_arenas(&frame);
     nested_map();
-    make_thresholds();
+    if (_i)
+        make_exact();
+    else
+        make_thresholds();
     begin(0, 1);
     struct hatch_image image;
     frame_draw(&frame, "threshold-soft", &map_facing, SIZE, SIZE, 1, &image);
@@ -204,7 +263,9 @@ static Suite *suite(void)
     tcase_add_test(tests, volume_in_layers_is_its_model);
     tcase_add_test(tests, blocks_are_their_model);
     tcase_add_test(tests, threshold_is_its_model);
-    tcase_add_test(tests, no_tone_is_paper);
+    tcase_add_test(tests, exact_runs_are_their_model);
+    tcase_add_test(tests, exact_runs_are_the_volume_at_its_tones);
+    tcase_add_loop_test(tests, no_tone_is_paper, 0, 2);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,12 +1,31 @@
 // Reading the columns of the tonal art map, in the fragment stage: aim once, then read.
 #include "frame.glsl"
 
+#ifdef EXACT
+layout(binding = 0) uniform usampler2D columns; // tamthresh(5): words, 1024 a row
+
+uint word(uint i)
+{
+    return texelFetch(columns, ivec2(i & 1023u, i >> 10), 0).r;
+}
+
+vec2 columns_size()
+{
+    return vec2(float(word(1u)));
+}
+#else
 #if defined(VOLUME) && !defined(LAYERED)
 layout(binding = 0) uniform sampler3D columns;
 #define ALONG_SURFACE(v) vec3(v, 0.0)
 #else
 layout(binding = 0) uniform sampler2DArray columns;
 #define ALONG_SURFACE(v) v
+#endif
+
+vec2 columns_size()
+{
+    return vec2(textureSize(columns, 0).xy);
+}
 #endif
 
 vec2 column_place;
@@ -26,7 +45,7 @@ void aim(vec2 texcoord)
     column_place = texcoord;
     column_x = far ? vec2(1.0, 0.0) : dFdx(texcoord);
     column_y = far ? vec2(0.0, 1.0) : dFdy(texcoord);
-    vec2 size = vec2(textureSize(columns, 0).xy);
+    vec2 size = columns_size();
     float longer = max(dot(column_x * size, column_x * size), dot(column_y * size, column_y * size));
     float area = abs(column_x.x * column_y.y - column_x.y * column_y.x) * size.x * size.y;
     column_level = 0.5 * log2(max(area * area / max(longer, 1e-20), 1e-20) * curve.w);
@@ -46,7 +65,7 @@ vec4 read_columns(float layer)
 // read one level where one is enough.
 void aim(vec2 texcoord)
 {
-    vec2 size = vec2(textureSize(columns, 0).xy);
+    vec2 size = columns_size();
     vec2 x = dFdx(texcoord) * size, y = dFdy(texcoord) * size;
     float area = x.x * y.y - x.y * y.x;
     float longer = max(max(dot(x, x), dot(y, y)), 1e-20), shorter = area * area / longer;
@@ -56,8 +75,10 @@ void aim(vec2 texcoord)
     column_level = level - part + clamp(2.0 * part - 0.5, 0.0, 1.0);
 }
 
+#ifndef EXACT
 vec4 read_columns(float layer)
 {
     return textureLod(columns, vec3(column_place, layer), column_level);
 }
+#endif
 #endif

@@ -6,6 +6,20 @@
 in vec2 v_texcoord;
 out vec4 o_color;
 
+#ifdef EXACT
+#include "exact.glsl"
+
+// They have no channel for an outline.
+float read_steps()
+{
+    return 1.0;
+}
+
+float coverage(float amount)
+{
+    return exact_ink(amount);
+}
+#else
 // The stair's steps, once for both inks.
 vec4 step_at[2], step_height[2];
 
@@ -36,18 +50,26 @@ float coverage(float amount)
 #endif
 }
 
+// Reads what coverage() needs; returns the outline's opacity.
+float read_steps()
+{
+    for (int half_of = 0; half_of < 2; half_of++) {
+        step_at[half_of] = read_columns(float(half_of));
+        step_height[half_of] = read_columns(float(2 + half_of));
+    }
+    return step_height[1].a;
+}
+#endif
+
 void main()
 {
     aim(v_texcoord);
     base_holes();
     vec2 asked = amounts();
-    for (int half_of = 0; half_of < 2; half_of++) {
-        step_at[half_of] = read_columns(float(half_of));
-        step_height[half_of] = read_columns(float(2 + half_of));
-    }
+    opacity *= read_steps();
     float light = 0.0;
 #ifdef TWO_INKS
     light = coverage(asked.y);
 #endif
-    o_color = vec4(ink_on_paper(vec3(coverage(asked.x)), vec3(light)), opacity * step_height[1].a);
+    o_color = vec4(ink_on_paper(vec3(coverage(asked.x)), vec3(light)), opacity);
 }

@@ -1,0 +1,44 @@
+/* hatchstat ink FILE ...: how strokes look in pictures: grey strokes, tone, edges. */
+#include "measure/ink_figures.h"
+#include "subject.h"
+
+static const char *const columns[] = {"file",       "inked",      "grey",       "grey_strokes",
+                                      "tone_error", "tone_worst", "edge_error", NULL};
+
+static void check_size(const char *path, const struct hatch_image *picture, const struct hatch_image *reference)
+{
+    struct hatch_err err;
+    if (picture->width == reference->width && picture->height == reference->height)
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels, the reference has %ux%u", picture->width, picture->height,
+               reference->width, reference->height);
+    cmd_die(cmd_input_name(path), &err);
+}
+
+enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
+{
+    struct hatch_image picture, reference;
+    struct hatch_arena arena;
+    struct cmd_report report;
+    struct hatch_err err;
+    if (options->reference)
+        stat_read_picture(args, options->reference, options->srgb, NULL, &reference);
+    cmd_report_begin(&report, args, columns);
+    for (int i = 1; i < args->operand_count; i++) {
+        const char *path = args->operands[i];
+        struct hatch_ink_figures f;
+        hatch_arena_init(&arena, args->max_memory);
+        stat_read_picture(args, path, options->srgb, &arena, &picture);
+        if (options->reference)
+            check_size(path, &picture, &reference);
+        cmd_check(hatch_measure_ink(&picture, options->reference ? &reference : NULL, &args->scratch, &f, &err),
+                  cmd_input_name(path), &err);
+        hatch_arena_free(&arena);
+        cmd_report_text(&report, cmd_input_name(path));
+        const double numbers[] = {f.inked, f.grey, f.grey_strokes, f.tone_error, f.tone_worst, f.edge_error};
+        for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
+            cmd_report_number(&report, numbers[n]);
+    }
+    cmd_report_write(&report, output);
+    return HATCH_OK;
+}

@@ -1,0 +1,133 @@
+#include "measure/ink_figures.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+
+#define INKED 0.1f
+#define EDGE_BELOW 0.9f
+#define GREY 0.25f
+#define INK 0.75f
+#define DARKENED 0.01 /* a window's mean */
+
+/* Darkness, pixel by pixel, from 0 to 1. */
+static float *darkness_of(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    size_t count = (size_t)image->width * image->height;
+    uint32_t channels = image->channel_count;
+    float *dark = HATCH_NEW(scratch, float, count, err);
+    for (size_t i = 0; dark && i < count; i++) {
+        const float *at = image->pixels + i * channels;
+        float light = channels < 3 ? at[0] : 0.2126f * at[0] + 0.7152f * at[1] + 0.0722f * at[2];
+        dark[i] = fminf(fmaxf(1 - light, 0), 1);
+    }
+    return dark;
+}
+
+/* Whether one of the eight pixels around (x, y) is ink. */
+static bool has_ink_beside(const float *dark, uint32_t width, uint32_t height, uint32_t x, uint32_t y)
+{
+    for (uint32_t row = y ? y - 1 : 0; row <= y + 1 && row < height; row++)
+        for (uint32_t column = x ? x - 1 : 0; column <= x + 1 && column < width; column++)
+            if (dark[(size_t)row * width + column] >= INK)
+                return true;
+    return false;
+}
+
+static void count_greys(const float *dark, uint32_t width, uint32_t height, struct hatch_ink_figures *figures)
+{
+    uint64_t inked = 0, grey = 0, strokes = 0;
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < width; x++) {
+            float here = dark[(size_t)y * width + x];
+            bool is_grey = here > GREY && here < INK;
+            inked += here > INKED;
+            grey += is_grey;
+            strokes += is_grey && !has_ink_beside(dark, width, height, x, y);
+        }
+    figures->inked = (double)inked / ((double)width * height);
+    figures->grey = inked ? (double)grey / (double)inked : 0;
+    figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
+}
+
+/* sums[y * (width + 1) + x]: of all numbers above y and left of x. */
+static double *sum_areas(const float *dark, uint32_t width, uint32_t height, struct hatch_arena *scratch,
+                         struct hatch_err *err)
+{
+    size_t pitch = (size_t)width + 1;
+    double *sums = HATCH_NEW(scratch, double, pitch * ((size_t)height + 1), err);
+    for (uint32_t y = 0; sums && y < height; y++) {
+        double row = 0;
+        for (uint32_t x = 0; x < width; x++) {
+            row += (double)dark[(size_t)y * width + x];
+            sums[(y + 1) * pitch + x + 1] = sums[y * pitch + x + 1] + row;
+        }
+    }
+    return sums;
+}
+
+static enum hatch_status compare_tones(const float *dark, const float *want, uint32_t width, uint32_t height,
+                                       struct hatch_arena *scratch, struct hatch_ink_figures *figures,
+                                       struct hatch_err *err)
+{
+    uint32_t across = HATCH_INK_WINDOW_PX < width ? HATCH_INK_WINDOW_PX : width;
+    uint32_t down = HATCH_INK_WINDOW_PX < height ? HATCH_INK_WINDOW_PX : height;
+    const double *got = sum_areas(dark, width, height, scratch, err);
+    const double *wanted = got ? sum_areas(want, width, height, scratch, err) : NULL;
+    if (!wanted)
+        return HATCH_LIMIT;
+    double sum = 0, worst = 0, area = (double)across * down;
+    uint64_t windows = 0;
+    for (uint32_t y = 0; y + down <= height; y++)
+        for (uint32_t x = 0; x + across <= width; x++) {
+            size_t top = y * ((size_t)width + 1) + x, bottom = top + down * ((size_t)width + 1);
+            double mean = (wanted[bottom + across] - wanted[bottom] - wanted[top + across] + wanted[top]) / area;
+            double is = (got[bottom + across] - got[bottom] - got[top + across] + got[top]) / area;
+            if (mean <= DARKENED)
+                continue;
+            windows++;
+            sum += fabs(is - mean);
+            worst = fmax(worst, fabs(is - mean));
+        }
+    figures->tone_error = windows ? sum / (double)windows : 0;
+    figures->tone_worst = worst;
+    return HATCH_OK;
+}
+
+static void compare_edges(const float *dark, const float *want, size_t count, struct hatch_ink_figures *figures)
+{
+    double squares = 0;
+    uint64_t edges = 0;
+    for (size_t i = 0; i < count; i++) {
+        double off = (double)dark[i] - (double)want[i];
+        if (want[i] <= INKED || want[i] >= EDGE_BELOW)
+            continue;
+        edges++;
+        squares += off * off;
+    }
+    figures->edge_error = edges ? sqrt(squares / (double)edges) : 0;
+}
+
+enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const struct hatch_image *reference,
+                                    struct hatch_arena *scratch, struct hatch_ink_figures *figures,
+                                    struct hatch_err *err)
+{
+    assert(!reference || (reference->width == picture->width && reference->height == picture->height));
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_ink_figures found = {.tone_error = NAN, .tone_worst = NAN, .edge_error = NAN};
+    uint32_t width = picture->width, height = picture->height;
+    const float *dark = darkness_of(picture, scratch, err), *want = NULL;
+    enum hatch_status status = dark ? HATCH_OK : HATCH_LIMIT;
+    if (dark)
+        count_greys(dark, width, height, &found);
+    if (dark && reference) {
+        want = darkness_of(reference, scratch, err);
+        status = want ? compare_tones(dark, want, width, height, scratch, &found, err) : HATCH_LIMIT;
+    }
+    if (want && status == HATCH_OK)
+        compare_edges(dark, want, (size_t)width * height, &found);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *figures = found;
+    return status;
+}

@@ -1,0 +1,117 @@
+#include <math.h>
+
+#include "arenas.h"
+#include "fail_alloc.h"
+#include "measure/ink_figures.h"
+
+enum { SIDE = 96 };
+
+static struct hatch_ink_figures figures;
+
+/* Stripes of 16 pixels, the first 8 of which have that darkness, with an edge of one pixel at both sides. */
+static struct hatch_image stripes(const char *channels, float darkness, float edge)
+{
+    struct hatch_image image;
+    HATCH_TEST_OK(hatch_image_make(&keep, SIDE, SIDE, channels, &image, &err), &err);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        uint32_t x = i % SIDE % 16;
+        float dark = x == 0 || x == 7 ? edge : x < 8 ? darkness : 0;
+        for (uint32_t c = 0; c < image.channel_count; c++)
+            image.pixels[i * image.channel_count + c] = c == 3 ? 1 : 1 - dark;
+    }
+    return image;
+}
+
+static void measure(const struct hatch_image *picture, const struct hatch_image *reference)
+{
+    HATCH_TEST_OK(hatch_measure_ink(picture, reference, &scratch, &figures, &err), &err);
+}
+
+START_TEST(edges_of_ink_are_no_grey_strokes)
+{
+    struct hatch_image image = stripes(_i ? "RGBA" : "Y", 1, 0.5f);
+    measure(&image, NULL);
+    ck_assert_double_eq_tol(figures.inked, 0.5, 1e-12);
+    ck_assert_double_eq_tol(figures.grey, 0.25, 1e-12);
+    ck_assert_double_eq_tol(figures.grey_strokes, 0, 1e-12);
+    ck_assert(isnan(figures.tone_error) && isnan(figures.tone_worst) && isnan(figures.edge_error));
+}
+END_TEST
+
+START_TEST(a_stroke_that_is_grey_is_grey_as_a_whole)
+{
+    struct hatch_image image = stripes("Y", 0.6f, 0.3f);
+    measure(&image, NULL);
+    ck_assert_double_eq_tol(figures.grey, 1, 1e-12);
+    ck_assert_double_eq_tol(figures.grey_strokes, 1, 1e-12);
+    image = stripes("Y", 0.2f, 0.2f);
+    measure(&image, NULL);
+    ck_assert_double_eq_tol(figures.inked, 0.5, 1e-12);
+    ck_assert_double_eq_tol(figures.grey, 0, 1e-12);
+}
+END_TEST
+
+START_TEST(paper_has_no_strokes)
+{
+    struct hatch_image image = stripes("RGB", 0, 0);
+    measure(&image, &image);
+    ck_assert_double_eq(figures.inked, 0);
+    ck_assert_double_eq(figures.grey, 0);
+    ck_assert_double_eq(figures.grey_strokes, 0);
+    ck_assert_double_eq(figures.tone_error, 0);
+    ck_assert_double_eq(figures.edge_error, 0);
+}
+END_TEST
+
+/* Windows are two stripes wide: they all have the same mean. */
+START_TEST(tone_is_that_of_windows)
+{
+    struct hatch_image image = stripes("Y", 1, 0.5f), even = stripes("RGB", 0, 0);
+    for (uint32_t i = 0; i < SIDE * SIDE * 3; i++)
+        even.pixels[i] = 0.6f;
+    measure(&image, &even);
+    ck_assert_double_eq_tol(figures.tone_error, 0.4375 - 0.4, 1e-6);
+    ck_assert_double_eq_tol(figures.tone_worst, 0.4375 - 0.4, 1e-6);
+}
+END_TEST
+
+START_TEST(edges_are_those_of_the_reference)
+{
+    struct hatch_image image = stripes("Y", 1, 1), smooth = stripes("Y", 1, 0.5f);
+    measure(&image, &smooth);
+    ck_assert_double_eq_tol(figures.edge_error, 0.5, 1e-6);
+    measure(&smooth, &smooth);
+    ck_assert_double_eq(figures.edge_error, 0);
+}
+END_TEST
+
+static enum hatch_status measure_again(void *context, struct hatch_arena *into, struct hatch_arena *temporary,
+                                       struct hatch_err *why)
+{
+    (void)into;
+    return hatch_measure_ink(context, context, temporary, &figures, why);
+}
+
+START_TEST(every_allocation_may_fail)
+{
+    struct hatch_image image = stripes("Y", 1, 1);
+    hatch_test_fail_alloc(measure_again, &image, &figures, sizeof figures);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("measure ink");
+    TCase *tests = tcase_create("ink");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_loop_test(tests, edges_of_ink_are_no_grey_strokes, 0, 2);
+    tcase_add_test(tests, a_stroke_that_is_grey_is_grey_as_a_whole);
+    tcase_add_test(tests, paper_has_no_strokes);
+    tcase_add_test(tests, tone_is_that_of_windows);
+    tcase_add_test(tests, edges_are_those_of_the_reference);
+    tcase_add_test(tests, every_allocation_may_fail);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
