@@ -57,6 +57,14 @@ is() {
     fi
 }
 
+# count_lines FILE: how many lines it has, in $tap_lines; no process is started
+count_lines() {
+    tap_lines=0
+    while read -r tap_line; do
+        tap_lines=$((tap_lines + 1))
+    done <"$1"
+}
+
 # try COMMAND ...: runs it with its streams in $WORK/.out and $WORK/.err and its exit status in
 # $status; standard input is empty unless given
 try() {
@@ -67,7 +75,7 @@ try() {
 # refused NAME STATUS LINES: what try ran last must have exited with STATUS (several: "3 5") with
 # that many lines on standard error and nothing on standard output
 refused() {
-    tap_lines=$(wc -l <"$WORK/.err")
+    count_lines "$WORK/.err"
     tap_right=no
     for tap_status in $2; do
         [ "$status" != "$tap_status" ] || tap_right=yes

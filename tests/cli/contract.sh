@@ -16,8 +16,8 @@ unprivileged() {
 
 check_help() {
     try "$1" --help
-    lines=$(wc -l <.out)
-    [ $status -eq 0 ] && [ ! -s .err ] && [ "$lines" -le 40 ]
+    count_lines .out
+    [ $status -eq 0 ] && [ ! -s .err ] && [ "$tap_lines" -le 40 ]
     is "$1 --help: standard output, exit 0, at most 40 lines" $? 0
     [ "$(sed '1,/^examples:/d' .out | grep -c -w -e "$1")" -ge 2 ]
     is "$1 --help: two examples or more" $? 0
@@ -35,37 +35,42 @@ check_help() {
     fi
 }
 
+# refused_option COMMAND NAME: what try ran last ended in two lines, the first about that option
+refused_option() {
+    count_lines .err
+    read -r first <.err
+    [ $status -eq 2 ] && [ "$tap_lines" -eq 2 ] && [ ! -s .out ] || return 1
+    case $first in "$1: --$2: "*) ;; *) return 1 ;; esac
+}
+
 # Values that no numeric option takes; the table says which options are numeric.
 check_values() {
     "$1" --options-table >options.tsv
-    tail -n +2 options.tsv | grep -E "^[^$tab]*$tab[^$tab]*$tab(int|real|size|pair)$tab" >numeric.tsv
+    awk -F'\t' 'NR > 1 && $3 ~ /^(int|real|size|pair)$/ {
+        printf "%s %s %.17g %.17g\n", $2, $3, $5 * 2 + 1, $4 - 1}' options.tsv >numeric
+    command=$1
     bad=""
-    while IFS= read -r line; do
-        name=$(printf '%s' "$line" | cut -f2)
-        type=$(printf '%s' "$line" | cut -f3)
-        beyond=$(printf '%s' "$line" | awk -F'\t' '{printf "%.17g", $5 * 2 + 1}')
-        below=$(printf '%s' "$line" | awk -F'\t' '{printf "%.17g", $4 - 1}')
-        [ "$type" = pair ] && set -- "$1" nan:nan 12x 1: :1 "$beyond:$beyond" "$below:$below" ||
-            set -- "$1" nan NaN inf 12x 0x10 ' 1' '1 ' "$beyond" "$below"
-        command=$1
-        shift
+    while read -r name type beyond below; do
+        [ "$type" = pair ] && set -- nan:nan 12x 1: :1 "$beyond:$beyond" "$below:$below" ||
+            set -- nan NaN inf 12x 0x10 ' 1' '1 ' "$beyond" "$below"
         for value in "$@" ''; do
             try "$command" "--$name=$value"
-            [ $status -eq 2 ] && [ "$(wc -l <.err)" -eq 2 ] && [ ! -s .out ] ||
-                bad="$bad --$name=$value($status)"
+            refused_option "$command" "$name" || bad="$bad --$name=$value($status)"
         done
-        set -- "$command"
-    done <numeric.tsv
+    done <numeric
+    set -- "$command"
     is "$1 refuses NaN, 12x and what is out of range" "$bad" ""
     bad=""
     for name in $(tail -n +2 options.tsv | awk -F'\t' '$3 == "choice" {print $2}'); do
         try "$1" "--$name=nonesuch"
-        [ $status -eq 2 ] || bad="$bad --$name"
+        refused_option "$1" "$name" || bad="$bad --$name"
     done
     is "$1 refuses unknown choices" "$bad" ""
     for word in --nonesuch -% --hel --help=yes; do
         try "$1" "$word"
         refused "$1 $word" 2 2
+        grep -qF -e " ${word%=*}" .err
+        is "$1 $word: the message names it" $? 0
     done
 }
 
@@ -226,7 +231,8 @@ check_input() {
         head -c $((size * part / 100)) "$good" >"$input"
         try run cut.out
         case $status in 3 | 5) ;; *) bad="$bad $part%:$status" ;; esac
-        [ ! -e cut.out ] && [ "$(wc -l <.err)" -eq 1 ] || bad="$bad $part%:left"
+        count_lines .err
+        [ ! -e cut.out ] && [ "$tap_lines" -eq 1 ] || bad="$bad $part%:left"
     done
     is "$label: a cut file" "$bad" ""
     head -c $((size / 2)) "$good" >"$input"
@@ -243,6 +249,12 @@ check_input() {
     input=$good
 }
 
+# Nothing but signals/kept lies in that folder.
+no_litter() {
+    set -- signals/* signals/.[!.]*
+    [ "$*" = 'signals/kept signals/.[!.]*' ]
+}
+
 # Twenty moments over the run's length and a little beyond, the same ones in every run of the test.
 check_signals() {
     slow=${slow_arguments:-$arguments}
@@ -254,20 +266,22 @@ check_signals() {
     from=$(date +%s%N)
     try with_input "$slow" -o whole
     length_ms=$((($(date +%s%N) - from) / 1000000))
+    set --
+    for word in $slow; do
+        [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
+    done
     bad=""
     for moment in $(awk -v length_ms=$length_ms 'BEGIN {
             srand(7); for (i = 0; i < 20; i++) printf "%.4f ", rand() * 1.1e-3 * length_ms }'); do
         for signal in INT TERM; do
             echo old >signals/kept
-            set --
-            for word in $slow; do
-                [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
-            done
             timeout -s $signal "$moment" "$command" "$@" -o signals/kept 2>.err
-            [ "$(cat signals/kept | head -c 4)" = old ] || cmp -s signals/kept whole ||
-                bad="$bad $signal@$moment:output"
-            [ "$(ls -A signals)" = kept ] || bad="$bad $signal@$moment:litter"
-            rm -f signals/.??*
+            read -r first <signals/kept
+            [ "$first" = old ] || cmp -s signals/kept whole || bad="$bad $signal@$moment:output"
+            no_litter || {
+                bad="$bad $signal@$moment:litter"
+                rm -f signals/.??*
+            }
             [ ! -s .err ] || bad="$bad $signal@$moment:words"
         done
     done

@@ -13,7 +13,7 @@ fixture() {
     torus.glb) meshgen torus --faces 600 ;;
     lapped.glb) meshgen torus --faces 60 | lapped-param ;;
     map.exr) tamgen --size 64 --tones 3 --levels 2 ;;
-    four.seeds) seedgen -n 4096 --layers 4 --candidates 1 ;;
+    four.seeds) seedgen -n 512 --layers 4 --candidates 1 ;;
     drawing.svg)
         echo '<svg viewBox="0 0 9 9"><g fill="none" stroke="red"><path d="m1,4q3-5,6,1m-6,2h8"/>'
         echo '<circle cx="5" cy="4" r="3" stroke="#214"/></g></svg>'
