@@ -23,7 +23,9 @@ enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *opt
     struct hatch_err err;
     if (options->reference)
         stat_read_picture(args, options->reference, options->srgb, NULL, &reference);
-    cmd_report_begin(&report, args, columns);
+    /* Of one file the name is not repeated: the figures are the same from wherever it comes. */
+    bool named = args->operand_count > 2;
+    cmd_report_begin(&report, args, named ? columns : columns + 1);
     for (int i = 1; i < args->operand_count; i++) {
         const char *path = args->operands[i];
         struct hatch_ink_figures f;
@@ -34,7 +36,8 @@ enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *opt
         cmd_check(hatch_measure_ink(&picture, options->reference ? &reference : NULL, &args->scratch, &f, &err),
                   cmd_input_name(path), &err);
         hatch_arena_free(&arena);
-        cmd_report_text(&report, cmd_input_name(path));
+        if (named)
+            cmd_report_text(&report, cmd_input_name(path));
         const double numbers[] = {f.inked, f.grey, f.grey_strokes, f.tone_error, f.tone_worst, f.edge_error};
         for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
             cmd_report_number(&report, numbers[n]);
