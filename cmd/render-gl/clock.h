@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define CLOCK_PASSES_MAX 10u
+#define CLOCK_PASSES_MAX 12u
 
 struct clock {
     GLuint queries[CLOCK_PASSES_MAX + 1]; /* moments: the begin, and the end of each pass */

@@ -87,6 +87,27 @@ static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item
                          .cut = near ? &near->surface : NULL};
 }
 
+static void draw_depths(const struct renderer *renderer, const GLuint programs[2])
+{
+    for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
+        const struct gpu_item *item = &renderer->scene->items[i];
+        const struct gpu_mesh *mesh = &renderer->scene->meshes[item->mesh];
+        bool holes = !mesh->patches && item->base_texture && item->alpha_cutoff > 0;
+        use_item(renderer, item, programs[holes]);
+        draw_part(surface_of(mesh, item, NULL));
+    }
+}
+
+void draw_shadows(const struct renderer *renderer)
+{
+    const struct shadow *shadow = &renderer->shadow;
+    for (uint32_t layer = 0; layer < shadow->layers; layer++) {
+        shadow_begin_layer(shadow, layer);
+        draw_depths(renderer, shadow->programs);
+    }
+    shadow_use(shadow);
+}
+
 static void set_usual(void)
 {
     glDisable(GL_BLEND);

@@ -14,6 +14,9 @@ enum draw_variant {
 
 uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item);
 
+/* Draws what each light sees into its maps, and binds them. */
+void draw_shadows(const struct renderer *renderer);
+
 /* Draws every item into the target that is bound, with programs that are compiled. */
 void draw_items(const struct renderer *renderer, uint32_t technique);
 

@@ -19,7 +19,8 @@ static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anis
 static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static bool range_given, light_given, specular_given, base_tone, pixel_light, turntable, probe, window;
+static double shadow_edge;
+static bool shadows_given, range_given, light_given, specular_given, base_tone, pixel_light, turntable, probe, window;
 static const char *seeds, *layers_path, *drawing = "ink";
 static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile, overlap = 0.3;
 static double zoom = 1;
@@ -93,13 +94,15 @@ static struct cmd_option table[] = {
      &light_given},
     {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)",
      specular, NULL, &specular_given},
+    {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH", "+cast shadows; their edges' width in the scene's radius",
+     &shadow_edge, NULL, &shadows_given},
     {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)",
      &exposure, NULL, NULL},
     {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone",
      &base_tone, NULL, NULL},
     {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+the same of an image over the texture coordinates", &modulate, NULL,
      NULL},
-    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel: gouraud, volume, threshold", &pixel_light, NULL,
+    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel, not every vertex", &pixel_light, NULL,
      NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
      &uv_scale, NULL, NULL},
@@ -195,7 +198,9 @@ static void read_style(struct style *style)
                             .hatch_turn_rad = hatch_turn * RADIANS,
                             .hatch_scale = hatch_scale,
                             .base_tone = base_tone || modulate,
-                            .pixel_light = pixel_light};
+                            .pixel_light = pixel_light,
+                            .shadows = shadows_given,
+                            .shadow_edge = shadow_edge};
     size_t first = strcspn(ink, ",");
     words_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
     words_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
@@ -288,7 +293,8 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
         cmd_usage("technique %s needs %s: --tam FILE", techniques[technique]->name,
                   columns_name(techniques[technique]->columns));
     if (pixel_light && !techniques[technique]->pixel_light)
-        cmd_usage("--pixel-light goes with gouraud, volume and threshold, not with %s", techniques[technique]->name);
+        cmd_usage("--pixel-light goes with tam, gouraud, rptam, volume and threshold, not with %s",
+                  techniques[technique]->name);
     if (modulate && base_tone)
         cmd_usage("--modulate takes the place of --texture-tone");
     if (probe && !map_path)

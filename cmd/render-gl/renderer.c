@@ -22,10 +22,12 @@ static enum hatch_status compile_below(const struct renderer *renderer, bool geo
 static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
-    char defines[256];
+    char defines[320];
     const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
-             technique->pixel_light && renderer->style.pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
+    bool pixel_light = renderer->style.pixel_light || renderer->style.shadows;
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
+             technique->pixel_light && pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
+             renderer->style.shadows ? "#define SHADOWS 1\n" : "",
              columns->layered ? "#define LAYERED 1\n" : "",
              columns->exact ? "#define EXACT 1\n" : "",
              renderer->style.anisotropy > 1 && !columns->exact ? "#define ANISOTROPIC 1\n" : "",
@@ -80,6 +82,8 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     }
     if (technique == TECHNIQUE_PATCHES)
         HATCH_TRY(scene_tell_patches(renderer->scene, scratch, err));
+    if (renderer->style.shadows && !renderer->shadow.programs[0])
+        HATCH_TRY(shadow_compile(&renderer->shaders, &renderer->shadow, err));
     for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
         uint32_t variant = draw_variant_of(renderer, technique, &renderer->scene->items[i]);
         GLuint *program = &renderer->programs[technique][variant];
@@ -150,6 +154,11 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
                      &style->light, style->curve.exposure);
     glNamedBufferSubData(renderer->block_buffer, 0, sizeof renderer->block, &renderer->block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
+    if (style->shadows) {
+        HATCH_TRY(shadow_begin(&renderer->block, renderer->scene, style->shadow_edge, &renderer->shadow, err));
+        draw_shadows(renderer);
+        clock_end_pass(renderer->clock, "shadows");
+    }
     target_begin(target, background);
     clock_end_pass(renderer->clock, "clear");
     if (techniques[technique]->seeds)
@@ -221,6 +230,8 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
         glDeleteProgram(renderer->pieces_below);
         renderer->pieces_below = fresh;
     }
+    if (renderer->shadow.programs[0])
+        HATCH_TRY(shadow_compile(&renderer->shaders, &renderer->shadow, err));
     if (renderer->lines)
         HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
     return HATCH_OK;
@@ -235,6 +246,7 @@ void renderer_free(struct renderer *renderer)
         glDeleteProgram(renderer->below_patches[geometry]);
     glDeleteProgram(renderer->pieces_below);
     near_free(&renderer->near);
+    shadow_free(&renderer->shadow);
     for (uint32_t form = 0; form < COLUMNS_FORMS; form++)
         columns_free(&renderer->columns[form]);
     seeds_free(&renderer->seeds);

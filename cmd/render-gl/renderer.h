@@ -10,6 +10,7 @@
 #include "render-gl/near.h"
 #include "render-gl/scene.h"
 #include "render-gl/seeds.h"
+#include "render-gl/shadow.h"
 #include "render-gl/target.h"
 #include "render-gl/technique.h"
 
@@ -24,6 +25,8 @@ struct style {
     double hatch_turn_rad, hatch_scale; /* of the strokes on their surface; scale over 0 */
     bool base_tone;   /* the materials' colours and textures count as tone */
     bool pixel_light; /* techniques that can light pixels, not vertices */
+    bool shadows;     /* lights cast some; then the same */
+    double shadow_edge; /* their edges' width in the unit scene; over 0 */
 };
 
 struct renderer {
@@ -40,6 +43,7 @@ struct renderer {
     GLuint programs[TECHNIQUE_COUNT][VARIANTS];
     GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
     GLuint pieces_below;     /* its pieces */
+    struct shadow shadow;    /* made when a style first has shadows */
     struct near near;        /* what seeds' techniques draw as pieces */
     bool floats_alone;       /* nothing is drawn as pieces: to see what that is good for */
     GLuint block_buffer;

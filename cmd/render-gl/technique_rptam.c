@@ -7,6 +7,7 @@ const struct technique technique_rptam = {
     .seeds = true,
     .stages = {.vertex = "rptam.vert", .fragment = "rptam.frag"},
     .defines = "",
+    .pixel_light = true,
     .pass_count = 1,
     .pass_names = {"strokes"},
 };

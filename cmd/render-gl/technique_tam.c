@@ -7,6 +7,7 @@ const struct technique technique_tam = {
     .columns = COLUMNS_SIX,
     .stages = {.vertex = "tam.vert", .fragment = "tam.frag"},
     .defines = "",
+    .pixel_light = true,
     .pass_count = 1,
     .pass_names = {"strokes"},
 };

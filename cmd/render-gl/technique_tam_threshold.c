@@ -7,6 +7,7 @@ const struct technique technique_tam_threshold = {
     .columns = COLUMNS_SIX,
     .stages = {.vertex = "tam.vert", .fragment = "tam.frag"},
     .defines = "#define THRESHOLD 1\n",
+    .pixel_light = true,
     .samples = 16,
     .pass_count = 1,
     .pass_names = {"strokes"},

@@ -5,9 +5,12 @@
 
 #include "render-gl/window.h"
 
+/* What changes by factors and is 0 is not there at all. */
 static bool is_there(const struct window *window, uint32_t param)
 {
-    return params[param].use != PARAM_CAMERA &&
+    double values[2];
+    params_get(window->job, param, values);
+    return params[param].use != PARAM_CAMERA && (values[0] > 0 || !params[param].scale) &&
            params_are_used(param, techniques[window->technique], window->job->renderer.lines != NULL);
 }
 

@@ -7,12 +7,12 @@ out vec2 v_texcoord;
 #ifdef BASE_TEXTURE
 out vec2 v_base_texcoord;
 #endif
-#ifdef PIXEL_LIGHT
-out vec3 v_point, v_normal;
-#elif defined(BASE_TONE)
+#ifndef PIXEL_LIGHT
+#ifdef BASE_TONE
 out float v_light;
 #else
 out vec2 v_amounts;
+#endif
 #endif
 
 void main()
@@ -24,9 +24,7 @@ void main()
     v_base_texcoord = a_base_texcoord;
 #endif
 #ifdef PIXEL_LIGHT
-    v_point = place_point();
-    vec3 normal = normal_from_mesh * a_normal;
-    v_normal = side * normal / max(length(normal), 1e-20);
+    place_unlit();
 #elif defined(BASE_TONE)
     v_light = place();
 #else

@@ -1,7 +1,9 @@
 #include "frame.glsl"
+#include "shadow.glsl"
 
-// Diffuse light and highlight at a point, 0 and up; lit per vertex, as in the paper's section 3.
-float light_at(vec3 point, vec3 normal)
+// Diffuse light and highlight at a point, 0 and up; lit per vertex, as in the paper's section 3. face: the surface's
+// own normal, where that is another.
+float light_at(vec3 point, vec3 normal, vec3 face)
 {
     vec3 to_eye = normalize(eye.xyz - eye.w * point);
     float sum = shade.y;
@@ -18,6 +20,8 @@ float light_at(vec3 point, vec3 normal)
             strength *= spot * spot * clamp(1.0 - far * far, 0.0, 1.0) / square;
         }
         float facing = max(dot(normal, to_light), 0.0);
+        if (facing > 0.0)
+            strength *= lit_share(i, point, face, to_light);
         sum += strength * facing;
         if (shade.z > 0.0 && facing > 0.0) {
             float mirror = max(dot(normal, normalize(to_light + to_eye)), 0.0);

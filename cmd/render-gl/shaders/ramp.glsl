@@ -1,3 +1,10 @@
+#include "frame.glsl"
+
+// Tone becomes the weights of columns at vertices, where it is known there.
+#if !defined(PIXEL_LIGHT) && !defined(BASE_TONE)
+#define WEIGHTS_AT_VERTICES 1
+#endif
+
 // Weights of six columns, three to a texture, for an amount of ink: between two columns' tones both
 // have a share, below the first the rest is bare paper, above the last it alone counts.
 void column_weights(float amount, out vec3 first, out vec3 second)

@@ -1,16 +1,10 @@
 // Algorithm 2: per layer the nesting depth from how far apart the picture shows what lies across the
 // strokes, then the strokes near the place at that depth.
-#include "light.glsl"
+#include "amounts.glsl"
 #include "inks.glsl"
-#include "base.glsl"
 #include "seeds.glsl"
 #include "place.glsl"
 
-#ifdef BASE_TONE
-in float v_light;
-#else
-in vec2 v_amounts;
-#endif
 out vec4 o_color;
 
 // What one layer leaves of the paper at a place on the way to the darkest tone: its pattern log4(1/amount)
@@ -37,14 +31,12 @@ float ink_of(mat2 pixels, float amount)
 void main()
 {
     base_holes();
-#ifdef BASE_TONE
-    vec2 v_amounts = ink_amounts(v_light * base_light());
-#endif
+    vec2 asked = amounts();
     mat2 pixels = pixels_along_both();
 #ifdef TWO_INKS
-    float light = ink_of(pixels, v_amounts.y);
+    float light = ink_of(pixels, asked.y);
 #else
     float light = 0.0;
 #endif
-    o_color = vec4(ink_on_paper(vec3(ink_of(pixels, v_amounts.x)), vec3(light)), opacity);
+    o_color = vec4(ink_on_paper(vec3(ink_of(pixels, asked.x)), vec3(light)), opacity);
 }

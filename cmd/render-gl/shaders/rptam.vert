@@ -13,15 +13,23 @@ out vec3 v_along_u, v_along_v;
 #ifdef BASE_TEXTURE
 out vec2 v_base_texcoord;
 #endif
+#ifndef PIXEL_LIGHT
 #ifdef BASE_TONE
 out float v_light;
 #else
 out vec2 v_amounts;
 #endif
+#endif
 
 void show_vertex()
 {
-    float light = place();
+#ifdef PIXEL_LIGHT
+    place_unlit();
+#elif defined(BASE_TONE)
+    v_light = place();
+#else
+    v_amounts = ink_amounts(place());
+#endif
     vec3 u = mat3(unit_from_mesh) * a_along_u / a_repeat.x, v = mat3(unit_from_mesh) * a_along_v / a_repeat.y;
     float square = dot(hatch.xy, hatch.xy);
     v_texcoord = hatch_texcoord();
@@ -30,23 +38,18 @@ void show_vertex()
 #ifdef BASE_TEXTURE
     v_base_texcoord = a_base_texcoord;
 #endif
-#ifdef BASE_TONE
-    v_light = light;
-#else
-    v_amounts = ink_amounts(light);
-#endif
 }
 
 #ifdef PIECES
 // What a corner of the face shows, by its weight.
 struct Share {
-    vec3 along_u, along_v;
+    vec3 along_u, along_v, point, normal;
     vec2 tone, base_texcoord;
 };
 
 Share share_of(int k)
 {
-    Share share = Share(vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0));
+    Share share = Share(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0));
     take_corner(k);
     show_vertex();
     share.along_u = a_weight[k] * v_along_u;
@@ -54,7 +57,10 @@ Share share_of(int k)
 #ifdef BASE_TEXTURE
     share.base_texcoord = a_weight[k] * v_base_texcoord;
 #endif
-#ifdef BASE_TONE
+#ifdef PIXEL_LIGHT
+    share.point = a_weight[k] * v_point;
+    share.normal = a_weight[k] * v_normal;
+#elif defined(BASE_TONE)
     share.tone.x = a_weight[k] * v_light;
 #else
     share.tone = a_weight[k] * v_amounts;
@@ -70,11 +76,13 @@ void main()
 #ifdef BASE_TEXTURE
     v_base_texcoord = a.base_texcoord + b.base_texcoord + c.base_texcoord;
 #endif
-    vec2 tone = a.tone + b.tone + c.tone;
-#ifdef BASE_TONE
-    v_light = tone.x;
+#ifdef PIXEL_LIGHT
+    v_point = a.point + b.point + c.point;
+    v_normal = a.normal + b.normal + c.normal;
+#elif defined(BASE_TONE)
+    v_light = a.tone.x + b.tone.x + c.tone.x;
 #else
-    v_amounts = tone;
+    v_amounts = a.tone + b.tone + c.tone;
 #endif
     v_texcoord = a_from;
     v_origin_u = a_origin_u;

@@ -1,15 +1,12 @@
 // A texture read, or two, and as many dot products an ink. Texels are ink: what no column covers stays
 // paper.
-#include "light.glsl"
 #include "ramp.glsl"
+#include "amounts.glsl"
 #include "inks.glsl"
 #include "columns.glsl"
-#include "base.glsl"
 
 in vec2 v_texcoord;
-#ifdef BASE_TONE
-in float v_light;
-#else
+#ifdef WEIGHTS_AT_VERTICES
 in vec3 v_dark_first, v_dark_second;
 #ifdef TWO_INKS
 in vec3 v_light_first, v_light_second;
@@ -53,11 +50,11 @@ void main()
 {
     aim(v_texcoord);
     base_holes();
-#ifdef BASE_TONE
+#ifndef WEIGHTS_AT_VERTICES
     vec3 v_dark_first, v_dark_second, v_light_first, v_light_second;
-    vec2 amounts = ink_amounts(v_light * base_light());
-    column_weights(amounts.x, v_dark_first, v_dark_second);
-    column_weights(amounts.y, v_light_first, v_light_second);
+    vec2 asked = amounts();
+    column_weights(asked.x, v_dark_first, v_dark_second);
+    column_weights(asked.y, v_light_first, v_light_second);
 #endif
 #ifdef TWO_INKS
     vec2 ink = blend(v_dark_first, v_dark_second, v_light_first, v_light_second);

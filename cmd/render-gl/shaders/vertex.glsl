@@ -25,13 +25,26 @@ vec3 place_point()
     return point.xyz;
 }
 
+#ifdef PIXEL_LIGHT
+out vec3 v_point, v_normal;
+
+// The same; sets what it takes to light each pixel.
+void place_unlit()
+{
+    v_point = place_point();
+    vec3 normal = normal_from_mesh * a_normal;
+    v_normal = side * normal / max(length(normal), 1e-20);
+}
+#endif
+
 // The same; returns the light that the vertex gets.
 float place()
 {
     vec3 point = place_point();
     vec3 normal = normal_from_mesh * a_normal;
     float size = length(normal);
-    return light_at(point, side * normal / max(size, 1e-20)) * base.x;
+    normal *= side / max(size, 1e-20);
+    return light_at(point, normal, normal) * base.x;
 }
 
 // Where the vertex lies in the map, in tiles: turned and scaled as the user likes.

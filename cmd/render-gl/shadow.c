@@ -1,0 +1,244 @@
+#include "render-gl/shadow.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MARGIN 1.05        /* around the scene, for the edges' width */
+#define CUBE_TANGENT 1.15  /* a cube's faces overlap, so that edges are soft over its borders */
+#define SPOT_COSINE 0.4    /* spots that are wider take a cube */
+#define NEAREST 1e-3       /* that casts a shadow in a lamp's light */
+#define SIZE_MIN_PX 512u
+#define SIZE_MAX_PX 2048u
+#define EDGE_PX 13.0       /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
+
+enum hatch_status shadow_compile(const struct shader_source *shaders, struct shadow *shadow,
+                                 struct hatch_err *err)
+{
+    static const struct shader_stages stages = {.vertex = "shadow.vert", .fragment = "shadow.frag"};
+    static const char *const defines[2] = {"", "#define BASE_TEXTURE 1\n#define BASE_HOLES 1\n"};
+    for (int holes = 0; holes < 2; holes++) {
+        GLuint fresh;
+        HATCH_TRY(shader_program(shaders, &stages, defines[holes], &fresh, err));
+        glDeleteProgram(shadow->programs[holes]);
+        shadow->programs[holes] = fresh;
+    }
+    return HATCH_OK;
+}
+
+/* What a map sees: axes, the last from the light, and where 0 is on each; extent: half of what it shows, of a lamp
+ * at distance 1. */
+struct lens {
+    double axes[3][3], from[3], extent[2], near, far;
+    bool lamp;
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void set_axes(const double along[3], double axes[3][3])
+{
+    double size = sqrt(dot(along, along));
+    int least = 0;
+    for (int k = 0; k < 3; k++) {
+        axes[2][k] = size > 0 ? along[k] / size : (k == 2 ? 1.0 : 0.0);
+        axes[0][k] = 0;
+    }
+    for (int k = 1; k < 3; k++)
+        if (fabs(axes[2][k]) < fabs(axes[2][least]))
+            least = k;
+    double share = axes[2][least], length = sqrt(1 - share * share);
+    for (int k = 0; k < 3; k++)
+        axes[0][k] = ((k == least ? 1 : 0) - share * axes[2][k]) / length;
+    for (int k = 0; k < 3; k++) {
+        int next = (k + 1) % 3, last = (k + 2) % 3;
+        axes[1][k] = axes[2][next] * axes[0][last] - axes[2][last] * axes[0][next];
+    }
+}
+
+/* Depth is 0 at the near plane and 1 at the far one. */
+static void set_matrix(const struct lens *lens, float matrix[16])
+{
+    double rows[4][4] = {{0}};
+    for (int r = 0; r < 3; r++) {
+        for (int k = 0; k < 3; k++)
+            rows[r][k] = lens->axes[r][k];
+        rows[r][3] = -dot(lens->axes[r], lens->from);
+    }
+    double depth = lens->far - lens->near;
+    memcpy(rows[3], rows[2], sizeof rows[3]);
+    for (int c = 0; c < 4; c++) {
+        double w = lens->lamp ? rows[3][c] : (c == 3 ? 1.0 : 0.0), z = rows[2][c] - (c == 3 ? lens->near : 0.0);
+        for (int r = 0; r < 2; r++)
+            rows[r][c] = 0.5 * rows[r][c] / lens->extent[r] + 0.5 * w;
+        rows[2][c] = z * (lens->lamp ? lens->far : 1.0) / depth;
+        rows[3][c] = w;
+    }
+    for (int r = 0; r < 4; r++)
+        for (int c = 0; c < 4; c++)
+            matrix[4 * c + r] = (float)rows[r][c];
+}
+
+/* A sun sees the box of all items along its axes. */
+static void fit(const struct gpu_scene *scene, struct lens *lens)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < scene->item_count; i++)
+        for (int corner = 0; corner < 8; corner++) {
+            const struct gpu_item *item = &scene->items[i];
+            double point[3];
+            for (int k = 0; k < 3; k++)
+                point[k] = corner >> k & 1 ? item->high[k] : item->low[k];
+            for (int k = 0; k < 3; k++) {
+                low[k] = fmin(low[k], dot(lens->axes[k], point));
+                high[k] = fmax(high[k], dot(lens->axes[k], point));
+            }
+        }
+    for (int k = 0; k < 3; k++) {
+        double middle = high[k] > low[k] ? 0.5 * low[k] + 0.5 * high[k] : 0.0;
+        double half = fmax(0.5 * high[k] - 0.5 * low[k], 1e-3) * MARGIN;
+        for (int c = 0; c < 3; c++)
+            lens->from[c] += middle * lens->axes[k][c];
+        if (k < 2)
+            lens->extent[k] = half;
+        lens->near = -half;
+        lens->far = half;
+    }
+}
+
+static void set_map(struct shadow *shadow, uint32_t light, const struct lens *lens)
+{
+    set_matrix(lens, shadow->block.map_from_unit[shadow->layers++]);
+    for (int k = 0; k < 2; k++)
+        shadow->block.maps[light][2 + k] = (float)(0.5 / lens->extent[k]);
+}
+
+/* The faces go by the axis along which a point lies furthest from the lamp: +x -x +y -y +z -z. */
+static void set_cube(struct shadow *shadow, uint32_t light, struct lens lens)
+{
+    lens.extent[0] = lens.extent[1] = CUBE_TANGENT;
+    for (int face = 0; face < 6; face++) {
+        double along[3] = {0, 0, 0};
+        along[face / 2] = face % 2 ? -1 : 1;
+        set_axes(along, lens.axes);
+        set_map(shadow, light, &lens);
+    }
+}
+
+static void add_light(const struct frame_light *light, uint32_t index, const struct gpu_scene *scene,
+                      struct shadow *shadow)
+{
+    struct lens lens = {.lamp = light->position[3] > 0};
+    double along[3], scale = (double)light->cone[0];
+    double outer = lens.lamp && scale > 0 ? -(double)light->cone[1] / scale : -1;
+    bool cube = lens.lamp && outer < SPOT_COSINE;
+    uint32_t count = cube ? 6 : 1;
+    if (!(light->direction[3] > 0) || shadow->layers + count > SHADOW_LAYERS)
+        return;
+    shadow->block.maps[index][0] = (float)shadow->layers;
+    shadow->block.maps[index][1] = (float)count;
+    for (int k = 0; k < 3; k++) {
+        along[k] = (lens.lamp ? 1 : -1) * (double)light->direction[k];
+        lens.from[k] = lens.lamp ? (double)light->position[k] : 0;
+    }
+    if (lens.lamp) {
+        double away = sqrt(dot(lens.from, lens.from));
+        lens.near = fmax(0.5 * (away - MARGIN), NEAREST);
+        lens.far = away + MARGIN;
+    }
+    set_axes(along, lens.axes);
+    if (!lens.lamp)
+        fit(scene, &lens);
+    if (cube) {
+        set_cube(shadow, index, lens);
+        return;
+    }
+    if (lens.lamp)
+        lens.extent[0] = lens.extent[1] = MARGIN * sqrt(1 - outer * outer) / outer;
+    set_map(shadow, index, &lens);
+}
+
+static enum hatch_status make_maps(uint32_t size_px, struct shadow *shadow, struct hatch_err *err)
+{
+    static const GLfloat lit[4] = {1, 1, 1, 1};
+    GLint layers = 0;
+    if (shadow->maps)
+        glGetTextureLevelParameteriv(shadow->maps, 0, GL_TEXTURE_DEPTH, &layers);
+    if (size_px == shadow->size_px && layers >= (GLint)shadow->layers)
+        return HATCH_OK;
+    glDeleteTextures(1, &shadow->maps);
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &shadow->maps);
+    glTextureStorage3D(shadow->maps, 1, GL_DEPTH_COMPONENT32F, (GLsizei)size_px, (GLsizei)size_px,
+                       (GLsizei)(shadow->layers ? shadow->layers : 1));
+    glTextureParameteri(shadow->maps, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(shadow->maps, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTextureParameteri(shadow->maps, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glTextureParameterfv(shadow->maps, GL_TEXTURE_BORDER_COLOR, lit);
+    glTextureParameteri(shadow->maps, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTextureParameteri(shadow->maps, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    shadow->size_px = size_px;
+    return glGetError() == GL_OUT_OF_MEMORY
+               ? hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %u shadow maps of %u by %u pixels",
+                            shadow->layers, size_px, size_px)
+               : HATCH_OK;
+}
+
+enum hatch_status shadow_begin(const struct frame_block *frame, const struct gpu_scene *scene, double width,
+                               struct shadow *shadow, struct hatch_err *err)
+{
+    uint32_t size_px = SIZE_MIN_PX;
+    while (size_px < SIZE_MAX_PX && size_px * width < 2 * EDGE_PX)
+        size_px *= 2;
+    shadow->layers = 0;
+    for (int32_t i = 0; i < frame->counts[0]; i++) {
+        shadow->block.maps[i][0] = -1;
+        add_light(&frame->lights[i], (uint32_t)i, scene, shadow);
+    }
+    HATCH_TRY(make_maps(size_px, shadow, err));
+    shadow->block.edge[0] = (float)(0.5 * width);
+    shadow->block.edge[1] = 1.0f / (float)size_px;
+    if (!shadow->buffer) {
+        glCreateBuffers(1, &shadow->buffer);
+        glNamedBufferStorage(shadow->buffer, sizeof shadow->block, NULL, GL_DYNAMIC_STORAGE_BIT);
+        glCreateFramebuffers(1, &shadow->framebuffer);
+        glNamedFramebufferDrawBuffer(shadow->framebuffer, GL_NONE);
+    }
+    glNamedBufferSubData(shadow->buffer, 0, sizeof shadow->block, &shadow->block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, SHADOW_BINDING, shadow->buffer);
+    glBindTextureUnit(SHADOW_UNIT, 0);
+    return HATCH_OK;
+}
+
+void shadow_begin_layer(const struct shadow *shadow, uint32_t layer)
+{
+    const GLfloat far = 1.0f;
+    glNamedFramebufferTextureLayer(shadow->framebuffer, GL_DEPTH_ATTACHMENT, shadow->maps, 0, (GLint)layer);
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow->framebuffer);
+    glViewport(0, 0, (GLsizei)shadow->size_px, (GLsizei)shadow->size_px);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glClearBufferfv(GL_DEPTH, 0, &far);
+    for (int holes = 0; holes < 2; holes++)
+        glProgramUniform1i(shadow->programs[holes], 8, (GLint)layer);
+}
+
+void shadow_use(const struct shadow *shadow)
+{
+    glBindTextureUnit(SHADOW_UNIT, shadow->maps);
+    glBindSampler(SHADOW_UNIT, 0);
+}
+
+void shadow_free(struct shadow *shadow)
+{
+    for (int holes = 0; holes < 2; holes++)
+        glDeleteProgram(shadow->programs[holes]);
+    glDeleteFramebuffers(1, &shadow->framebuffer);
+    glDeleteBuffers(1, &shadow->buffer);
+    glDeleteTextures(1, &shadow->maps);
+    *shadow = (struct shadow){.size_px = 0};
+}

@@ -1,0 +1,209 @@
+/* Shadows where geometry says: a small square above a plane, seen from straight above, so that the light's slant
+ * puts the shadow beside it. */
+#include "render_frame.h"
+#include "render_map.h"
+
+enum { SIZE = 256 };
+
+#define HEIGHT 0.5 /* of the square over the plane */
+#define HALF 0.125
+#define AMBIENT 0.25
+
+static struct test_frame frame;
+
+/* A square plane at height 0 and a small square above it, both facing up. */
+static struct hatch_mesh plane_and_square(void)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&frame.arena, 8, 4, &mesh, &frame.err), &frame.err);
+    for (uint32_t v = 0; v < 8; v++) {
+        float half = v < 4 ? 2.0f : (float)HALF, *at = mesh.attributes[0].data + 3 * v;
+        at[0] = v & 1 ? half : -half;
+        at[1] = v & 2 ? half : -half;
+        at[2] = v < 4 ? 0.0f : (float)HEIGHT;
+    }
+    for (uint32_t q = 0; q < 2; q++) {
+        const uint32_t corners[6] = {0, 1, 3, 0, 3, 2};
+        for (uint32_t i = 0; i < 6; i++)
+            mesh.indices[6 * q + i] = 4 * q + corners[i];
+    }
+    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.arena, &frame.scratch, &mesh, 1, &frame.err), &frame.err);
+    return mesh;
+}
+
+static void set_shadows(double width)
+{
+    frame.renderer.style.curve.ambient = AMBIENT;
+    frame.renderer.style.curve.exposure = 1;
+    frame.renderer.style.pixel_light = true;
+    frame.renderer.style.shadows = width > 0;
+    frame.renderer.style.shadow_edge = width;
+}
+
+/* The middle row's brightness from left to right. */
+static void draw_row(float row[SIZE])
+{
+    struct hatch_image image;
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image);
+    for (uint32_t x = 0; x < SIZE; x++)
+        row[x] = image.pixels[3 * ((size_t)SIZE / 2 * SIZE + x)];
+}
+
+/* Where the light is halfway between two pixels' values, in units, from the first pixel on in steps of +-1. */
+static double crossing(const float row[SIZE], int from, int step, double level)
+{
+    for (int x = from; x + step >= 0 && x + step < SIZE; x += step) {
+        double a = (double)row[x] - level, b = (double)row[x + step] - level;
+        if (a < 0 && b >= 0)
+            return (x + step * a / (a - b) + 0.5) * 2 / SIZE - 1;
+    }
+    ck_abort_msg("nothing crosses %g", level);
+    return 0;
+}
+
+static int pixel_at(double x)
+{
+    return (int)((x + 1) / 2 * SIZE);
+}
+
+/* Edges of the shadow at left and right, its tone that of no light, and none a little outside. lit: the light with
+ * and the light without shadows are the same there. */
+static void check_edges(double left, double right, double width)
+{
+    float row[SIZE], bare[SIZE];
+    set_shadows(0);
+    draw_row(bare);
+    renderer_free(&frame.renderer);
+    memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+    set_shadows(width);
+    draw_row(row);
+    int middle = pixel_at((left + right) / 2);
+    double pixel = 2.0 / SIZE;
+    ck_assert_double_eq_tol((double)row[middle], AMBIENT, 1.0 / 255);
+    for (int end = 0; end < 2; end++) {
+        double want = end ? right : left, half = (AMBIENT + (double)bare[pixel_at(want)]) / 2;
+        double got = crossing(row, middle, end ? 1 : -1, half);
+        ck_assert_msg(fabs(got - want) <= 0.5 * pixel + 0.1 * width, "edge at %g, not %g", got, want);
+    }
+    for (int x = 0; x < SIZE; x++) {
+        double at = (x + 0.5) * pixel - 1, away = fmax(left - at, at - right);
+        if (away > width + 2 * pixel) /* wider where the light comes in at a slant */
+            ck_assert_msg(fabs((double)row[x] - (double)bare[x]) <= 1.0 / 255, "%g is darkened", at);
+    }
+}
+
+START_TEST(sun_casts_a_square)
+{
+    static const double widths[] = {0.01, 0.03, 0.1};
+    for (size_t i = 0; i < 3; i++) {
+        frame_arenas(&frame);
+        struct hatch_mesh mesh = plane_and_square();
+        frame_begin(&mesh, &frame_unit, NULL, &frame);
+        frame.renderer.style.light = (struct own_light){.wanted = true, .azimuth_rad = atan(1)};
+        check_edges(-HEIGHT - HALF, -HEIGHT + HALF, widths[i]);
+        frame_end(&frame);
+    }
+}
+END_TEST
+
+#define LAMP_X 0.9
+#define LAMP_HEIGHT 1.5
+
+/* A lamp over the right side, of any kind; a spot shines at the square. */
+static void begin_lamp(enum hatch_light_type type)
+{
+    struct hatch_mesh mesh = plane_and_square();
+    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.arena, &frame.scene, &frame.err), &frame.err);
+    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
+    struct hatch_light *light = HATCH_NEW(&frame.arena, struct hatch_light, 1, &frame.err);
+    double turn = atan2(LAMP_X, LAMP_HEIGHT - HEIGHT);
+    nodes[0] = frame.scene.nodes[0];
+    nodes[1] = (struct hatch_node){.parent = HATCH_NONE,
+                                   .translation = {(float)LAMP_X, 0, (float)LAMP_HEIGHT},
+                                   .rotation = {0, (float)sin(turn / 2), 0, (float)cos(turn / 2)},
+                                   .scale = {1, 1, 1},
+                                   .skin = HATCH_NONE,
+                                   .camera = HATCH_NONE};
+    *light = (struct hatch_light){.type = type, .color = {1, 1, 1}, .intensity = 1,
+                                  .inner_cone_rad = 0.9f, .outer_cone_rad = 1.0f};
+    frame.scene.nodes = nodes;
+    frame.scene.node_count = 2;
+    frame.scene.lights = light;
+    frame.scene.light_count = 1;
+    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+}
+
+START_TEST(lamps_cast_larger_squares)
+{
+    static const enum hatch_light_type types[] = {HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT};
+    const double grown = LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT);
+    for (size_t i = 0; i < 2; i++) {
+        frame_arenas(&frame);
+        begin_lamp(types[i]);
+        check_edges(LAMP_X + (-HALF - LAMP_X) * grown, LAMP_X + (HALF - LAMP_X) * grown, 0.03);
+        frame_end(&frame);
+    }
+}
+END_TEST
+
+/* However the light slants, and however coarse the faces are. */
+START_TEST(nothing_shades_itself)
+{
+    for (int shape = 0; shape < 2; shape++)
+        for (int turn = 0; turn < 5; turn++) {
+            struct hatch_shape_options how = {.faces = shape ? 3000 : 2, .seed = 1};
+            struct hatch_image image[2];
+            struct hatch_mesh mesh;
+            frame_arenas(&frame);
+            HATCH_TEST_OK(hatch_shape_make(shape ? HATCH_SHAPE_SPHERE : HATCH_SHAPE_PLANE, &how, &frame.arena,
+                                           &frame.scratch, &mesh, &frame.err),
+                          &frame.err);
+            frame_begin(&mesh, &frame_unit, NULL, &frame);
+            frame.renderer.style.light =
+                (struct own_light){.wanted = true, .azimuth_rad = 0.37 * turn, .elevation_rad = 0.1 * turn};
+            for (int shadows = 0; shadows < 2; shadows++) {
+                set_shadows(shadows ? 0.03 : 0);
+                frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image[shadows]);
+                renderer_free(&frame.renderer);
+                memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+            }
+            double worst = 0;
+            for (uint32_t i = 0; i < 3 * SIZE * SIZE; i++)
+                worst = fmax(worst, fabs((double)(image[0].pixels[i] - image[1].pixels[i])));
+            ck_assert_msg(worst <= (shape ? 8.0 : 1.0) / 255, "shape %d, turn %d: %g/255", shape, turn, 255 * worst);
+            frame_end(&frame);
+        }
+}
+END_TEST
+
+START_TEST(tiles_are_one_picture)
+{
+    struct hatch_image whole, tiled;
+    frame_arenas(&frame);
+    struct hatch_mesh mesh = plane_and_square();
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.style.light = (struct own_light){.wanted = true, .azimuth_rad = 0.7, .elevation_rad = 0.3};
+    set_shadows(0.05);
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 2, &whole);
+    frame.renderer.size_max_px = SIZE;
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 2, &tiled);
+    for (uint32_t i = 0; i < 3 * SIZE * SIZE; i++)
+        ck_assert_float_eq_tol(whole.pixels[i], tiled.pixels[i], 1.0f / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render shadow");
+    TCase *tests = tcase_create("shadow");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, sun_casts_a_square);
+    tcase_add_test(tests, lamps_cast_larger_squares);
+    tcase_add_test(tests, nothing_shades_itself);
+    tcase_add_test(tests, tiles_are_one_picture);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
