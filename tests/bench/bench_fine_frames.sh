@@ -1,0 +1,61 @@
+#!/bin/sh
+# One sphere, one map of 255 tones, all ways to draw it (Webb et al. 2002, Figure 4, in figures): time per frame,
+# grey strokes, tone and jagged edges. Milliseconds are the timer's, for the surfaces alone; gouraud stands in each
+# run as the reference, so that `ratio` is of one run. Figures are those of hatchstat ink: grey_strokes is a share
+# of the inked pixels, the tone error is from gouraud's picture, jagged the edge error from the same technique
+# with 16 samples a pixel; bytes are those of the file. Strokes are the style's, and the same four pixels wide.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+printf 'method\tstyle\tsamples\tsize\tms\tms_min\tms_max\tgouraud_ms\tratio\tbytes'
+printf '\tinked\tgrey\tgrey_strokes\ttone_error\ttone_worst\tjagged\n'
+size=480x480
+meshgen sphere --faces 20000 -o "$work/ball.glb"
+
+# draw TECHNIQUE FILE SAMPLES OUTPUT ARGUMENT ...
+draw() {
+    technique=$1 file=$2 samples=$3 output=$4
+    shift 4
+    render-gl "$work/ball.glb" -q -t "$technique" -T "$file" --samples "$samples" --size $size --lines none \
+        -o "$output" "$@"
+}
+
+# row METHOD STYLE TECHNIQUE FILE: one row for each number of samples
+row() {
+    draw "$3" "$4" 16 "$work/many.exr"
+    for samples in 1 4; do
+        printf '%s\t%s\t%s\t%s\t' "$1" "$2" $samples $size
+        draw "$3" "$4" $samples "$work/times.tsv" --time 15
+        draw "$3" "$4" $samples "$work/strokes.exr"
+        {
+            cat "$work/times.tsv"
+            hatchstat ink --reference "$work/tone.exr" "$work/strokes.exr"
+            hatchstat ink --reference "$work/many.exr" "$work/strokes.exr"
+        } | awk -F'\t' -v technique="$3" -v bytes="$(wc -c <"$4")" '
+            $2 == "frame" && $1 == technique {ms = $4; low = $5; high = $6}
+            $2 == "frame" && $1 == "gouraud" {reference = $4}
+            $1 ~ /strokes/ && tone {jagged = $7}
+            $1 ~ /strokes/ && !tone {figures = $2 "\t" $3 "\t" $4; tone = $5 "\t" $6}
+            END {printf "%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%s\t%s\t%s\n", ms, low, high, reference, ms / reference,
+                bytes, figures, tone, jagged}'
+    done
+}
+for width in 1.8 4; do
+    style=$(awk -v width=$width 'BEGIN {print (width > 2 ? "bold" : "ink")}')
+    tamgen --tones 255 --set "darkest 1
+width $width" -o "$work/map.exr"
+    tamvol "$work/map.exr" -o "$work/volume.ktx2"
+    tamvol --layout array "$work/map.exr" -o "$work/array.ktx2"
+    tamvol --compress "$work/map.exr" -o "$work/blocks.ktx2"
+    tamthresh -q "$work/map.exr" -o "$work/thresholds.ktx2"
+    tamthresh --exact "$work/map.exr" -o "$work/exact.ktx2"
+    draw gouraud "$work/map.exr" 4 "$work/tone.exr" --tone-range 0:1
+    row tam $style tam "$work/map.exr"
+    row volume $style volume "$work/volume.ktx2"
+    row array $style volume "$work/array.ktx2"
+    row blocks $style volume "$work/blocks.ktx2"
+    row threshold $style threshold "$work/thresholds.ktx2"
+    row exact $style threshold "$work/exact.ktx2"
+    row threshold-soft $style threshold-soft "$work/thresholds.ktx2"
+done
