@@ -17,8 +17,8 @@ static const struct cmd_option options[] = {
      "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)",
      &layout, layouts, &layout_given},
-    {'c', "compress", CMD_FLAG, 0, 0, NULL, "in blocks: BC4 (grey, as an array) or BC7 (colour)", &compress,
-     NULL, NULL},
+    {'c', "compress", CMD_FLAG, 0, 0, NULL, "in blocks: BC4 (grey) or BC1 (colour), as an array; BC7 as a volume",
+     &compress, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 in place of RGB8", &alpha, NULL, NULL},
     {0},
 };
@@ -49,13 +49,19 @@ static void check_options(const struct cmd_args *args)
     cmd_check_ending(args->output, "ktx2 exr");
 }
 
-/* Blocks of one channel exist in 2D alone. */
+/* Blocks of half a byte a texel exist in 2D alone: a volume of them takes twice as much. */
 static enum hatch_volume_layout choose_layout(const struct hatch_tam *tam)
 {
-    bool grey_blocks = compress && !tam->color;
-    if (grey_blocks && layout_given && layout == HATCH_VOLUME_3D)
+    if (compress && !tam->color && layout_given && layout == HATCH_VOLUME_3D)
         cmd_usage("--compress: OpenGL has no blocks for volumes of one channel: --layout array");
-    return grey_blocks ? HATCH_VOLUME_ARRAY : (enum hatch_volume_layout)layout;
+    return compress && !layout_given ? HATCH_VOLUME_ARRAY : (enum hatch_volume_layout)layout;
+}
+
+static enum hatch_texels_code choose_blocks(const struct hatch_texels *texels)
+{
+    if (texels->depth)
+        return HATCH_TEXELS_BC7;
+    return texels->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC1;
 }
 
 static void warn(const char *name, const struct hatch_tam *tam, const struct hatch_volume_figures *figures)
@@ -69,13 +75,12 @@ static void warn(const char *name, const struct hatch_tam *tam, const struct hat
         cmd_warn(name, "the strokes' ids are left out");
 }
 
-static void pack(struct cmd_args *args, const struct hatch_tam *tam, struct hatch_texels *texels)
+static void pack(struct cmd_args *args, struct hatch_texels *texels)
 {
     struct hatch_err err;
     struct hatch_texels packed;
     struct hatch_block_figures figures;
-    cmd_check(hatch_texels_pack(texels, tam->color ? HATCH_TEXELS_BC7 : HATCH_TEXELS_BC4, cmd_pool(args),
-                                &args->keep, &packed, &figures, &err),
+    cmd_check(hatch_texels_pack(texels, choose_blocks(texels), cmd_pool(args), &args->keep, &packed, &figures, &err),
               NULL, &err);
     cmd_note("blocks are off by %.4f at most, by %.4f in the root of the mean square", figures.error_max,
              figures.error_rms);
@@ -112,7 +117,7 @@ int main(int argc, char **argv)
     cmd_check(hatch_tam_check_nesting(&tam, cmd_pool(&args), &args.scratch, &err), name, &err);
     cmd_check(hatch_volume_make(&tam, &how, cmd_pool(&args), &args.keep, &volume, &figures, &err), name, &err);
     if (compress)
-        pack(&args, &tam, &volume.texels);
+        pack(&args, &volume.texels);
 
     struct hatch_buffer file = {.arena = &args.keep};
     encode(&args, &tam, &volume, &file);

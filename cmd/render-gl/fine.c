@@ -88,6 +88,8 @@ enum hatch_status fine_read(struct hatch_bytes file, struct hatch_arena *arena, 
 static GLenum format_of(const struct hatch_texels *texels)
 {
     static const GLenum plain[] = {0, GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+    if (texels->code == HATCH_TEXELS_BC1)
+        return GL_COMPRESSED_RGB_S3TC_DXT1_EXT;
     if (texels->code == HATCH_TEXELS_BC4)
         return GL_COMPRESSED_RED_RGTC1;
     if (texels->code == HATCH_TEXELS_BC7)
@@ -109,8 +111,13 @@ static void upload_level(const struct hatch_texels *texels, uint32_t level, GLui
                                       (GLsizei)hatch_texels_level_size(texels, level), texels->texels[level]);
 }
 
-static enum hatch_status check_size(const struct hatch_texels *texels, struct hatch_err *err)
+/* OpenGL has no blocks of S3TC of its own, though every GPU does, and volumes of BPTC alone. */
+static enum hatch_status check_texels(const struct hatch_texels *texels, struct hatch_err *err)
 {
+    if (texels->code == HATCH_TEXELS_BC1 && !epoxy_has_gl_extension("GL_EXT_texture_compression_s3tc"))
+        return hatch_fail(err, HATCH_LIMIT, "the GPU reads no blocks of BC1: tamvol --layout volume makes BC7");
+    if (texels->depth && (texels->code == HATCH_TEXELS_BC1 || texels->code == HATCH_TEXELS_BC4))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a 3D texture of BC1 or BC4, which OpenGL has in layers alone");
     GLint side, slices;
     glGetIntegerv(texels->depth ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &side);
     glGetIntegerv(texels->depth ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_ARRAY_TEXTURE_LAYERS, &slices);
@@ -162,7 +169,7 @@ enum hatch_status fine_upload(const struct fine *fine, float anisotropy, struct 
     static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
     const struct hatch_texels *texels = &fine->texels;
     uint32_t slices = texels->depth ? texels->depth : texels->layers;
-    HATCH_TRY(check_size(texels, err));
+    HATCH_TRY(check_texels(texels, err));
     struct gpu_columns made = {.form = fine->form,
                                .size_px = texels->width,
                                .levels = fine->levels,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #define TEXELS HATCH_BLOCK_TEXELS
+#define BC1_ROUNDS 4
 #define BC4_INDEX_BITS 3u
 #define BC7_MODE6 0x40u
 #define BC7_STEPS 15
@@ -130,6 +131,149 @@ static void main_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis
     }
 }
 
+/* The two ends of the texels' spread along their main axis. */
+static void axis_ends(uint8_t texels[TEXELS][4], float ends[2][3])
+{
+    float mean[3] = {0}, axis[3], least = 0, most = 0, length = 1e-20f;
+    for (uint32_t t = 0; t < TEXELS; t++)
+        for (int c = 0; c < 3; c++)
+            mean[c] += (float)texels[t][c] / TEXELS;
+    main_axis(texels, mean, axis);
+    for (int c = 0; c < 3; c++)
+        length += axis[c] * axis[c];
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        float along = 0;
+        for (int c = 0; c < 3; c++)
+            along += ((float)texels[t][c] - mean[c]) * axis[c] / length;
+        least = along < least ? along : least;
+        most = along > most ? along : most;
+    }
+    for (int c = 0; c < 3; c++) {
+        ends[0][c] = mean[c] + least * axis[c];
+        ends[1][c] = mean[c] + most * axis[c];
+    }
+}
+
+/* Five, six and five bits. */
+static uint32_t bc1_end(const float color[3])
+{
+    static const float most[] = {31, 63, 31};
+    uint32_t bits[3];
+    for (int c = 0; c < 3; c++) {
+        float value = color[c] * most[c] / 255 + 0.5f;
+        bits[c] = (uint32_t)(value > 0 ? (value < most[c] ? value : most[c]) : 0);
+    }
+    return bits[0] << 11 | bits[1] << 5 | bits[2];
+}
+
+/* The block's four colours, rounded to nearest; of two ends in rising order the last is black. */
+static void bc1_colors(uint32_t a, uint32_t b, uint8_t colors[4][3])
+{
+    const uint32_t ends[2] = {a, b};
+    for (int end = 0; end < 2; end++) {
+        uint32_t red = ends[end] >> 11, green = ends[end] >> 5 & 63, blue = ends[end] & 31;
+        colors[end][0] = (uint8_t)(red << 3 | red >> 2);
+        colors[end][1] = (uint8_t)(green << 2 | green >> 4);
+        colors[end][2] = (uint8_t)(blue << 3 | blue >> 2);
+    }
+    for (int c = 0; c < 3; c++) {
+        uint32_t first = colors[0][c], second = colors[1][c];
+        colors[2][c] = (uint8_t)(a > b ? (2 * first + second + 1) / 3 : (first + second + 1) / 2);
+        colors[3][c] = (uint8_t)(a > b ? (first + 2 * second + 1) / 3 : 0);
+    }
+}
+
+/* Each texel's nearest colour; returns the sum of squares that remains. */
+static uint32_t bc1_choose(uint8_t texels[TEXELS][4], uint32_t a, uint32_t b, uint8_t index[TEXELS])
+{
+    uint8_t colors[4][3];
+    uint32_t sum = 0;
+    bc1_colors(a, b, colors);
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        uint32_t best = UINT32_MAX;
+        for (uint32_t i = 0; i < 4; i++) {
+            uint32_t squares = 0;
+            for (int c = 0; c < 3; c++) {
+                int apart = texels[t][c] - colors[i][c];
+                squares += (uint32_t)(apart * apart);
+            }
+            if (squares < best) {
+                best = squares;
+                index[t] = (uint8_t)i;
+            }
+        }
+        sum += best;
+    }
+    return sum;
+}
+
+/* The ends that suit the chosen indices best: least squares. False where all texels took one colour. */
+static bool bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], float ends[2][3])
+{
+    static const float shares[] = {0, 1, 1.0f / 3, 2.0f / 3}; /* of the second end */
+    float aa = 0, ab = 0, bb = 0, a[3] = {0}, b[3] = {0};
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        float share = shares[index[t]], rest = 1 - share;
+        aa += rest * rest;
+        ab += rest * share;
+        bb += share * share;
+        for (int c = 0; c < 3; c++) {
+            a[c] += rest * (float)texels[t][c];
+            b[c] += share * (float)texels[t][c];
+        }
+    }
+    float determinant = aa * bb - ab * ab;
+    if (determinant < 1e-3f)
+        return false;
+    for (int c = 0; c < 3; c++) {
+        ends[0][c] = (bb * a[c] - ab * b[c]) / determinant;
+        ends[1][c] = (aa * b[c] - ab * a[c]) / determinant;
+    }
+    return true;
+}
+
+void hatch_bc1_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
+{
+    float ends[2][3];
+    uint32_t best = UINT32_MAX, chosen[2] = {0, 0};
+    uint8_t index[TEXELS], tried[TEXELS];
+    axis_ends(texels, ends);
+    for (int round = 0; round < BC1_ROUNDS && best > 0; round++) {
+        uint32_t a = bc1_end(ends[0]), b = bc1_end(ends[1]);
+        if (a < b) { /* four colours want the larger one first */
+            uint32_t larger = b;
+            b = a;
+            a = larger;
+        }
+        uint32_t left = bc1_choose(texels, a, b, tried);
+        if (left >= best)
+            break;
+        best = left;
+        chosen[0] = a;
+        chosen[1] = b;
+        memcpy(index, tried, sizeof index);
+        if (a == b || !bc1_fit(texels, index, ends))
+            break;
+    }
+    struct bits bits = {block, 0};
+    memset(block, 0, 8);
+    put(&bits, 16, chosen[0]);
+    put(&bits, 16, chosen[1]);
+    for (uint32_t t = 0; t < TEXELS; t++)
+        put(&bits, 2, index[t]);
+}
+
+void hatch_bc1_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
+{
+    uint8_t colors[4][3];
+    uint32_t at = 32;
+    bc1_colors(block[0] | (uint32_t)block[1] << 8, block[2] | (uint32_t)block[3] << 8, colors);
+    for (uint32_t t = 0; t < TEXELS; t++) {
+        memcpy(texels[t], colors[take(block, &at, 2)], 3);
+        texels[t][3] = 255;
+    }
+}
+
 /* Seven bits a channel and one for all of them: the one that comes nearer. */
 static uint32_t bc7_end(const float color[3], uint8_t end[4])
 {
@@ -156,26 +300,10 @@ static uint32_t bc7_end(const float color[3], uint8_t end[4])
 
 static void bc7_ends(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t low_bits[2])
 {
-    float mean[3] = {0}, axis[3], least = 0, most = 0, length = 1e-20f;
-    for (uint32_t t = 0; t < TEXELS; t++)
-        for (int c = 0; c < 3; c++)
-            mean[c] += (float)texels[t][c] / TEXELS;
-    main_axis(texels, mean, axis);
-    for (int c = 0; c < 3; c++)
-        length += axis[c] * axis[c];
-    for (uint32_t t = 0; t < TEXELS; t++) {
-        float along = 0;
-        for (int c = 0; c < 3; c++)
-            along += ((float)texels[t][c] - mean[c]) * axis[c] / length;
-        least = along < least ? along : least;
-        most = along > most ? along : most;
-    }
-    for (int end = 0; end < 2; end++) {
-        float color[3];
-        for (int c = 0; c < 3; c++)
-            color[c] = mean[c] + (end ? most : least) * axis[c];
-        low_bits[end] = bc7_end(color, ends[end]);
-    }
+    float colors[2][3];
+    axis_ends(texels, colors);
+    for (int end = 0; end < 2; end++)
+        low_bits[end] = bc7_end(colors[end], ends[end]);
 }
 
 static void bc7_choose(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t index[TEXELS])

@@ -72,20 +72,36 @@ static void compare(const struct job *job, uint8_t before[TEXELS][4], uint8_t af
         }
 }
 
+static void encode(enum hatch_texels_code code, uint8_t texels[TEXELS][4], uint8_t *block)
+{
+    if (code == HATCH_TEXELS_BC1)
+        hatch_bc1_encode(texels, block);
+    else if (code == HATCH_TEXELS_BC4)
+        hatch_bc4_encode(texels, block);
+    else
+        hatch_bc7_encode(texels, block);
+}
+
+/* False for what is no block. */
+static bool decode(enum hatch_texels_code code, const uint8_t *block, uint8_t texels[TEXELS][4])
+{
+    if (code == HATCH_TEXELS_BC7)
+        return hatch_bc7_decode(block, texels);
+    if (code == HATCH_TEXELS_BC1)
+        hatch_bc1_decode(block, texels);
+    else
+        hatch_bc4_decode(block, texels);
+    return true;
+}
+
 static void pack_row(void *context, uint32_t row)
 {
     const struct job *job = context;
-    bool grey = job->packed->code == HATCH_TEXELS_BC4;
     for (uint32_t b = 0; b < job->across; b++) {
         uint8_t texels[TEXELS][4], got[TEXELS][4], *block = block_at(job, row, b);
         get_block(job, row, b, texels);
-        if (grey) {
-            hatch_bc4_encode(texels, block);
-            hatch_bc4_decode(block, got);
-        } else {
-            hatch_bc7_encode(texels, block);
-            hatch_bc7_decode(block, got);
-        }
+        encode(job->packed->code, texels, block);
+        decode(job->packed->code, block, got);
         compare(job, texels, got, &job->rows[row]);
     }
 }
@@ -95,10 +111,7 @@ static void unpack_row(void *context, uint32_t row)
     const struct job *job = context;
     for (uint32_t b = 0; b < job->across; b++) {
         uint8_t texels[TEXELS][4];
-        const uint8_t *block = block_at(job, row, b);
-        if (job->packed->code == HATCH_TEXELS_BC4)
-            hatch_bc4_decode(block, texels);
-        else if (!hatch_bc7_decode(block, texels))
+        if (!decode(job->packed->code, block_at(job, row, b), texels))
             job->rows[row].unknown = true;
         /* backwards: the texel that stands there is the first of those that fall on it */
         for (uint32_t i = TEXELS; i-- > 0;)
@@ -130,12 +143,13 @@ enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch
                                     struct hatch_err *err)
 {
     assert(plain->code == HATCH_TEXELS_PLAIN);
-    assert(code == HATCH_TEXELS_BC4 ? plain->channels == 1 : code == HATCH_TEXELS_BC7 && plain->channels >= 3);
+    assert(hatch_texels_block_side(code) == SIDE);
+    assert(code == HATCH_TEXELS_BC4 ? plain->channels == 1 : plain->channels >= 3);
     struct hatch_texels made = *plain;
     struct sums sums = {0};
     double numbers = 0;
     made.code = code;
-    made.channels = code == HATCH_TEXELS_BC4 ? 1 : 4;
+    made.channels = code == HATCH_TEXELS_BC4 ? 1 : code == HATCH_TEXELS_BC1 ? 3 : 4;
     HATCH_TRY(hatch_texels_make(arena, &made, err));
     for (uint32_t level = 0; level < plain->level_count; level++) {
         struct job job = job_of(plain, &made, level);

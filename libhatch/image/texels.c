@@ -16,13 +16,13 @@ size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t leve
 
 uint32_t hatch_texels_block_side(enum hatch_texels_code code)
 {
-    return code == HATCH_TEXELS_BC4 || code == HATCH_TEXELS_BC7 ? 4 : 1;
+    return code == HATCH_TEXELS_PLAIN || code == HATCH_TEXELS_R32UI ? 1 : 4;
 }
 
 uint32_t hatch_texels_block_bytes(enum hatch_texels_code code, uint32_t channels)
 {
     static const uint32_t bytes[] = {
-        [HATCH_TEXELS_BC4] = 8, [HATCH_TEXELS_BC7] = 16, [HATCH_TEXELS_R32UI] = 4};
+        [HATCH_TEXELS_BC1] = 8, [HATCH_TEXELS_BC4] = 8, [HATCH_TEXELS_BC7] = 16, [HATCH_TEXELS_R32UI] = 4};
     return code == HATCH_TEXELS_PLAIN ? channels : bytes[code];
 }
 

@@ -9,7 +9,8 @@
 
 enum hatch_texels_code {
     HATCH_TEXELS_PLAIN, /* UNORM, 8 bits a channel */
-    HATCH_TEXELS_BC4,   /* one channel in blocks of 4x4 texels, 8 bytes each: image/blocks.h */
+    HATCH_TEXELS_BC1,   /* three channels in blocks of 4x4 texels, 8 bytes each: image/blocks.h */
+    HATCH_TEXELS_BC4,   /* one channel, 8 bytes a block */
     HATCH_TEXELS_BC7,   /* three or four channels, 16 bytes a block */
     HATCH_TEXELS_R32UI  /* one whole number of 32 bits, little-endian */
 };
@@ -21,7 +22,8 @@ struct hatch_texels {
     uint32_t width, height;
     uint32_t depth;    /* 0: not 3D */
     uint32_t layers;   /* 0: not an array */
-    uint32_t channels; /* 1 R8, 2 RG8, 3 RGB8, 4 RGBA8; 1 with BC4 and R32UI, 4 with BC7 */
+    uint32_t channels; /* 1 R8, 2 RG8, 3 RGB8, 4 RGBA8; 1 with BC4 and R32UI, 3 with BC1,
+                          4 with BC7 */
     uint32_t level_count;
     uint8_t *texels[HATCH_MIP_LEVELS_MAX];
     enum hatch_texels_code code;

@@ -13,7 +13,7 @@ enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture,
                                    const char *const *key_values, struct hatch_buffer *file,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Reads what hatch_ktx2_write writes, and any R8, RG8, RGB8, RGBA8, BC4, BC7 or R32UI KTX2, linear or
+/* Reads what hatch_ktx2_write writes, and any R8, RG8, RGB8, RGBA8, BC1, BC4, BC7 or R32UI KTX2, linear or
  * sRGB (the bytes are not touched), with or without Zstandard supercompression; no cube maps, no
  * arrays of 3D textures. Sizes are checked before memory is taken: HATCH_LIMIT. */
 enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena,

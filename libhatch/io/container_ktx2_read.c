@@ -36,6 +36,10 @@ static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
     case 98:
         *code = HATCH_TEXELS_R32UI;
         return 1;
+    case 131:
+    case 132:
+        *code = HATCH_TEXELS_BC1;
+        return 3;
     case 139:
         *code = HATCH_TEXELS_BC4;
         return 1;
@@ -78,7 +82,7 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
     uint32_t channels = channels_of(header->vk_format, &code);
     uint32_t type_size = code == HATCH_TEXELS_R32UI ? 4 : 1;
     if (!channels)
-        return hatch_fail(err, HATCH_BAD_INPUT, "VkFormat %u is not 8 bits a channel, nor BC4, BC7 or R32UI",
+        return hatch_fail(err, HATCH_BAD_INPUT, "VkFormat %u is not 8 bits a channel, nor BC1, BC4, BC7 or R32UI",
                           header->vk_format);
     if (header->type_size != type_size)
         return hatch_fail(err, HATCH_BAD_INPUT, "typeSize %u, want %u", header->type_size, type_size);

@@ -19,6 +19,7 @@ static const struct code {
     uint32_t vk_format, model, bits, upper, type_size;
 } codes[] = {
     [HATCH_TEXELS_PLAIN] = {0, 1, 8, 255, 1},
+    [HATCH_TEXELS_BC1] = {131, 128, 64, UINT32_MAX, 1},
     [HATCH_TEXELS_BC4] = {139, 131, 64, UINT32_MAX, 1},
     [HATCH_TEXELS_BC7] = {145, 134, 128, UINT32_MAX, 1},
     [HATCH_TEXELS_R32UI] = {98, 1, 32, 1, 4},

@@ -1,7 +1,8 @@
 #!/bin/sh
 # What is made of one map of 255 tones, 256 pixels, four levels: error, tone error and grey strokes against
-# memory, over numbers of bins and tones, plain and in blocks (an array of 8 tones is what a map of 8 columns shows). Each row: five runs on two threads,
-# reading and writing included; figures of hatchstat tones, the mean over levels of detail.
+# memory, over numbers of bins and tones, plain and in blocks, in colour too (an array of 8 tones is what a map of 8
+# columns shows). Each row: five runs on two threads, reading and writing included; figures of hatchstat tones, the
+# mean over levels of detail.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -30,4 +31,11 @@ for style in ink pencil; do
         row array $style $tones tamvol -q -j 2 --layout array --tones $tones "$map" -o "$work/made"
         row blocks $style $tones tamvol -q -j 2 --compress --tones $tones "$map" -o "$work/made"
     done
+done
+style=colour
+tamgen --palette dusk --set 'darkest 1' --candidates 300:100 --tones 255 -o "$work/$style.exr"
+for tones in 8 16 32 64 128; do
+    row volume $style $tones tamvol -q -j 2 --tones $tones "$work/$style.exr" -o "$work/made"
+    row bc7 $style $tones tamvol -q -j 2 --compress --layout volume --tones $tones "$work/$style.exr" -o "$work/made"
+    row bc1 $style $tones tamvol -q -j 2 --compress --tones $tones "$work/$style.exr" -o "$work/made"
 done

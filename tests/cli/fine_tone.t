@@ -21,6 +21,12 @@ try tamvol --tones 32 --layout array map.exr -o array.ktx2
 is "an array" "$status $(shape array.ktx2)" "0 9 256 256 0 32 9"
 try tamvol --compress map.exr -o packed.ktx2
 is "blocks" "$status $(shape packed.ktx2)" "0 139 256 256 0 64 9"
+tamgen --tones 64 --palette dusk --set 'darkest 1' --candidates 100:50 -o colour.exr
+try tamvol -v --compress colour.exr -o colour.ktx2
+is "blocks of colour" "$status $(shape colour.ktx2)" "0 131 256 256 0 64 9"
+is "their error is told" "$(grep -c 'blocks are off by 0\.[0-9]* at most, by 0\.[0-9]* in the root' .err)" 1
+try tamvol -q --compress --layout volume --tones 16 colour.exr -o seven.ktx2
+is "blocks of colour in a volume" "$status $(shape seven.ktx2)" "0 145 256 256 16 0 9"
 try tamthresh map.exr -o thresholds.ktx2
 is "thresholds" "$status $(shape thresholds.ktx2) $(wc -c <.err)" "0 37 256 256 0 4 9 0"
 try tamthresh --exact map.exr -o exact.ktx2
@@ -34,12 +40,13 @@ at_most() {
 }
 at_most 15000 volume.ktx2
 at_most 4000 packed.ktx2
+at_most 4000 colour.ktx2
 at_most 1800 thresholds.ktx2
 at_most 4000 exact.ktx2
 
 # figures FILE: the largest of each figure over the levels of detail
 figures() {
-    hatchstat tones "$1" --reference map.exr --samples 20000 -o figures.tsv
+    hatchstat tones "$1" --reference "${2:-map.exr}" --samples 20000 -o figures.tsv
     awk -F'\t' 'NR > 1 {for (i = 3; i <= NF; i++) if ($i > most[i]) most[i] = $i}
         END {for (i = 3; i <= NF; i++) printf "%s ", most[i]}' figures.tsv
 }
@@ -53,6 +60,9 @@ below "exact runs are within 1/255 of the map" "$4" 0.00392
 set -- $(figures packed.ktx2)
 below "blocks: mean error" "$3" 0.02
 below "blocks: tone" "$1" 0.005
+set -- $(figures colour.ktx2 colour.exr)
+below "blocks of colour: mean error" "$3" 0.03
+below "blocks of colour: tone" "$1" 0.005
 grey() {
     figures "$1" >/dev/null
     awk -F'\t' 'NR > 1 {sum += $7} END {print sum / (NR - 1)}' figures.tsv

@@ -11,9 +11,10 @@ const bytes = readFileSync(process.argv[2]);
 const ktx = read(new Uint8Array(bytes));
 
 const plain = { 9: 1, 16: 2, 23: 3, 37: 4 }[ktx.vkFormat];
-// R32UI, BC4, BC7: colour model, bytes of a block, texels each way, bits and largest number of its sample
+// R32UI, BC1, BC4, BC7: colour model, bytes of a block, texels each way, bits and largest number of its sample
 const packed = {
     98: [1, 4, 1, 32, 1],
+    131: [128, 8, 4, 64, 0xffffffff],
     139: [131, 8, 4, 64, 0xffffffff],
     145: [134, 16, 4, 128, 0xffffffff],
 }[ktx.vkFormat];

@@ -30,16 +30,21 @@ static struct hatch_texels texture(uint32_t width, uint32_t height, uint32_t lay
     return made;
 }
 
-static struct hatch_texels round_trip(const struct hatch_texels *plain, struct hatch_block_figures *figures,
-                                      size_t *bytes)
+static struct hatch_texels round_trip_as(enum hatch_texels_code code, const struct hatch_texels *plain,
+                                         struct hatch_block_figures *figures, size_t *bytes)
 {
     struct hatch_texels packed, back;
-    enum hatch_texels_code code = plain->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC7;
     HATCH_TEST_OK(hatch_texels_pack(plain, code, NULL, &keep, &packed, figures, &err), &err);
     HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
     ck_assert(packed.code == code && back.code == HATCH_TEXELS_PLAIN);
     *bytes = hatch_texels_level_size(&packed, 0);
     return back;
+}
+
+static struct hatch_texels round_trip(const struct hatch_texels *plain, struct hatch_block_figures *figures,
+                                      size_t *bytes)
+{
+    return round_trip_as(plain->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC7, plain, figures, bytes);
 }
 
 /* The figures are what the textures say; RGB of back has alpha. */
@@ -50,6 +55,8 @@ static void check_figures(const struct hatch_texels *plain, const struct hatch_t
     for (uint32_t level = 0; level < plain->level_count; level++) {
         size_t texels = hatch_texels_level_size(plain, level) / plain->channels;
         for (size_t i = 0; i < texels * plain->channels; i++) {
+            if (i % plain->channels >= back->channels) /* BC1 has no alpha */
+                continue;
             size_t other = i / plain->channels * back->channels + i % plain->channels;
             worst = fmax(worst, fabs((double)plain->texels[level][i] - back->texels[level][other]) / 255);
         }
@@ -118,6 +125,44 @@ START_TEST(colours_come_near)
     ck_assert_double_le(figures.error_max, 11.0 / 255);
     ck_assert_double_le(figures.error_rms, 5.0 / 255);
     ck_assert_uint_eq(bytes, 5 * 5 * 7 * 16);
+}
+END_TEST
+
+/* Both modes by hand: red 248 and blue 255, two thirds of each way; then half-way, and black. */
+START_TEST(bc1_blocks_are_read_as_specified)
+{
+    uint8_t blocks[2][8] = {{0, 0xf8, 0x1f, 0, 0xe4, 0, 0, 0}, {0x1f, 0, 0, 0xf8, 0xe4, 0, 0, 0}};
+    static const uint8_t want[2][4][3] = {{{255, 0, 0}, {0, 0, 255}, {170, 0, 85}, {85, 0, 170}},
+                                          {{0, 0, 255}, {255, 0, 0}, {128, 0, 128}, {0, 0, 0}}};
+    struct hatch_texels packed = {.width = 4, .height = 4, .channels = 3, .level_count = 1,
+                                  .code = HATCH_TEXELS_BC1, .texels = {blocks[_i]}}, back;
+    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    ck_assert_uint_eq(back.channels, 3);
+    for (uint32_t i = 0; i < 4; i++) /* indices 0 to 3 */
+        for (int c = 0; c < 3; c++)
+            ck_assert_uint_eq(back.texels[0][3 * i + (uint32_t)c], want[_i][i][c]);
+}
+END_TEST
+
+/* Ink of one colour on paper: four colours on a line, so half of a third of the way, and half a step of the
+ * ends' bits. Paper and ink alone lose no more than the ends' bits. */
+START_TEST(colours_in_half_a_byte_come_near)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(20, 18, 7, 0, _i & 1 ? 4 : 3);
+    static const float ink[] = {40, 80, 200, 255};
+    size_t bytes;
+    for (uint32_t level = 0; level < plain.level_count; level++)
+        for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++) {
+            float share = hatch_random_unit(1, level, i / plain.channels);
+            share = _i < 2 ? share : (float)(share > 0.5f);
+            plain.texels[level][i] = (uint8_t)(255 + (ink[i % plain.channels] - 255) * share);
+        }
+    struct hatch_texels back = round_trip_as(HATCH_TEXELS_BC1, &plain, &figures, &bytes);
+    check_figures(&plain, &back, &figures);
+    ck_assert_double_le(figures.error_max, (_i < 2 ? 215 / 6.0 + 5 + 8 : 5) / 255);
+    ck_assert_double_le(figures.error_rms, (_i < 2 ? 15 : 3) / 255.0);
+    ck_assert_uint_eq(bytes, 5 * 5 * 7 * 8);
 }
 END_TEST
 
@@ -194,6 +239,8 @@ static Suite *suite(void)
     tcase_add_test(tests, paper_and_ink_are_kept_exactly);
     tcase_add_loop_test(tests, greys_come_near, 0, 2);
     tcase_add_loop_test(tests, colours_come_near, 0, 2);
+    tcase_add_loop_test(tests, bc1_blocks_are_read_as_specified, 0, 2);
+    tcase_add_loop_test(tests, colours_in_half_a_byte_come_near, 0, 4);
     tcase_add_test(tests, one_colour_is_kept_to_a_step);
     tcase_add_test(tests, a_block_of_another_mode_is_refused);
     tcase_add_test(tests, eight_bits_are_rounded_and_cut_off);

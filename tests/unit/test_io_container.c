@@ -31,6 +31,7 @@ static const struct hatch_texels kinds[] = {
     {.width = 1, .height = 1, .channels = 1, .level_count = 1},
     {.width = 5, .height = 300, .channels = 4, .level_count = 1},
     {.width = 37, .height = 11, .layers = 3, .channels = 1, .level_count = 6, .code = HATCH_TEXELS_BC4},
+    {.width = 37, .height = 11, .layers = 3, .channels = 3, .level_count = 6, .code = HATCH_TEXELS_BC1},
     {.width = 16, .height = 8, .depth = 6, .channels = 4, .level_count = 5, .code = HATCH_TEXELS_BC7},
     {.width = 33, .height = 5, .channels = 1, .level_count = 1, .code = HATCH_TEXELS_R32UI},
 };

@@ -115,11 +115,11 @@ static double worst_of(const char *technique, double tone, double tiles)
 }
 
 /* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. Greys of all kinds,
- * which BC7 holds as colours. */
+ * which BC1 and BC7 hold as colours. */
 static void pack(enum hatch_texels_code code)
 {
     struct hatch_texels plain = volume.texels;
-    plain.channels = code == HATCH_TEXELS_BC7 ? 3 : 1;
+    plain.channels = code == HATCH_TEXELS_BC4 ? 1 : 3;
     HATCH_TEST_OK(hatch_texels_make(&frame.arena, &plain, &frame.err), &frame.err);
     for (uint32_t level = 0; level < plain.level_count; level++)
         for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
@@ -164,6 +164,7 @@ END_TEST
 START_TEST(blocks_are_their_model)
 {
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC4);
+    check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC1);
     check_volume(HATCH_VOLUME_3D, HATCH_TEXELS_BC7);
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC7);
 }
