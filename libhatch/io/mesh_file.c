@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "io/mesh_polygon.h"
+#include "io/mesh_text.h"
 
 static bool starts_with(struct hatch_bytes file, const char *magic)
 {
@@ -59,8 +60,7 @@ static enum hatch_mesh_format by_content(struct hatch_bytes file)
         return HATCH_MESH_GLTF;
     if (starts_with(file, "ply"))
         return HATCH_MESH_PLY;
-    if (starts_with(file, "OFF") || starts_with(file, "COFF") || starts_with(file, "NOFF") ||
-        starts_with(file, "CNOFF"))
+    if (hatch_off_word((const char *)file.data, file.size))
         return HATCH_MESH_OFF;
     return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
 }
@@ -74,6 +74,8 @@ enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char 
         {".glb", HATCH_MESH_GLTF}, {".gltf", HATCH_MESH_GLTF}, {".ply", HATCH_MESH_PLY},
         {".obj", HATCH_MESH_OBJ},  {".off", HATCH_MESH_OFF},   {".stl", HATCH_MESH_STL},
     };
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    file = (struct hatch_bytes){(const uint8_t *)text.at, hatch_mesh_text_left(&text)};
     enum hatch_mesh_format format = by_content(file);
     for (size_t i = 0; !format && name && i < sizeof endings / sizeof *endings; i++)
         if (ends_with(name, endings[i].ending))

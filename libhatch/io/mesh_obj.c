@@ -170,9 +170,8 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
         HATCH_TRY(hatch_buffer_add(&o->used, &vertex, sizeof vertex, err));
         count++;
     }
-    if (count < 3)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %u corners", o->text.line,
-                          count);
+    if (count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of no corners", o->text.line);
     return hatch_faces_add(&o->faces, values(o, V), (const uint32_t *)(const void *)o->points.data,
                            (const uint32_t *)(const void *)o->used.data, count, err);
 }

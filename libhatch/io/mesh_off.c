@@ -1,15 +1,31 @@
-/* OFF (Geomview's object file format), as text: OFF, COFF, NOFF and CNOFF; what follows a vertex's
- * position or a face's corners on their line is skipped. */
+/* OFF (Geomview's object file format), as text, with texture coordinates (ST), colours (C) and normals (N);
+ * what follows a vertex's position or a face's corners on their line is skipped. */
+#include <string.h>
+
 #include "io/mesh_polygon.h"
 #include "io/mesh_text.h"
 
+size_t hatch_off_word(const char *at, size_t left)
+{
+    static const char *const parts[] = {"ST", "C", "N"};
+    size_t length = 0;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        size_t more = strlen(parts[i]);
+        if (left - length >= more && memcmp(at + length, parts[i], more) == 0)
+            length += more;
+    }
+    return left - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
+}
+
+/* Some files have the counts right behind the word ("OFF490 518 0"). */
 static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_any_word(text);
-    if (!hatch_text_is(word, "OFF") && !hatch_text_is(word, "COFF") &&
-        !hatch_text_is(word, "NOFF") && !hatch_text_is(word, "CNOFF"))
+    size_t length = hatch_off_word(word.at, word.length);
+    if (!length)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line,
                           hatch_mesh_text_shown(word), word.at);
+    text->at = word.at + length;
     return HATCH_OK;
 }
 
@@ -50,7 +66,7 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
 {
     int64_t count, index;
     struct hatch_text word = hatch_mesh_text_word(text);
-    if (!hatch_mesh_text_integer(word, &count) || count < 3)
+    if (!hatch_mesh_text_integer(word, &count) || count < 1)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %.*s corners", text->line,
                           hatch_mesh_text_shown(word), word.at);
     corners->size = 0;

@@ -106,6 +106,7 @@ static enum hatch_status read_length(struct ply *p, const struct hatch_ply_prope
     return HATCH_OK;
 }
 
+/* What is not read may be anything in text: scanners write "nan" where a quality is not known. */
 static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *property,
                               struct hatch_err *err)
 {
@@ -114,7 +115,10 @@ static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *pr
     if (property->count_type)
         HATCH_TRY(read_length(p, property, &length, err));
     for (uint32_t i = 0; i < length; i++)
-        HATCH_TRY(read_number(p, property->type, &number, err));
+        if (!p->header.ascii)
+            HATCH_TRY(read_number(p, property->type, &number, err));
+        else if (hatch_mesh_text_any_word(&p->text).length == 0)
+            return fail(p, err, "the file is cut");
     return HATCH_OK;
 }
 
@@ -229,8 +233,6 @@ static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
             uint32_t count = (uint32_t)(p->corners.size / sizeof *corner);
             if (p->element->kind == HATCH_PLY_STRIPS)
                 HATCH_TRY(add_strips(p, corner, count, err));
-            else if (count < 3)
-                return fail(p, err, "less than three corners");
             else
                 HATCH_TRY(hatch_faces_add(&p->faces, p->positions, corner, corner, count, err));
         }

@@ -1,6 +1,5 @@
 #include "io/mesh_polygon.h"
 
-#include <assert.h>
 #include <string.h>
 
 #include "math/vector.h"
@@ -194,7 +193,10 @@ enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positi
                                   const uint32_t *point, const uint32_t *vertex, uint32_t count,
                                   struct hatch_err *err)
 {
-    assert(count >= 3);
+    if (count < 3) {
+        faces->lines_dropped++;
+        return HATCH_OK;
+    }
     if (count == 3)
         return add_triangle(faces, vertex, 0, 1, 2, err);
     faces->polygons_split++;
@@ -217,6 +219,7 @@ enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const floa
     memcpy(mesh->indices, faces->indices.data, faces->indices.size);
     memcpy(mesh->attributes[0].data, positions, (size_t)vertex_count * 3 * sizeof *positions);
     notes->polygons_split += faces->polygons_split;
+    notes->degenerate_dropped += faces->lines_dropped;
     return HATCH_OK;
 }
 

@@ -8,6 +8,31 @@
 
 enum { HEADER = 80, TRIANGLE = 50 };
 
+/* A word of the format: most programs write them small, some do not. */
+static bool is(struct hatch_text word, const char *small)
+{
+    size_t i = 0;
+    for (; i < word.length && small[i]; i++) {
+        char c = word.at[i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != small[i])
+            return false;
+    }
+    return i == word.length && !small[i];
+}
+
+/* Binary files may begin with "solid", too: but soon a byte follows that no text has. */
+static bool looks_like_text(struct hatch_bytes file)
+{
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    const size_t far = 1024;
+    if (!is(hatch_mesh_text_any_word(&text), "solid"))
+        return false;
+    for (size_t i = 0; i < file.size && i < far; i++)
+        if (file.data[i] < '\t')
+            return false;
+    return true;
+}
+
 static bool is_binary(struct hatch_bytes file)
 {
     if (file.size < HEADER + 4)
@@ -15,7 +40,7 @@ static bool is_binary(struct hatch_bytes file)
     struct hatch_reader reader = hatch_reader_of(file);
     hatch_read_bytes(&reader, HEADER);
     uint64_t count = hatch_read_u32(&reader);
-    return file.size == HEADER + 4 + count * TRIANGLE || memcmp(file.data, "solid", 5) != 0;
+    return file.size == HEADER + 4 + count * TRIANGLE || !looks_like_text(file);
 }
 
 static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh,
@@ -70,24 +95,24 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
     bool ended = false;
     do {
         struct hatch_text word = hatch_mesh_text_word(&text);
-        if (hatch_text_is(word, "vertex")) {
+        if (is(word, "vertex")) {
             float p[3];
             for (int k = 0; k < 3; k++)
                 HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &p[k], err));
             HATCH_TRY(hatch_buffer_add(&positions, p, sizeof p, err));
             corners++;
-        } else if (hatch_text_is(word, "endfacet")) {
+        } else if (is(word, "endfacet")) {
             if (corners != 3)
                 return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corners, want 3",
                                   text.line, corners);
             corners = 0;
-        } else if (word.length && !hatch_text_is(word, "solid") && !hatch_text_is(word, "facet") &&
-                   !hatch_text_is(word, "outer") && !hatch_text_is(word, "endloop") &&
-                   !hatch_text_is(word, "endsolid")) {
+        } else if (word.length && !is(word, "solid") && !is(word, "facet") &&
+                   !is(word, "outer") && !is(word, "endloop") &&
+                   !is(word, "endsolid")) {
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text.line,
                               hatch_mesh_text_shown(word), word.at);
         }
-        ended = word.length ? hatch_text_is(word, "endsolid") : ended;
+        ended = word.length ? is(word, "endsolid") : ended;
     } while (hatch_mesh_text_next_line(&text));
     if (!ended || corners)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", text.line);

@@ -5,8 +5,10 @@
 
 struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes)
 {
-    const char *start = (const char *)bytes.data;
-    return (struct hatch_mesh_text){.at = start, .end = start + bytes.size, .line = 1};
+    static const char mark[] = "\xef\xbb\xbf";
+    const char *start = (const char *)bytes.data, *end = start + bytes.size;
+    bool marked = bytes.size >= sizeof mark - 1 && memcmp(start, mark, sizeof mark - 1) == 0;
+    return (struct hatch_mesh_text){.at = marked ? start + sizeof mark - 1 : start, .end = end, .line = 1};
 }
 
 size_t hatch_mesh_text_left(const struct hatch_mesh_text *text)

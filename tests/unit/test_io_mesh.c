@@ -180,7 +180,8 @@ START_TEST(what_is_wrong_is_named_with_its_place)
     refused("v 0 0 0\nf 1/2 1 1\n", "texture coordinate 2 of 0");
     refused("v 0 0 0\nf 1//2 1 1\n", "normal 2 of 0");
     refused("v 0 0 0\nf 1/1/1/1 1 1\n", "texture");
-    refused("v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: a face of 2 corners");
+    refused("v 0 0 0\nv 1 0 0\nf\n", "line 3: a face of no corners");
+    refused("v 0 0 0\nv 1 0 0\nf 1 2\n", "no faces");
     refused("v 0 0\nf 1 1 1\n", "line 1: v has too few numbers");
     refused("v 0 0 0x10\n", "0x10 is no number");
     refused("v 0 0 nan\n", "nan is no number");
@@ -189,7 +190,8 @@ START_TEST(what_is_wrong_is_named_with_its_place)
     refused("v 0 0 0\nsurf 1 2\n", "line 2: unknown word surf");
     refused("v 0 0 0\n\n# nothing\n", "no faces");
     refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: corner 3, there are 3 vertices");
-    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "line 6: a face of 2 corners");
+    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "line 6: a face of 0 corners");
+    refused("OFFX\n3 1 0\n", "X is no number of vertices");
     refused("OFF\n3 9999 0\n0 0 0\n1 0 0\n", "9999 faces do not fit");
     refused("OFF BINARY\n3 1 0\n", "BINARY is no number of vertices");
     refused("solid\nfacet normal 0 0 0\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n",
@@ -221,10 +223,49 @@ START_TEST(ply_faces_are_checked)
 {
     refused(PLY_THREE "3 0 1 3\n", "line 13: face 0: a corner is no vertex");
     refused(PLY_THREE "3 0 1 -1\n", "face 0: a corner is no vertex");
-    refused(PLY_THREE "2 0 1\n", "less than three corners");
+    refused(PLY_THREE "2 0 1\n", "no faces");
+    refused(PLY_THREE "3 0 1\n", "the file is cut");
     refused(PLY_THREE "200 0 1 2\n", "a list longer than the file");
     refused(PLY_THREE "3 0 1 x\n", "not a number");
     reads(text(PLY_THREE "3 0 1 2\n"), 3, 1);
+}
+END_TEST
+
+START_TEST(faces_that_are_lines_are_left_out)
+{
+    const char *files[] = {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 3\n",
+                           "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 2\n",
+                           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                           "property float z\nelement face 3\nproperty list uchar int vertex_index\n"
+                           "end_header\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        notes.degenerate_dropped = 0;
+        reads(text(files[i]), 3, 1);
+        ck_assert_uint_eq(notes.degenerate_dropped, 2);
+    }
+}
+END_TEST
+
+/* As programs write files, not as formats are described. */
+START_TEST(what_real_files_have)
+{
+    static const char ply[] = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                              "property float z\nproperty float quality\nelement face 1\n"
+                              "property list uchar int vertex_index\nend_header\n"
+                              "0 0 0 nan\n1 0 0 -inf\n0 1 0 1\n3 0 1 2\n";
+    reads(text("\xef\xbb\xbf# marked\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 3, 1);
+    reads(text("\xef\xbb\xbfOFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 3, 1);
+    reads(text("STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), 3, 1);
+    reads(text(ply), 3, 1);
+    static const char stl[] = " \n\tSOLID x\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
+                              "Vertex 0 1 0\nENDLOOP\nENDFACET\nENDSOLID x\n";
+    HATCH_TEST_OK(hatch_mesh_read(text(stl), HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err), &err);
+    ck_assert_uint_eq(mesh.face_count, 1);
+    struct hatch_bytes file = binary_stl("solid, with more at the end");
+    struct hatch_buffer longer = {.arena = &keep};
+    HATCH_TEST_OK(hatch_buffer_add(&longer, file.data, file.size, &err), &err);
+    HATCH_TEST_OK(hatch_buffer_add(&longer, "more", 4, &err), &err);
+    reads((struct hatch_bytes){longer.data, longer.size}, 12, 4);
 }
 END_TEST
 
@@ -350,6 +391,8 @@ static Suite *suite(void)
     tcase_add_test(tests, what_is_wrong_is_named_with_its_place);
     tcase_add_test(tests, ply_faces_are_checked);
     tcase_add_test(tests, ply_attributes_and_strips);
+    tcase_add_test(tests, faces_that_are_lines_are_left_out);
+    tcase_add_test(tests, what_real_files_have);
     tcase_add_test(tests, obj_corners_become_vertices_once_each);
     tcase_add_test(tests, polygons_are_cut_without_loss);
     tcase_add_test(tests, a_large_polygon_takes_no_time);
