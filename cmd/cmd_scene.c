@@ -20,27 +20,35 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
 }
 
-static void warn(const char *name, uint32_t count, const char *what)
-{
-    if (count)
-        cmd_warn(name, "%u %s", count, what);
-}
-
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
 {
-    warn(name, notes->degenerate_dropped, "faces without an area are left out");
-    warn(name, notes->duplicates_dropped, "faces given twice are left out");
-    warn(name, notes->unreferenced_dropped, "vertices that no face uses are left out");
-    warn(name, notes->vertices_apart, "vertices stand where others do and count as one with them");
-    warn(name, notes->faces_flipped, "faces look the other way than their neighbours");
-    warn(name, notes->non_manifold_edges, "edges have more than two faces");
-    warn(name, notes->non_manifold_points, "points join faces that share no edge there");
-    warn(name, notes->contrary_edges,
-         "edges between faces that cannot agree which side is out: the surface has but one side");
-    warn(name, notes->primitives_skipped, "sets of points or lines are skipped");
-    warn(name, notes->morphs_ignored, "meshes have morph targets, which are not applied");
-    warn(name, notes->attributes_dropped, "vertex attributes are left out: unknown, or more than a mesh holds");
-    warn(name, notes->images_missing, "images could not be read");
+    const struct {
+        uint32_t count;
+        const char *one, *many;
+    } said[] = {
+        {notes->degenerate_dropped, "face without an area is left out", "faces without an area are left out"},
+        {notes->duplicates_dropped, "face given twice is left out", "faces given twice are left out"},
+        {notes->unreferenced_dropped, "vertex that no face uses is left out",
+         "vertices that no face uses are left out"},
+        {notes->vertices_apart, "vertex stands where another does and counts as one with it",
+         "vertices stand where others do and count as one with them"},
+        {notes->faces_flipped, "face looks the other way than its neighbours",
+         "faces look the other way than their neighbours"},
+        {notes->non_manifold_edges, "edge has more than two faces", "edges have more than two faces"},
+        {notes->non_manifold_points, "point joins faces that share no edge there",
+         "points join faces that share no edge there"},
+        {notes->contrary_edges, "edge between faces that cannot agree which side is out: the surface has but one side",
+         "edges between faces that cannot agree which side is out: the surface has but one side"},
+        {notes->primitives_skipped, "set of points or lines is skipped", "sets of points or lines are skipped"},
+        {notes->morphs_ignored, "mesh has morph targets, and stays as it rests",
+         "meshes have morph targets, and stay as they rest"},
+        {notes->attributes_dropped, "vertex attribute is left out: unknown, or more than a mesh holds",
+         "vertex attributes are left out: unknown, or more than a mesh holds"},
+        {notes->images_missing, "image could not be read", "images could not be read"},
+    };
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        if (said[i].count)
+            cmd_warn(name, "%u %s", said[i].count, said[i].count == 1 ? said[i].one : said[i].many);
 }
 
 static bool is_file(const char *path)

@@ -59,6 +59,9 @@ static void blend_joints(const float *joints, const float *ids, const float *wei
         for (int i = 0; i < 16; i++)
             matrix[i] += weight * (double)joints[16 * (size_t)joint + (size_t)i];
     }
+    if (!(sum > 0) && joint_count > 0) /* weights that say nothing: the vertex goes with its first joint */
+        for (int i = 0; i < 16; i++)
+            matrix[i] = (double)joints[16 * (size_t)(ids[0] < (float)joint_count ? ids[0] : 0) + (size_t)i];
     for (int i = 0; sum > 0 && i < 16; i++)
         matrix[i] /= sum;
 }

@@ -16,6 +16,16 @@ static void find_middle(const struct hatch_mesh *mesh, double middle[3], double 
     }
 }
 
+/* Where a material's texture is read: scaled, turned, moved (KHR_texture_transform). */
+static void place_base(const struct hatch_material *material, float at[2])
+{
+    double c = cos((double)material->base_turn_rad), s = sin((double)material->base_turn_rad);
+    double u = (double)material->base_scale[0] * (double)at[0];
+    double v = (double)material->base_scale[1] * (double)at[1];
+    at[0] = (float)(c * u + s * v + (double)material->base_offset[0]);
+    at[1] = (float)(c * v - s * u + (double)material->base_offset[1]);
+}
+
 static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
                                     const double origin[3], struct hatch_arena *arena,
                                     struct hatch_err *err)
@@ -39,6 +49,8 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
             vertices[v].texcoord[k] = texcoord ? texcoord[2 * v + k] : 0.0f;
             vertices[v].base_texcoord[k] = base ? base[2 * v + k] : 0.0f;
         }
+        if (material && material->base_placed)
+            place_base(material, vertices[v].base_texcoord);
     }
     return vertices;
 }
@@ -124,7 +136,8 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
     if (from->material != HATCH_NONE) {
         const struct hatch_material *material = &scene->materials[from->material];
         item->double_sided = material->double_sided;
-        item->alpha_cutoff = material->alpha_cutoff;
+        /* The colour's alpha scales the texture's: so does what is compared with it. */
+        item->alpha_cutoff = material->alpha_cutoff / fmaxf(material->base_color[3], 1e-6f);
     }
     if (scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(&from->mesh, "JOINTS_0", 4) &&
         hatch_mesh_find(&from->mesh, "WEIGHTS_0", 4)) {

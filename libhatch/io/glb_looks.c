@@ -3,6 +3,15 @@
 
 #include "io/glb_parts.h"
 
+static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_texture_transform\":{"));
+    HATCH_TRY(hatch_glb_number(glb, "rotation", material->base_turn_rad));
+    HATCH_TRY(hatch_glb_numbers(glb, "scale", material->base_scale, 2));
+    HATCH_TRY(hatch_glb_numbers(glb, "offset", material->base_offset, 2));
+    return hatch_glb_put(glb, "}}");
+}
+
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
 {
     static const float white[4] = {1, 1, 1, 1};
@@ -12,11 +21,14 @@ static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_ma
     HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
     if (memcmp(material->base_color, white, sizeof white) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
-    if (texture != HATCH_NONE)
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u}",
-                                     texture, material->base_texcoord));
-    return hatch_glb_put(glb, "}");
+    if (texture == HATCH_NONE)
+        return hatch_glb_put(glb, "}");
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
+                                 ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u", texture,
+                                 material->base_texcoord));
+    if (material->base_placed)
+        HATCH_TRY(print_place(glb, material));
+    return hatch_glb_put(glb, "}}");
 }
 
 static enum hatch_status print_material(struct hatch_glb *glb,
@@ -132,6 +144,20 @@ static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_l
     return hatch_glb_put(glb, "}");
 }
 
+static enum hatch_status print_extensions(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    bool placed = false;
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        placed = placed || (scene->materials[m].base_placed && scene->materials[m].base_texture != HATCH_NONE);
+    if (!placed && scene->light_count == 0)
+        return HATCH_OK;
+    return hatch_buffer_print(&glb->json, glb->err, ",\"extensionsUsed\":[%s%s%s]",
+                              placed ? "\"KHR_texture_transform\"" : "",
+                              placed && scene->light_count ? "," : "",
+                              scene->light_count ? "\"KHR_lights_punctual\"" : "");
+}
+
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
@@ -145,10 +171,10 @@ enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)
     for (uint32_t c = 0; c < scene->camera_count; c++)
         HATCH_TRY(print_camera(glb, &scene->cameras[c]));
     HATCH_TRY(hatch_glb_put(glb, scene->camera_count ? "]" : ""));
+    HATCH_TRY(print_extensions(glb));
     if (scene->light_count == 0)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_put(glb, ",\"extensionsUsed\":[\"KHR_lights_punctual\"],"
-                                 "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
     for (uint32_t l = 0; l < scene->light_count; l++)
         HATCH_TRY(print_light(glb, &scene->lights[l]));
     return hatch_glb_put(glb, "]}}");

@@ -61,6 +61,21 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
     return HATCH_OK;
 }
 
+/* The package takes a plus for a blank, as forms do and URIs do not. */
+enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes,
+                            struct hatch_err *err)
+{
+    enum hatch_status status = files.resolve(files.context, uri.c_str(), files.scratch, bytes, err);
+    std::string plus = uri;
+    for (char &c : plus)
+        c = c == ' ' ? '+' : c;
+    struct hatch_err again = {};
+    if (status != HATCH_OK && plus != uri &&
+        files.resolve(files.context, plus.c_str(), files.scratch, bytes, &again) == HATCH_OK)
+        return HATCH_OK;
+    return status;
+}
+
 bool file_exists(const std::string &, void *)
 {
     return true;
@@ -81,7 +96,7 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
         files.left_folder = true;
     } else if (!files.resolve) {
         hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: no folder to look in", uri.c_str());
-    } else if (files.resolve(files.context, uri.c_str(), files.scratch, &bytes, &err) == HATCH_OK &&
+    } else if (find_file(files, uri, &bytes, &err) == HATCH_OK &&
                fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
         out->assign(bytes.data, bytes.data + bytes.size);
         return true;
@@ -114,10 +129,10 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
                  struct hatch_bytes file, tinygltf::Model *model, std::string *err)
 {
     std::string warnings;
-    if (parts.json.data == file.data)
+    if (parts.binary.size == 0) /* the package refuses a GLB whose binary part is empty */
         return parser.LoadASCIIFromString(model, err, &warnings,
-                                          reinterpret_cast<const char *>(file.data),
-                                          static_cast<unsigned int>(file.size), "");
+                                          reinterpret_cast<const char *>(parts.json.data),
+                                          static_cast<unsigned int>(parts.json.size), "");
     return parser.LoadBinaryFromMemory(model, err, &warnings, file.data,
                                        static_cast<unsigned int>(file.size), "");
 }
@@ -150,10 +165,11 @@ enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void
 
 enum hatch_status check_extensions(Reader &r)
 {
-    static const char *const known[] = {"KHR_lights_punctual", "KHR_materials_unlit",
-                                        "KHR_mesh_quantization"};
+    static const char *const known[] = {"KHR_lights_punctual", "KHR_mesh_quantization",
+                                        "KHR_texture_transform"};
     for (const std::string &name : r.model.extensionsRequired) {
-        bool found = false;
+        /* How a material shines is nothing that strokes show. */
+        bool found = name.compare(0, 14, "KHR_materials_") == 0;
         for (const char *k : known)
             found = found || name == k;
         if (!found)
@@ -166,6 +182,8 @@ enum hatch_status read_all(Reader &r)
 {
     if (r.model.asset.version.compare(0, 2, "2.") != 0)
         return bad(r, "asset", "glTF version " + r.model.asset.version + ", want 2");
+    if (!r.model.asset.minVersion.empty() && r.model.asset.minVersion != "2.0")
+        return bad(r, "asset", "needs a reader of glTF " + r.model.asset.minVersion + ", this one is of 2.0");
     uint32_t *first_mesh;
     HATCH_TRY(check_extensions(r));
     HATCH_TRY(read_nodes(r));

@@ -15,7 +15,9 @@ typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
 /* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
  * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
  * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
- * per the specification's rule. Points, lines and morph targets are skipped and noted.
+ * per the specification's rule. Morph targets count as they rest, and are noted; points and lines are skipped.
+ * Known extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform of the base colour, and
+ * of KHR_materials_* what changes that colour.
  * HATCH_BAD_INPUT for what the format forbids and for a required extension that is not known, by
  * name. resolve: NULL where there is no folder. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,

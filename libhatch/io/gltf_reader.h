@@ -51,6 +51,10 @@ enum hatch_status read_indices(Reader &r, int accessor, const std::string &where
 enum hatch_status find_view(Reader &r, int view, const std::string &where,
                             struct hatch_bytes *bytes, size_t *stride);
 
+/* Copies numbers of the file, each finite once it is a float; where the file has none, to stays. */
+enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count,
+                               const std::string &where, const char *what, float *to);
+
 /* Each fills its part of the scene. Nodes come first. */
 enum hatch_status read_nodes(Reader &r);
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);

@@ -5,8 +5,6 @@
 
 namespace hatch {
 
-namespace {
-
 enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count,
                                const std::string &where, const char *what, float *to)
 {
@@ -23,6 +21,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
     }
     return HATCH_OK;
 }
+
+namespace {
 
 /* parent[i]: the node whose child i is, or HATCH_NONE. A second parent is refused: with it a small
  * file could hold 2^39 instances. */
@@ -123,41 +123,6 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     return HATCH_OK;
 }
 
-enum hatch_wrap wrap_of(int mode)
-{
-    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? HATCH_WRAP_CLAMP
-           : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? HATCH_WRAP_MIRROR
-                                                           : HATCH_WRAP_REPEAT;
-}
-
-enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
-                                const std::string &where, struct hatch_material *material)
-{
-    HATCH_TRY(check_index(r, info.index, r.model.textures.size(), where, "texture"));
-    if (info.index == -1 || info.texCoord < 0 || info.texCoord > 1)
-        return HATCH_OK;
-    const tinygltf::Texture &texture = r.model.textures[static_cast<size_t>(info.index)];
-    HATCH_TRY(check_index(r, texture.source, r.model.images.size(), where, "image"));
-    HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
-    material->base_texture = static_cast<uint32_t>(texture.source);
-    material->base_texcoord = static_cast<uint32_t>(info.texCoord);
-    if (texture.sampler != -1) {
-        const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
-        material->base_wrap[0] = wrap_of(sampler.wrapS);
-        material->base_wrap[1] = wrap_of(sampler.wrapT);
-    }
-    return HATCH_OK;
-}
-
-/* hatch_glb_write_scene's mark of a lapped parametrization. */
-bool is_outline(const tinygltf::Material &material)
-{
-    if (!material.extras.IsObject() || !material.extras.Has("hatch"))
-        return false;
-    const tinygltf::Value &said = material.extras.Get("hatch");
-    return said.IsString() && said.Get<std::string>() == "outline";
-}
-
 } // namespace
 
 enum hatch_status read_nodes(Reader &r)
@@ -209,32 +174,6 @@ enum hatch_status attach(Reader &r, const uint32_t *first_mesh)
         node->camera = static_cast<uint32_t>(from.camera);
         node->light = static_cast<uint32_t>(light);
     }
-    return HATCH_OK;
-}
-
-enum hatch_status read_materials(Reader &r)
-{
-    size_t count = r.model.materials.size();
-    r.scene->materials = HATCH_NEW(r.arena, struct hatch_material, count, r.err);
-    if (!r.scene->materials)
-        return HATCH_LIMIT;
-    for (size_t i = 0; i < count; i++) {
-        const tinygltf::Material &from = r.model.materials[i];
-        struct hatch_material *to = &r.scene->materials[i];
-        std::string where = place("material", i);
-        *to = {};
-        to->base_texture = HATCH_NONE;
-        to->base_wrap[0] = to->base_wrap[1] = HATCH_WRAP_REPEAT;
-        to->double_sided = from.doubleSided;
-        to->alpha_cutoff = from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;
-        to->outline = is_outline(from);
-        for (float &c : to->base_color)
-            c = 1;
-        HATCH_TRY(copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where,
-                               "baseColorFactor", to->base_color));
-        HATCH_TRY(texture_image(r, from.pbrMetallicRoughness.baseColorTexture, where, to));
-    }
-    r.scene->material_count = static_cast<uint32_t>(count);
     return HATCH_OK;
 }
 
@@ -316,6 +255,9 @@ enum hatch_status read_lights(Reader &r)
         to->range = static_cast<float>(from.range);
         to->inner_cone_rad = static_cast<float>(from.spot.innerConeAngle);
         to->outer_cone_rad = static_cast<float>(from.spot.outerConeAngle);
+        /* A sharp cone is written so by some, although the inner angle should be less. */
+        if (!(to->inner_cone_rad < to->outer_cone_rad || to->inner_cone_rad > to->outer_cone_rad))
+            to->inner_cone_rad = std::nextafter(to->outer_cone_rad, 0.0f);
         bool cone = to->inner_cone_rad >= 0 && to->inner_cone_rad < to->outer_cone_rad &&
                     to->outer_cone_rad <= 1.5708f;
         if (!(to->intensity >= 0) || !std::isfinite(to->intensity) || !(to->range >= 0) ||

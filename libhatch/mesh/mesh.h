@@ -44,7 +44,7 @@ struct hatch_mesh_notes {
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
-    uint32_t morphs_ignored;       /* glTF: meshes with morph targets, drawn as they rest */
+    uint32_t morphs_ignored;       /* glTF: meshes with morph targets, which stay as they rest */
     uint32_t attributes_dropped;   /* glTF: vertex attributes of no known name, or too many */
     uint32_t images_missing;       /* glTF: image files that could not be read */
 };

@@ -15,6 +15,8 @@ struct hatch_material {
     uint32_t base_texture;     /* index into textures, or HATCH_NONE */
     uint32_t base_texcoord;    /* 0 or 1 */
     enum hatch_wrap base_wrap[2]; /* in u, in v */
+    bool base_placed;          /* its coordinates are scaled, turned from v to u and moved by what follows */
+    float base_scale[2], base_turn_rad, base_offset[2];
     bool double_sided;
     float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
     bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,

@@ -210,8 +210,17 @@ static void save_scene(const char *folder)
         {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values}};
     struct hatch_texture texture;
     struct hatch_material materials[] = {
-        {{1, 0.5f, 0.25f, 1}, 0, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR}, false, 0, false},
-        {{1, 1, 1, 1}, HATCH_NONE, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 0.5f, false}};
+        {.base_color = {1, 0.5f, 0.25f, 1},
+         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
+         .base_placed = true,
+         .base_scale = {2, 3},
+         .base_turn_rad = 0.5f,
+         .base_offset = {0.25f, 0}},
+        {.base_color = {1, 1, 1, 1},
+         .base_texture = HATCH_NONE,
+         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         .double_sided = true,
+         .alpha_cutoff = 0.5f}};
     struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
     struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
                                    {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},

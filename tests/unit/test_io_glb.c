@@ -89,22 +89,24 @@ static void make_looks(void)
     textures[0] = (struct hatch_texture){png, sizeof png};
     textures[1] = (struct hatch_texture){jpeg, sizeof jpeg};
     static const struct hatch_material made[] = {
-        {{1, 1, 1, 1}, 0, 0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0, false},
-        {{0.1f, 1.0f / 3, 1, 0.5f},
-         1,
-         1,
-         {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
-         true,
-         0.25f,
-         false},
-        {{1, 1, 1, 1}, 0, 1, {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP}, false, 0, true},
-        {{0.2f, 0.3f, 0.4f, 1},
-         HATCH_NONE,
-         0,
-         {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
-         false,
-         0,
-         false},
+        {.base_color = {1, 1, 1, 1}, .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}},
+        {.base_color = {0.1f, 1.0f / 3, 1, 0.5f},
+         .base_texture = 1,
+         .base_texcoord = 1,
+         .base_wrap = {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
+         .double_sided = true,
+         .alpha_cutoff = 0.25f,
+         .base_placed = true,
+         .base_scale = {2, -0.1f},
+         .base_turn_rad = 0.3f,
+         .base_offset = {0.7f, 0}},
+        {.base_color = {1, 1, 1, 1},
+         .base_texcoord = 1,
+         .base_wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP},
+         .outline = true},
+        {.base_color = {0.2f, 0.3f, 0.4f, 1},
+         .base_texture = HATCH_NONE,
+         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}},
     };
     memcpy(materials, made, sizeof made);
     cameras[0] = (struct hatch_camera){.yfov_rad = 0.7f, .aspect = 1.7777778f, .znear = 0.01f};
@@ -212,6 +214,9 @@ START_TEST(looks_come_back)
         ck_assert_uint_eq(a->base_texture, b->base_texture);
         ck_assert_uint_eq(a->base_texcoord, b->base_texcoord);
         ck_assert(a->base_wrap[0] == b->base_wrap[0] && a->base_wrap[1] == b->base_wrap[1]);
+        ck_assert(a->base_placed == b->base_placed && a->base_turn_rad == b->base_turn_rad);
+        same_floats(a->base_scale, b->base_scale, 2);
+        same_floats(a->base_offset, b->base_offset, 2);
         ck_assert(a->double_sided == b->double_sided);
         ck_assert(a->alpha_cutoff == b->alpha_cutoff && a->outline == b->outline);
     }

@@ -222,6 +222,7 @@ START_TEST(what_is_no_surface_is_skipped_and_noted)
                   &err);
     ck_assert_uint_eq(notes.primitives_skipped, 2);
     ck_assert_uint_eq(notes.morphs_ignored, 1);
+    ck_assert_float_eq(scene.meshes[0].mesh.attributes[0].data[3], 1); /* a target of no weight */
     ck_assert_uint_eq(scene.mesh_count, 1);
     ck_assert_uint_eq(scene.textures[0].size, sizeof buffer);
     companion.size = 0;
@@ -229,6 +230,19 @@ START_TEST(what_is_no_surface_is_skipped_and_noted)
     HATCH_TEST_OK(read_scene(lone, sizeof lone - 1), &err);
     ck_assert_uint_eq(notes.images_missing, 1);
     ck_assert_ptr_null(scene.textures[0].data);
+}
+END_TEST
+
+/* The target is the square itself: half of it makes the square half as large again. */
+START_TEST(morph_targets_count_at_rest)
+{
+#define MORPH(mesh, node)                                                                                    \
+    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":5,\"targets\":["           \
+         "{\"NORMAL\":0},{\"POSITION\":" mesh "}]}],\"weights\":[1,0.5]}],\"nodes\":[{\"mesh\":0" node "}]}"
+    ck_assert_float_eq(reads(MORPH("0", ""), 2)->attributes[0].data[3], 1.5f);
+    ck_assert_float_eq(reads(MORPH("0", ",\"weights\":[0,2]"), 2)->attributes[0].data[3], 3);
+    ck_assert_int_eq(read_text(MORPH("6", "")), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "mesh 0, primitive 0, target 1, POSITION: 3 elements, POSITION has 4");
 }
 END_TEST
 
@@ -429,6 +443,7 @@ static Suite *suite(void)
     tcase_add_test(tests, interleaved_and_normalised_numbers);
     tcase_add_test(tests, sparse_values_lie_over_zeros);
     tcase_add_test(tests, what_is_no_surface_is_skipped_and_noted);
+    tcase_add_test(tests, morph_targets_count_at_rest);
     tcase_add_test(tests, nodes_stand_after_their_parents);
     tcase_add_test(tests, motion_is_checked);
     tcase_add_test(tests, joints_exist_and_normals_have_a_length);
