@@ -12,6 +12,7 @@
 /* What a stroke looks like. */
 struct job_stroke {
     struct hatch_image alpha, grain; /* grain: of no pixels where there is none */
+    bool varied;
 };
 
 /* What the model of strokes at seeds is made from. */

@@ -53,6 +53,7 @@ static void take_brush(struct cmd_args *args, const struct hatch_brush *brush, s
     copy_pixels(args, brush->alpha, brush->width, brush->height, &stroke->alpha);
     if (brush->grain)
         copy_pixels(args, brush->grain, HATCH_GRAIN_SIZE, HATCH_GRAIN_SIZE, &stroke->grain);
+    stroke->varied = brush->grain || brush->kind == HATCH_BRUSH_IMAGE;
 }
 
 /* By the name of a brush, or from a picture beside the file of layers. */
@@ -133,6 +134,7 @@ static void set_stroke(const struct job_stroke *stroke, struct hatch_rptam_layer
 {
     layer->stroke = &stroke->alpha;
     layer->grain = stroke->grain.pixels ? &stroke->grain : NULL;
+    layer->varied = stroke->varied;
 }
 
 /* Layers take the style's directions one after the other, and between them from the third time on; each comes in

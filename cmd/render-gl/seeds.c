@@ -3,12 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+#define IMAGES_SHIFT 16 /* below it stands how many seeds there are */
+
 /* std140, as in shaders/seeds.glsl */
 struct layer_block {
     float turn[4];   /* cosine, sine of the strokes' direction; square of the tile's side; ink */
     float tone[4];   /* amount = x way + y; where it begins; lists for smaller strokes */
     float stroke[4]; /* texels a pixel, along and across; its texels less one */
-    int32_t at[4];   /* the first list, texels of lists along a side, the stroke's first texel */
+    int32_t at[4];   /* the first list, texels of lists along a side, the stroke's first texel, its images */
+    float thin[4];   /* the least share of its length and width to which a stroke shrinks */
 };
 
 struct seeds_block {
@@ -26,6 +29,7 @@ struct packed {
     uint32_t *seeds;  /* four each: u, v, lives, lives in the next level */
     int32_t *lists;
     uint8_t *strokes; /* four a texel: alpha there, to the right, below, and both */
+    uint16_t *numbers; /* of seeds in their set; NULL where all strokes of a layer look the same */
     float ways[2 * HATCH_RPTAM_STEPS];
     size_t seed_count, list_count, stroke_count;
 };
@@ -68,8 +72,11 @@ static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch
     size_t texels = (size_t)coverage->side * coverage->side;
     for (size_t t = 0; t < texels; t++) {
         packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
-        for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++)
+        for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++) {
+            if (packed->numbers)
+                packed->numbers[packed->seed_count] = (uint16_t)coverage->copies[i].seed;
             put_seed(layer, weighted, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
+        }
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
     }
 }
@@ -81,14 +88,16 @@ static uint8_t byte_at(const struct hatch_image *image, uint32_t x, uint32_t y)
     return inside ? (uint8_t)(image->pixels[(size_t)y * image->width + x] * 255 + 0.5f) : 0;
 }
 
-static void pack_stroke(const struct hatch_image *image, struct packed *packed)
+static void pack_stroke(const struct hatch_rptam_layer *layer, struct packed *packed)
 {
-    for (uint32_t y = 0; y < image->height; y++)
-        for (uint32_t x = 0; x < image->width; x++) {
-            const uint8_t alpha[4] = {byte_at(image, x, y), byte_at(image, x + 1, y), byte_at(image, x, y + 1),
-                                      byte_at(image, x + 1, y + 1)};
-            memcpy(packed->strokes + 4 * packed->stroke_count++, alpha, sizeof alpha);
-        }
+    struct hatch_image image = layer->stroke;
+    for (uint32_t i = 0; i < layer->images; i++, image.pixels += (size_t)image.width * image.height)
+        for (uint32_t y = 0; y < image.height; y++)
+            for (uint32_t x = 0; x < image.width; x++) {
+                const uint8_t alpha[4] = {byte_at(&image, x, y), byte_at(&image, x + 1, y), byte_at(&image, x, y + 1),
+                                          byte_at(&image, x + 1, y + 1)};
+                memcpy(packed->strokes + 4 * packed->stroke_count++, alpha, sizeof alpha);
+            }
 }
 
 /* The layer before this one that has the same stroke. */
@@ -118,9 +127,12 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
         .stroke = {(float)((image->width - 2) / style->length_px), (float)((image->height - 2) / style->width_px),
                    (float)image->width - 1, (float)image->height - 1},
         .at = {(int32_t)packed->list_count, (int32_t)(all ? all->side : layer->coverage[0].side),
-               drawn ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count}};
+               drawn ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count,
+               style->varied ? (int32_t)(layer->images << IMAGES_SHIFT | layer->count) : 0},
+        .thin = {(float)fmin(1, HATCH_RPTAM_THIN_PX / style->length_px),
+                 (float)fmin(1, HATCH_RPTAM_THIN_PX / style->width_px)}};
     if (!drawn)
-        pack_stroke(image, packed);
+        pack_stroke(layer, packed);
     if (all)
         pack_lists(layer, all, weighted, packed);
     for (uint32_t i = 0; !all && i < HATCH_RPTAM_SIZES; i++)
@@ -146,6 +158,7 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
                               struct hatch_arena *scratch, struct packed *packed, struct hatch_err *err)
 {
     size_t seeds = 0, lists = 0, strokes = 0;
+    bool varied = false;
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_coverage *coverage = all ? &all[i] : rptam->layers[i].coverage;
         const struct hatch_image *stroke = &rptam->layers[i].stroke;
@@ -154,14 +167,17 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
             lists += texels;
             seeds += coverage[k].first[texels];
         }
-        strokes += (size_t)stroke->width * stroke->height;
+        strokes += (size_t)stroke->width * stroke->height * rptam->layers[i].images;
+        varied = varied || rptam->layers[i].style.varied;
     }
     *packed = (struct packed){0};
     pack_style(rptam, &packed->block);
     packed->seeds = HATCH_NEW(scratch, uint32_t, 4 * seeds, err);
     packed->lists = packed->seeds ? HATCH_NEW(scratch, int32_t, 2 * lists, err) : NULL;
     packed->strokes = packed->lists ? HATCH_NEW(scratch, uint8_t, 4 * strokes, err) : NULL;
-    if (!packed->strokes)
+    if (packed->strokes && varied)
+        packed->numbers = HATCH_NEW(scratch, uint16_t, seeds, err);
+    if (!packed->strokes || (varied && !packed->numbers))
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
         pack_layer(rptam, i, all ? &all[i] : NULL, packed);
@@ -211,6 +227,8 @@ static void upload(const struct packed *packed, struct gpu_seeds *seeds)
     make_texels(packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I, &seeds->buffers[2],
                 &seeds->views[2]);
     make_texels(packed->ways, sizeof packed->ways, GL_RG32F, &seeds->buffers[3], &seeds->views[3]);
+    make_texels(packed->numbers, packed->numbers ? sizeof *packed->numbers * packed->seed_count : 0, GL_R16UI,
+                &seeds->buffers[4], &seeds->views[4]);
 }
 
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,

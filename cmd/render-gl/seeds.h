@@ -8,11 +8,12 @@
 #include "render-gl/scene.h"
 #include "seed/rptam.h"
 
-#define SEEDS_VIEWS 4
+#define SEEDS_VIEWS 5
 
 struct gpu_seeds {
     GLuint layers; /* a buffer */
-    GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, and they as textures */
+    GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, seeds' numbers; they as
+                                                       textures */
 };
 
 /* Uploads the model. all: the shader looks at every seed at every place, which is slow. */

@@ -17,12 +17,13 @@ static double bilinear(const struct hatch_image *image, double x, double y)
 }
 
 /* Alpha at a place in pixels from the stroke's middle, along and across. */
-static double stroke_alpha(const struct hatch_rptam_layer *layer, double along_px, double across_px)
+static double stroke_alpha(const struct hatch_rptam_layer *layer, uint32_t look, double along_px, double across_px)
 {
-    const struct hatch_image *image = &layer->stroke;
-    double x = 1 + (along_px / layer->style.length_px + 0.5) * (image->width - 2);
-    double y = 1 + (across_px / layer->style.width_px + 0.5) * (image->height - 2);
-    return bilinear(image, x, y);
+    struct hatch_image image = layer->stroke;
+    image.pixels += (size_t)(look & (layer->images - 1)) * image.width * image.height;
+    double x = 1 + (along_px / layer->style.length_px + 0.5) * (image.width - 2);
+    double y = 1 + ((look & 8u ? -across_px : across_px) / layer->style.width_px + 0.5) * (image.height - 2);
+    return bilinear(&image, x, y);
 }
 
 static int odd(double tile)
@@ -60,11 +61,15 @@ static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, 
     double weight = weight_of(pattern, seed, tile_u, tile_v);
     if (!(weight > 0))
         return 1;
+    uint32_t look = layer->style.varied ? hatch_rptam_look(seed, pattern->level, layer->count) : 0;
     if (pattern->shrinks && weight < 1) {
-        along /= sqrt(weight);
-        across /= sqrt(weight);
+        double length = fmax(sqrt(weight), fmin(1, HATCH_RPTAM_THIN_PX / layer->style.length_px));
+        double width = fmax(sqrt(weight), fmin(1, HATCH_RPTAM_THIN_PX / layer->style.width_px));
+        along /= length;
+        across /= width;
+        weight /= length * width;
     }
-    return 1 - layer->style.ink * stroke_alpha(layer, along, across) * (pattern->shrinks ? 1 : weight);
+    return 1 - layer->style.ink * stroke_alpha(layer, look, along, across) * weight;
 }
 
 /* Every copy of every seed that could reach so far. */
@@ -119,6 +124,7 @@ void hatch_rptam_pattern(const struct hatch_rptam *rptam, uint32_t layer_index, 
         .weighted = style->law == HATCH_FADE_WEIGHTED,
         .shrinks = style->fade_size,
         .fade = hatch_fade_at(style->law, far - level, style->overlap),
+        .level = (int)level,
         .scale = exp2(-level),
         .tile_px = layer->style.tile_px * exp2(level - depth)};
 }

@@ -18,6 +18,8 @@
 #define HATCH_RPTAM_SIZES 4u        /* for which lists of strokes are made */
 #define HATCH_RPTAM_REACH 8.0       /* tiles that a stroke may be long or wide */
 #define HATCH_RPTAM_AMOUNT_MIN 1e-4 /* less of a layer is nothing */
+#define HATCH_RPTAM_THIN_PX 1.0     /* strokes that shrink get no thinner and no shorter: they pale instead */
+#define HATCH_RPTAM_GRAINS 8u       /* places at which a stroke's grain may begin; a power of two */
 
 struct hatch_rptam_layer_style {
     double low, high; /* of the way from paper to the darkest, the stretch on which this layer comes in,
@@ -30,6 +32,8 @@ struct hatch_rptam_layer_style {
                                          is brought to the size that is drawn */
     const struct hatch_image *grain;  /* NULL, or one channel: repeats over the stroke, a pixel on the screen
                                          each, and multiplies it */
+    bool varied; /* strokes differ, each the same for ever: some are mirrored across, and the grain begins at one of
+                    HATCH_RPTAM_GRAINS places */
 };
 
 struct hatch_rptam_style {
@@ -47,8 +51,9 @@ struct hatch_rptam_layer {
     double (*at)[2]; /* the same, rounded */
     uint8_t *life; /* hatch_life_make */
     double cosine, sine;
-    struct hatch_image stroke; /* alpha in steps of 1/255, at two texels a pixel, with a border of nothing;
-                                  layers of the same share its pixels */
+    uint32_t images;           /* of the stroke, which follow one another: a power of two */
+    struct hatch_image stroke; /* the first: alpha in steps of 1/255, at two texels a pixel, with a border of
+                                  nothing; layers of the same share its pixels */
     struct hatch_coverage coverage[HATCH_RPTAM_SIZES]; /* for strokes of up to 2^(1 - i/2) of their size in
                                                           the tile */
 };
@@ -60,6 +65,19 @@ struct hatch_rptam {
     double darkest;                    /* the mean ink of all layers */
     double way[HATCH_RPTAM_STEPS + 1]; /* how far the way leads to a tone of darkest i / STEPS */
 };
+
+/* Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image. Seed i of one
+ * level stays as seed i - 1 of the next. */
+static inline uint32_t hatch_rptam_look(uint32_t seed, int level, uint32_t count)
+{
+    int64_t stroke = ((int64_t)seed + level) % (int64_t)count;
+    return (uint32_t)(stroke < 0 ? stroke + (int64_t)count : stroke) * 2654435769u >> 28;
+}
+
+/* Images of strokes of this style, `images` of them, as in struct hatch_rptam_layer. */
+enum hatch_status hatch_rptam_stroke(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_image *stroke, uint32_t *images,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Layer i draws at set i; style->layers may come in any order. HATCH_BAD_INPUT where there are less sets
  * than layers, HATCH_LIMIT for sets of more than HATCH_RPTAM_SEEDS_MAX and strokes beyond HATCH_RPTAM_REACH. */
@@ -77,6 +95,7 @@ struct hatch_rptam_pattern {
     const struct hatch_coverage *lists; /* for the size that strokes have in the tile; NULL: every seed */
     bool weighted, shrinks, nothing;
     struct hatch_fade fade;
+    int level;      /* of the seeds */
     double scale;   /* tiles in a unit of texture coordinates, a power of two */
     double tile_px; /* its side on the screen */
 };

@@ -1,4 +1,4 @@
-/* Makes the model: strokes' images, lists, and the table of tones. */
+/* Makes the model: lists, and the table of tones. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,6 @@
 
 #define SIDE_MIN 16u
 #define SIDE_MAX 256u        /* texels along a tile, of the lists */
-#define STROKE_TEXELS 2048.0 /* along an image of a stroke, at most */
 #define GROWTH 1.0001        /* of listed strokes, against rounding on the GPU */
 #define TONE_POINTS 4181u   /* for the table of tones, and what spreads them: Fibonacci numbers */
 #define TONE_STRIDE 2584u
@@ -16,47 +15,8 @@
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
-    return a->stroke == b->stroke && a->grain == b->grain && !(a->length_px < b->length_px) &&
+    return a->stroke == b->stroke && a->grain == b->grain && a->varied == b->varied && !(a->length_px < b->length_px) &&
            !(a->length_px > b->length_px) && !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
-}
-
-/* The mean of an image over a box. */
-static double mean_over(const struct hatch_image *image, double left, double right, double top, double bottom)
-{
-    double sum = 0;
-    for (uint32_t row = (uint32_t)top; row < bottom && row < image->height; row++)
-        for (uint32_t column = (uint32_t)left; column < right && column < image->width; column++)
-            sum += (double)image->pixels[(size_t)row * image->width + column] *
-                   (fmin(right, column + 1.0) - fmax(left, column)) *
-                   (fmin(bottom, row + 1.0) - fmax(top, row));
-    return sum / ((right - left) * (bottom - top));
-}
-
-static double grain_at(const struct hatch_image *grain, double x_px, double y_px)
-{
-    uint32_t x = (uint32_t)x_px % grain->width, y = (uint32_t)y_px % grain->height;
-    return (double)grain->pixels[(size_t)y * grain->width + x];
-}
-
-static enum hatch_status size_stroke(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
-                                     struct hatch_image *to, struct hatch_err *err)
-{
-    const struct hatch_image *from = style->stroke;
-    uint32_t width = (uint32_t)fmin(ceil(2 * style->length_px), STROKE_TEXELS);
-    uint32_t height = (uint32_t)fmin(ceil(2 * style->width_px), STROKE_TEXELS);
-    assert(from->channel_count == 1);
-    HATCH_TRY(hatch_image_make(arena, width + 2, height + 2, "A", to, err));
-    for (uint32_t y = 0; y < height; y++)
-        for (uint32_t x = 0; x < width; x++) {
-            double mean = mean_over(from, (double)x * from->width / width, (double)(x + 1) * from->width / width,
-                                    (double)y * from->height / height,
-                                    (double)(y + 1) * from->height / height);
-            if (style->grain)
-                mean *= grain_at(style->grain, (x + 0.5) * style->length_px / width,
-                                 (y + 0.5) * style->width_px / height);
-            to->pixels[(size_t)(y + 1) * to->width + x + 1] = (float)(floor(mean * 255 + 0.5) / 255);
-        }
-    return HATCH_OK;
 }
 
 /* Texels about as wide as the thinnest strokes that the lists are for. */
@@ -111,10 +71,12 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
     }
     HATCH_TRY(hatch_life_make(set, made.places, style->law, scratch, made.life, err));
     for (uint32_t i = 0; i < rptam->layer_count && !made.stroke.pixels; i++)
-        if (is_same_stroke(&rptam->layers[i].style, own))
+        if (is_same_stroke(&rptam->layers[i].style, own)) {
             made.stroke = rptam->layers[i].stroke;
+            made.images = rptam->layers[i].images;
+        }
     if (!made.stroke.pixels)
-        HATCH_TRY(size_stroke(own, arena, &made.stroke, err));
+        HATCH_TRY(hatch_rptam_stroke(own, arena, scratch, &made.stroke, &made.images, err));
     HATCH_TRY(list_strokes(arena, &made, err));
     uint32_t at = rptam->layer_count++; /* behind those whose stretches begin no later */
     for (; at > 0 && rptam->layers[at - 1].style.low > own->low; at--)

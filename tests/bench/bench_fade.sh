@@ -1,15 +1,25 @@
 #!/bin/sh
 # render-gl --technique rptam: what fade law, way and overlap do to a zoom of one octave towards a plane of tone .3.
 # Drift: the largest difference of the tone from that of the first of nine large pictures. Change and pop
-# (hatchstat frames): how much, and how unevenly, the last 120 frames of a way move. The row `texture` is the
-# same way towards one picture of the same strokes on the plane, which is what resampling alone does; to what
-# it has come the strokes that must.
+# (hatchstat frames): how much, and how unevenly, the 120 frames of a way move.
+#
+# Fixed: the pop of a texture that holds the very strokes of the middle of the way, as that law, way and overlap draw
+# them, and keeps them: size of strokes and tile grow with the surface, so that the depth does not change. That is what
+# resampling alone does to these edges. They have to be its edges: pop is in proportion to the length of all contours
+# times their contrast and sharpness, and small strokes have more contour to their ink than large ones have. The row
+# `texture` is the usual mip-mapped texture of one picture for comparison; its levels soften edges, so that it moves
+# less than any drawing as sharp as the strokes.
+#
+# Allowed: fixed, and what must come. From frame to frame the surface grows by g = 4^(1/119) on the screen; as many
+# strokes lie on an area of the screen as before, so of the ink a share of g - 1 begins in each frame. Ink a that begins
+# at once between two frames adds a to the second difference of the one and takes it from that of the other: 2 a, and
+# no more beside what moves, as |x + a| <= |x| + |a|. With a mean tone of t, 2 t (g - 1).
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 printf 'method\tby\toverlap\tsize\tframes\tseconds\tseconds_min\tseconds_max\tcpu_seconds\tpeak_kib'
-printf '\ttone\tdrift\tchange\tpop\tpop_box8\n'
+printf '\ttone\tdrift\tchange\tpop\tpop_box8\tfixed\tallowed\n'
 cat >"$work/plane.gltf" <<'EOF'
 {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
  "meshes":[{"primitives":[{"indices":2,"material":0,"attributes":{"POSITION":0,"TEXCOORD_0":1}}]}],
@@ -27,26 +37,42 @@ seedgen -n 64 --layers 4 --candidates 300 -o "$work/sets"
 view="--camera 0,0,8:0,0,0 --fov 14.25 --lines none" # the square fills the picture
 strokes="$work/plane.obj -t rptam --seeds $work/sets --tone-range .3:.3"
 
+# film ARGUMENT ...: frames of a way
+film() {
+    "$MEASURE" 1 render-gl "$@" $view --size 160x160 --frames 120 --animate zoom=1..2 -o "$work/f%03d.png"
+}
 # row METHOD BY OVERLAP ARGUMENT ...
 row() {
     printf '%s\t%s\t%s\t160x160\t120\t' "$1" "$2" "$3"
     shift 3
-    "$MEASURE" 1 render-gl "$@" $view --size 160x160 --frames 120 --animate zoom=1..2 -o "$work/f%03d.png" |
-        tr '\n' '\t'
+    film "$@" | tr '\n' '\t'
     render-gl "$@" $view --size 800x800 --samples 1 --frames 9 --animate zoom=1..2 -o "$work/g%d.png"
     hatchstat frames "$work"/g?.png | awk -F'\t' '
         NR > 1 && $1 != "all" {sum += $2; n++}
         $1 == "all" {printf "%.4f\t%.4f\t", 1 - sum / n, $3}'
-    hatchstat frames "$work"/f*.png | awk -F'\t' '$1 == "all" {printf "%.5f\t%.5f\t%.4f\n", $4, $5, $6}'
+    hatchstat frames "$work"/f*.png | awk -F'\t' '
+        NR > 1 && $1 != "all" {sum += 1 - $2; n++}
+        $1 == "all" {printf "%.5f\t%.5f\t%.4f\t%.5f\n", $4, $5, $6, 2 * sum / n * (4 ^ (1 / 119) - 1)}' >"$work/row"
+}
+# fade LAW BY OVERLAP
+fade() {
+    how="--fade $1 --fade-by $2 --overlap $3"
+    row "$1" "$2" "$3" $strokes $how --seed-tile 64 --stroke 14x1.5
+    film $strokes $how --animate seed-tile=45.254834..90.509668 \
+        --animate stroke=9.899495x1.06066..19.79899x2.12132 >"$work/time"
+    hatchstat frames "$work"/f*.png | awk -F'\t' -v OFS='\t' '
+        FILENAME == "-" {fixed = $5; next}
+        {print $1, $2, $3, sprintf("%.5f\t%.5f", fixed, fixed + $4)}' - "$work/row"
 }
 # The strokes of the middle of the way, four times as fine.
 render-gl $strokes $view --size 904x904 --seed-tile 256 --stroke 56x6 -o "$work/strokes.png"
 row texture - 0 "$work/plane.gltf" --technique gouraud --texture-tone --light 0:0 --tone-range 0:1
+awk -F'\t' -v OFS='\t' '{print $1, $2, $3, $2, $2}' "$work/row"
 for law in even weighted paper; do
     for overlap in 0 0.1 0.3 0.6 1; do
-        row $law opacity $overlap $strokes --seed-tile 64 --stroke 14x1.5 --fade $law --overlap $overlap
+        fade $law opacity $overlap
     done
 done
 for overlap in 0 0.3 1; do
-    row even size $overlap $strokes --seed-tile 64 --stroke 14x1.5 --fade-by size --overlap $overlap
+    fade even size $overlap
 done

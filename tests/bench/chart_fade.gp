@@ -1,4 +1,4 @@
-# Left: how far the tone drifts over an octave. Right: how unevenly pictures move, beside a fixed texture.
+# Left: how far the tone drifts over an octave. Right: how unevenly pictures move, beside what may.
 set multiplot layout 1,2 title "render-gl -t rptam: a zoom of one octave in 120 frames, tone .3"
 set grid
 set key center right
@@ -16,8 +16,13 @@ set ylabel "mean |I(t - 1) - 2 I(t) + I(t + 1)|"
 stats sprintf("< awk -F'\\t' '$1 == \"texture\" {print $14}' %s", data) nooutput
 texture = STATS_max
 plot rows("paper", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#b03a2e" title "--fade paper", \
+     rows("paper", "opacity", 17) with lines dt 3 lw 2 lc rgb "#b03a2e" notitle, \
      rows("even", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#1f5fa8" title "even", \
+     rows("even", "opacity", 17) with lines dt 3 lw 2 lc rgb "#1f5fa8" notitle, \
      rows("even", "size", 14) with linespoints pt 6 lw 1 lc rgb "#1f5fa8" title "even, by size", \
+     rows("even", "size", 17) with lines dt 3 lw 1 lc rgb "#1f5fa8" notitle, \
      rows("weighted", "opacity", 14) with linespoints pt 7 lw 2 lc rgb "#2e8b57" title "weighted", \
-     texture with lines dt 2 lc rgb "#333333" title "a fixed texture"
+     rows("weighted", "opacity", 17) with lines dt 3 lw 2 lc rgb "#2e8b57" notitle, \
+     texture with lines dt 2 lc rgb "#333333" title "a mip-mapped texture", \
+     NaN with lines dt 3 lw 2 lc rgb "#333333" title "allowed: strokes at rest, and what must come"
 unset multiplot

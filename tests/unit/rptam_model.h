@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "base/random.h"
 #include "run.h"
 #include "seed/rptam.h"
 #include "seed/spread.h"
@@ -20,6 +21,7 @@ struct model_how {
     bool fade_size;
     double overlap;
     bool solid;             /* strokes are rectangles of one darkness */
+    bool varied;            /* they differ, with a grain */
     uint32_t candidates;    /* 0: 5 */
 };
 
@@ -30,6 +32,18 @@ static inline void model_stroke(bool solid, struct hatch_arena *arena, struct ha
     for (uint32_t i = 0; i < 64 * 16; i++)
         stroke->pixels[i] = solid ? 1.0f
                                   : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
+}
+
+/* Eleven by seven pixels by chance. */
+static inline const struct hatch_image *model_grain(struct hatch_arena *arena)
+{
+    struct hatch_err failed;
+    struct hatch_image *grain = HATCH_NEW(arena, struct hatch_image, 1, &failed);
+    ck_assert_ptr_nonnull(grain);
+    HATCH_TEST_OK(hatch_image_make(arena, 11, 7, "A", grain, &failed), &failed);
+    for (uint32_t i = 0; i < 11 * 7; i++)
+        grain->pixels[i] = hatch_random_unit(3, 0, i);
+    return grain;
 }
 
 /* Layers come one after the other as it becomes darker. stroke: filled here. */
@@ -48,7 +62,9 @@ static inline void model_style(const struct model_how *how, struct hatch_arena *
                                                             .width_px = how->width_px,
                                                             .tile_px = how->tile_px,
                                                             .ink = how->ink > 0 ? how->ink : 1,
-                                                            .stroke = stroke};
+                                                            .stroke = stroke,
+                                                            .grain = how->varied ? model_grain(arena) : NULL,
+                                                            .varied = how->varied};
 }
 
 /* The model of a style with seeds of its own. */

@@ -71,7 +71,7 @@ static double compare(double span, double tone)
     return worst;
 }
 
-enum { LOOKS = 5 };
+enum { LOOKS = 7 };
 static const struct model_how looks[LOOKS] = {
     {.tile_px = 60, .length_px = 20, .width_px = 2, .angle_rad = {0, 1.5, 0.4}, .layers = 3, .overlap = 1},
     {.tile_px = 40, .length_px = 14, .width_px = 3, .angle_rad = {0.7, -1, 2}, .ink = 0.8, .overlap = 0.2,
@@ -82,6 +82,10 @@ static const struct model_how looks[LOOKS] = {
      .law = HATCH_FADE_WEIGHTED, .overlap = 0.3, .layers = 3, .seeds = 25},
     {.tile_px = 24, .length_px = 60, .width_px = 2, .angle_rad = {0.2, 1, 2}, .ink = 0.7, /* over the tile */
      .law = HATCH_FADE_WEIGHTED, .overlap = 0.8, .fade_size = true, .layers = 3, .seeds = 2},
+    {.tile_px = 70, .length_px = 30, .width_px = 5, .angle_rad = {0.3, 1.6}, .layers = 2, .varied = true,
+     .overlap = 0.3},
+    {.tile_px = 52, .length_px = 22, .width_px = 1.3, .angle_rad = {0.3, 1.6}, .ink = 0.9, .layers = 2, .varied = true,
+     .law = HATCH_FADE_WEIGHTED, .overlap = 0.5, .fade_size = true, .seeds = 37},
 };
 
 START_TEST(a_plane_is_the_model)
@@ -175,9 +179,9 @@ START_TEST(layers_differ_in_everything)
     dot.pixels[4] = 1;
     HATCH_TEST_OK(hatch_image_make(&frame.arena, 2, 2, "A", &grain, &frame.err), &frame.err);
     grain.pixels[1] = grain.pixels[2] = 1;
-    style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot, NULL};
+    style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot, NULL, false};
     style.layers[1].high = 0.9;
-    style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush, &grain};
+    style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush, &grain, true};
     model_of_style(&looks[3], &style, &frame.arena, &frame.scratch, &rptam);
     begin_plane();
     for (int tone = 1; tone <= 4; tone++) {

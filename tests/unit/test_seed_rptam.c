@@ -1,9 +1,8 @@
 /* The model of recursive maps and its lists of strokes when memory runs out; what they draw is measured in
- * tests/prop/test_rptam_tone.c. */
+ * tests/prop/test_rptam_tone.c; and what tells strokes apart. */
 #include "arenas.h"
 #include "fail_alloc.h"
-#include "seed/rptam.h"
-#include "seed/spread.h"
+#include "rptam_model.h"
 
 static struct hatch_seeds seeds;
 static struct hatch_image stroke;
@@ -57,12 +56,58 @@ START_TEST(every_failed_allocation_is_survived)
 }
 END_TEST
 
+/* The same strokes on both sides of a level, where each seed gets another number. */
+START_TEST(a_stroke_keeps_its_look_over_levels)
+{
+    const struct model_how how = {.tile_px = 50, .length_px = 20, .width_px = 8, .varied = true, .seeds = (uint32_t)_i};
+    struct hatch_rptam rptam;
+    double worst = 0;
+    model_make(&how, &keep, &scratch, &rptam);
+    for (int level = -3; level <= 3; level++)
+        for (uint32_t i = 0; i < 2000; i++) {
+            const double uv[2] = {(double)hatch_random_unit(1, 0, i), (double)hatch_random_unit(1, 1, i)};
+            double before = hatch_rptam_layer_ink(&rptam, 0, uv, level - 1e-9, 1, false);
+            worst = fmax(worst, fabs(before - hatch_rptam_layer_ink(&rptam, 0, uv, level + 1e-9, 1, false)));
+        }
+    ck_assert_double_lt(worst, 1e-3);
+}
+END_TEST
+
+/* Of 64 strokes in one tile, which lie apart, no more than a few look the same. */
+START_TEST(strokes_differ)
+{
+    enum { PLACES = 15 };
+    const struct model_how how = {.tile_px = 4000, .length_px = 20, .width_px = 8, .varied = true};
+    struct hatch_rptam rptam;
+    double ink[64][PLACES];
+    model_make(&how, &keep, &scratch, &rptam);
+    for (uint32_t seed = 0; seed < 64; seed++)
+        for (int i = 0; i < PLACES; i++) {
+            const double uv[2] = {rptam.layers[0].at[seed][0] + (i % 5 - 2) * 0.0007,
+                                  rptam.layers[0].at[seed][1] + (i / 5 - 1) * 0.0005};
+            ink[seed][i] = hatch_rptam_layer_ink(&rptam, 0, uv, 0, 1, false);
+        }
+    for (uint32_t seed = 0; seed < 64; seed++) {
+        uint32_t alike = 0;
+        for (uint32_t other = 0; other < 64; other++) {
+            double worst = 0;
+            for (int i = 0; i < PLACES; i++)
+                worst = fmax(worst, fabs(ink[seed][i] - ink[other][i]));
+            alike += worst < 0.02;
+        }
+        ck_assert_uint_le(alike, 6);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("recursive maps");
     TCase *tests = tcase_create("memory");
     tcase_add_checked_fixture(tests, begin_seeds, end);
     tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_loop_test(tests, a_stroke_keeps_its_look_over_levels, 2, 40);
+    tcase_add_test(tests, strokes_differ);
     suite_add_tcase(suite, tests);
     return suite;
 }

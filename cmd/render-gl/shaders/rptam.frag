@@ -17,7 +17,7 @@ float left_by(SeedLayer layer, float way, mat2 pixels)
         return 1.0; // no depth is right: the surface is seen edge on, or has no scale
     int whole = ((floatBitsToInt(pattern) >> 23) - 127) >> 1;
     float far = intBitsToFloat((127 - whole) << 23), tile = intBitsToFloat((127 + whole) << 23);
-    return layer_paper(layer, place_at(float(whole)), unit * tile, 1.0 / (pattern * far * far));
+    return layer_paper(layer, place_at(float(whole)), unit * tile, 1.0 / (pattern * far * far), whole);
 }
 
 float ink_of(mat2 pixels, float amount)

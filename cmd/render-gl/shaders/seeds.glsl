@@ -3,7 +3,9 @@ struct SeedLayer {
     vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink
     vec4 tone;   // amount = x way + y; where on the way the layer begins; lists for smaller strokes
     vec4 stroke; // texels of its image a pixel, along and across; its texels, without the last, along and across
-    ivec4 at;    // its first list, texels of lists along a side, its image's first texel
+    ivec4 at;    // its first list, texels of lists along a side, its image's first texel; where strokes differ: how
+                 // many images times 2^16, and how many seeds
+    vec4 thin;   // the least share of its length and width to which a stroke shrinks
 };
 
 layout(std140, binding = 1) uniform SeedLayers {
@@ -16,6 +18,7 @@ layout(std140, binding = 1) uniform SeedLayers {
 layout(binding = 4) uniform samplerBuffer stroke_texels; // alpha here, to the right, below, and both
 layout(binding = 5) uniform usamplerBuffer seeds; // u, v, lives in four tiles, lives in the next level in four
 layout(binding = 6) uniform isamplerBuffer lists; // per texel: its first seed, the one after its last
+layout(binding = 8) uniform usamplerBuffer numbers; // of seeds in their set
 layout(binding = 7) uniform samplerBuffer ways;   // how far the way leads to a tone; how far it goes on to the next
 
 // How far along the way from paper to the darkest an amount of ink is.
@@ -37,11 +40,20 @@ float fade_front(float q)
     return law.x > 0.5 ? m : place;
 }
 
-// Alpha at a place in texels of a stroke's image. Its border is nothing, and goes on outside.
-float stroke_alpha(vec2 place, SeedLayer layer)
+// Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image.
+uint look_of(int seed, int level, SeedLayer layer)
 {
-    place = clamp(place, vec2(0.0), layer.stroke.zw);
+    int count = layer.at.w & 0xffff;
+    return uint((int(texelFetch(numbers, seed).r) + level + 128 * count) % count) * 2654435769u >> 28;
+}
+
+// Alpha at a place in texels from the middle of a stroke's image, the first or the one at a row. Its border is
+// nothing, and goes on outside.
+float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
+{
+    place = clamp(0.5 * layer.stroke.zw + place, vec2(0.0), layer.stroke.zw);
     ivec2 texel = ivec2(place);
+    texel.y += row_first;
     vec4 alpha = texelFetch(stroke_texels, layer.at.z + texel.y * (int(layer.stroke.z) + 1) + texel.x);
     vec2 share = fract(place);
     vec2 row = mix(alpha.xz, alpha.yw, share.x);
@@ -49,8 +61,8 @@ float stroke_alpha(vec2 place, SeedLayer layer)
 }
 
 // What one layer leaves of the paper. at: the place in the pattern, in tiles, right modulo 4; px: a tile's side
-// on the screen; q: 4^-m, m between the levels.
-float layer_paper(SeedLayer layer, vec2 at, float px, float q)
+// on the screen; q: 4^-m, m between the levels; level: of the seeds.
+float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
 {
     float paper = 1.0, base = fade.x * fade_front(q) + fade.y;
     vec2 tile = fract(0.25 * at) * 4.0;
@@ -60,7 +72,8 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q)
     int size = clamp(smaller, 0, int(layer.tone.w));
     ivec2 list = texelFetch(lists, layer.at.x + (size * layer.at.y + cell.y) * layer.at.y + cell.x).xy;
     vec2 scale = px * layer.stroke.xy, along = scale.x * layer.turn.xy;
-    vec2 across = scale.y * vec2(-layer.turn.y, layer.turn.x), middle = 0.5 * layer.stroke.zw;
+    vec2 across = scale.y * vec2(-layer.turn.y, layer.turn.x);
+    int images = layer.at.w >> 16;
     tile = fract(tile);
     for (int i = list.x; i < list.y; i++) {
         uvec4 s = texelFetch(seeds, i);
@@ -70,10 +83,18 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q)
         weight = lives.x == 255u ? base + fade.w + fade.z * float(lives.y) : weight;
         weight = lives == uvec2(255u) ? 1.0 : clamp(weight, 0.0, 1.0);
         vec2 place = vec2(dot(along, away), dot(across, away));
-        if (law.z > 0.5)
-            place *= inversesqrt(max(weight, 1e-12));
-        float ink = layer.turn.w * (law.z > 0.5 ? step(1e-12, weight) : weight);
-        paper *= 1.0 - ink * stroke_alpha(middle + place, layer);
+        if (law.z > 0.5) {
+            vec2 size = max(vec2(sqrt(weight)), layer.thin.xy);
+            place /= size;
+            weight /= size.x * size.y;
+        }
+        int row = 0;
+        if (images > 0) {
+            uint look = look_of(i, level, layer);
+            row = (int(look) & (images - 1)) * (int(layer.stroke.w) + 1);
+            place.y = look < 8u ? place.y : -place.y;
+        }
+        paper *= 1.0 - layer.turn.w * weight * stroke_alpha(place, row, layer);
     }
     return paper;
 }
