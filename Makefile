@@ -195,8 +195,8 @@ check-long: fuzz
 	LONG=1 $(MAKE) check
 	sh tests/fuzz/long.sh $(FUZZERS)
 # Readers that are not ours; those from npm are fetched once, and their tests skip without them.
-INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels
-$(B)/tests/interop/samples: $(call obj,tests/interop/samples.c) $(ARCHIVES)
+INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels $(B)/tests/bad/maps
+$(B)/tests/interop/samples $(B)/tests/bad/maps: $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $< $(fuzz_libs)
 $(B)/tests/interop/oiio_texels: $(call obj,tests/interop/oiio_texels.cc)

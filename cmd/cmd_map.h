@@ -12,6 +12,9 @@ void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map
 /* The same of a file that has been read. name: how messages call it. */
 void cmd_parse_map(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_tam *map);
 
+/* Warns when strokes of the map do not nest: for commands that show its images as they are. */
+void cmd_warn_nesting(struct cmd_args *args, const char *name, const struct hatch_tam *map);
+
 /* The seed that a map tells of, as text, or NULL. */
 const char *cmd_map_seed(const struct hatch_tam *map);
 

@@ -29,9 +29,10 @@ static void check_scene(const struct job *job)
     }
 }
 
-/* What a technique that packs six grey columns leaves out of a map. */
-static void warn_of_map(const struct options *options, const struct hatch_tam *map)
+/* What is wrong with a map, and what a technique that packs six grey columns leaves out of it. */
+static void warn_of_map(struct cmd_args *args, const struct options *options, const struct hatch_tam *map)
 {
+    cmd_warn_nesting(args, cmd_input_name(options->map_path), map);
     if (techniques[options->technique]->columns != COLUMNS_SIX)
         return;
     if (map->tones > COLUMNS_SIX_MOST)
@@ -70,7 +71,7 @@ static void read_strokes(struct job *job)
         cmd_parse_map(&job->args, name, file, &job->map);
     check_strokes(job);
     if (job->map.tones)
-        warn_of_map(options, &job->map);
+        warn_of_map(&job->args, options, &job->map);
 }
 
 /* How the strokes' images repeat over surfaces. */

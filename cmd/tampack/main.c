@@ -129,6 +129,7 @@ int main(int argc, char **argv)
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
     cmd_read_map(job.args, input, &job.tam);
+    cmd_warn_nesting(job.args, cmd_input_name(input), &job.tam);
     const char *seed = cmd_map_seed(&job.tam);
     char comment[64] = "";
     if (seed)
