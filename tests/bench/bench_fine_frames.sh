@@ -28,17 +28,15 @@ row() {
         printf '%s\t%s\t%s\t%s\t' "$1" "$2" $samples $size
         draw "$3" "$4" $samples "$work/times.tsv" --time 15
         draw "$3" "$4" $samples "$work/strokes.exr"
-        {
-            cat "$work/times.tsv"
-            hatchstat ink --reference "$work/tone.exr" "$work/strokes.exr"
-            hatchstat ink --reference "$work/many.exr" "$work/strokes.exr"
-        } | awk -F'\t' -v technique="$3" -v bytes="$(wc -c <"$4")" '
+        hatchstat ink --reference "$work/tone.exr" "$work/strokes.exr" >"$work/tone.tsv"
+        hatchstat ink --reference "$work/many.exr" "$work/strokes.exr" >"$work/edges.tsv"
+        awk -F'\t' -v OFS='\t' -v technique="$3" -v bytes="$(wc -c <"$4")" '
             $2 == "frame" && $1 == technique {ms = $4; low = $5; high = $6}
             $2 == "frame" && $1 == "gouraud" {reference = $4}
-            $1 ~ /strokes/ && tone {jagged = $7}
-            $1 ~ /strokes/ && !tone {figures = $2 "\t" $3 "\t" $4; tone = $5 "\t" $6}
-            END {printf "%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%s\t%s\t%s\n", ms, low, high, reference, ms / reference,
-                bytes, figures, tone, jagged}'
+            FILENAME ~ /tone/ && FNR == 2 {figures = $1 OFS $2 OFS $3 OFS $4 OFS $5}
+            FILENAME ~ /edges/ && FNR == 2 {jagged = $6}
+            END {printf "%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%s\t%s\t%s\n", ms, low, high, reference,
+                ms / reference, bytes, figures, jagged}' "$work/times.tsv" "$work/tone.tsv" "$work/edges.tsv"
     done
 }
 for width in 1.8 4; do

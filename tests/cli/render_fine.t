@@ -76,8 +76,8 @@ is "a volume is wanted" "$status $(wc -l <.err)" "2 2"
 head -c 3000 volume.ktx2 >cut.ktx2
 try render-gl ball.glb -t volume -T cut.ktx2 -o no.png
 is "a cut volume" "$status $(wc -l <.err)" "3 1"
-try render-gl ball.glb -t tam -T map.exr --pixel-light -o no.png
-is "tam does not light pixels" "$status" 2
+try render-gl ball.glb -t tam-flat -T map.exr --pixel-light -o no.png
+is "tam-flat does not light pixels" "$status" 2
 try render-gl ball.glb -t gouraud --modulate volume.ktx2 -o no.png
 is "no picture to modulate with" "$status $(wc -l <.err)" "3 1"
 is "nothing was written" "$(ls no.png 2>&1 | grep -c 'No such')" 1
