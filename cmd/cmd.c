@@ -103,54 +103,48 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
         cmd_die(file, err);
 }
 
-static void format_sentence(struct hatch_err *sentence, const char *format, va_list args)
+static void say_formatted(const char *file, const char *kind, const char *format, va_list args)
 {
-    vsnprintf(sentence->text, sizeof sentence->text, format, args);
+    struct hatch_err sentence;
+    vsnprintf(sentence.text, sizeof sentence.text, format, args);
+    say(file, kind, sentence.text);
 }
 
 noreturn void cmd_usage(const char *format, ...)
 {
-    struct hatch_err sentence;
     va_list args;
-    va_start(args, format);
-    format_sentence(&sentence, format, args);
-    va_end(args);
     cmd_discard_outputs();
-    say(NULL, "", sentence.text);
+    va_start(args, format);
+    say_formatted(NULL, "", format, args);
+    va_end(args);
     fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
     exit(HATCH_USAGE);
 }
 
 void cmd_warn(const char *file, const char *format, ...)
 {
-    struct hatch_err sentence;
     va_list args;
     va_start(args, format);
-    format_sentence(&sentence, format, args);
-    va_end(args);
     if (!cmd_is_quiet)
-        say(file, "warning: ", sentence.text);
+        say_formatted(file, "warning: ", format, args);
+    va_end(args);
 }
 
 void cmd_note(const char *format, ...)
 {
-    struct hatch_err sentence;
     va_list args;
     va_start(args, format);
-    format_sentence(&sentence, format, args);
-    va_end(args);
     if (cmd_is_verbose)
-        say(NULL, "", sentence.text);
+        say_formatted(NULL, "", format, args);
+    va_end(args);
 }
 
 void cmd_say(const char *format, ...)
 {
-    struct hatch_err sentence;
     va_list args;
     va_start(args, format);
-    format_sentence(&sentence, format, args);
+    say_formatted(NULL, "", format, args);
     va_end(args);
-    say(NULL, "", sentence.text);
 }
 
 static double seconds_between(struct timespec from, struct timespec to)

@@ -1,25 +1,11 @@
 #include <math.h>
 
 #include "lapped_param.h"
+#include "math/box.h"
 #include "math/vector.h"
 
-/* A box that grows. */
-struct box {
-    double low[3], high[3];
-    bool any;
-};
-
-static void add_point(struct box *box, const double point[3])
-{
-    for (int k = 0; k < 3; k++) {
-        box->low[k] = box->any ? fmin(box->low[k], point[k]) : point[k];
-        box->high[k] = box->any ? fmax(box->high[k], point[k]) : point[k];
-    }
-    box->any = true;
-}
-
 /* The mesh's own box, moved; matrix: column-major. */
-static void add_mesh(struct box *box, const struct hatch_mesh *mesh, const float *matrix)
+static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const float *matrix)
 {
     float ends[2][3];
     if (!hatch_mesh_bounds(mesh, ends[0], ends[1]))
@@ -31,7 +17,7 @@ static void add_mesh(struct box *box, const struct hatch_mesh *mesh, const float
             for (int k = 0; k < 3; k++)
                 point[row] += (double)matrix[4 * k + row] * (double)ends[corner >> k & 1][k];
         }
-        add_point(box, point);
+        hatch_box_add(box, point);
     }
 }
 
@@ -58,7 +44,7 @@ void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene
                           struct lapped_param_extent *extent)
 {
     struct hatch_err err;
-    struct box box = {.any = false};
+    struct hatch_box box = {.any = false};
     size_t joint_count = 0;
     for (uint32_t s = 0; s < scene->skin_count; s++)
         joint_count = scene->skins[s].joint_count > joint_count ? scene->skins[s].joint_count : joint_count;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/box.h"
 #include "math/vector.h"
 #include "mesh/pieces.h"
 #include "render-gl/near_parts.h"
@@ -65,21 +66,6 @@ static void corner_in_unit(const struct gpu_scene *scene, const struct near_shap
                    scene->bounds.radius;
 }
 
-/* Around all that has been put into it. */
-struct box {
-    double low[3], high[3];
-    bool any;
-};
-
-static void grow_box(struct box *box, const double point[3])
-{
-    for (int k = 0; k < 3; k++) {
-        box->low[k] = box->any ? fmin(box->low[k], point[k]) : point[k];
-        box->high[k] = box->any ? fmax(box->high[k], point[k]) : point[k];
-    }
-    box->any = true;
-}
-
 static struct near_ball ball_around(const double low[3], const double high[3])
 {
     struct near_ball ball;
@@ -106,11 +92,11 @@ bool near_touches(const struct near_frame *frame, const struct gpu_item *item)
 static void set_block(const struct gpu_scene *scene, const struct near_shape *shape,
                       const struct near_faces *faces, size_t first, struct near_ball *ball)
 {
-    struct box box = {.any = false};
+    struct hatch_box box = {.any = false};
     for (size_t i = 0; i < 3 * NEAR_BLOCK && first + i / 3 < faces->count; i++) {
         double at[3];
         corner_in_unit(scene, shape, near_corner(faces, first + i / 3, i % 3), at);
-        grow_box(&box, at);
+        hatch_box_add(&box, at);
     }
     *ball = ball_around(box.low, box.high);
 }
@@ -183,18 +169,18 @@ static bool face_is_near(struct near_frame *frame, const struct near_shape *shap
 }
 
 static void mark_face(const struct near_frame *frame, const struct near_shape *shape,
-                      const struct near_faces *faces, size_t face, struct box *marked)
+                      const struct near_faces *faces, size_t face, struct hatch_box *marked)
 {
     for (size_t k = 0; k < 3; k++) {
         uint32_t vertex = near_corner(faces, face, k);
         double unit[3];
         shape->marks[shape->points[vertex]] = frame->number;
         corner_in_unit(frame->scene, shape, vertex, unit);
-        grow_box(marked, unit);
+        hatch_box_add(marked, unit);
     }
 }
 
-static bool ball_meets(const struct near_ball *ball, const struct box *marked)
+static bool ball_meets(const struct near_ball *ball, const struct hatch_box *marked)
 {
     double square = 0;
     for (int k = 0; k < 3; k++) {
@@ -211,7 +197,7 @@ static uint32_t block_end(const struct near_faces *faces, uint32_t begin)
 
 /* Near faces, and those that share a point with one. */
 static void choose_ring(const struct near_frame *frame, const struct near_shape *shape,
-                        const struct near_faces *faces, int which, const struct box *marked,
+                        const struct near_faces *faces, int which, const struct hatch_box *marked,
                         struct near_choice *choice)
 {
     for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
@@ -229,7 +215,7 @@ static void choose_ring(const struct near_frame *frame, const struct near_shape 
 
 /* Room for all the faces of the blocks that a ball, or a box where there is one, touches. */
 static enum hatch_status make_room(const struct near_frame *frame, const struct near_ball *blocks,
-                                   uint32_t face_count, double reach, const struct box *box,
+                                   uint32_t face_count, double reach, const struct hatch_box *box,
                                    struct hatch_arena *arena, uint32_t **faces, struct hatch_err *err)
 {
     size_t count = 0;
@@ -245,7 +231,7 @@ enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *i
                               struct hatch_err *err)
 {
     const struct near_ball *blocks = shape->blocks[which];
-    struct box marked = {.any = false};
+    struct hatch_box marked = {.any = false};
     double reach = reach_of(frame, item);
     *choice = (struct near_choice){.near_count = 0};
     HATCH_TRY(make_room(frame, blocks, faces->count, reach, NULL, arena, &choice->near_faces, err));

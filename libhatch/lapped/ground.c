@@ -67,7 +67,7 @@ static void find_line(const struct measure *of, const uint32_t *corner, const do
                       double *spread)
 {
     const struct hatch_surface *surface = of->ground->surface;
-    double u[3], v[3], z[3][2], sum[2] = {0, 0};
+    double u[3], v[3], z[3][2];
     hatch_vec_sub(&surface->points[(size_t)corner[1] * 3], &surface->points[(size_t)corner[0] * 3], u);
     hatch_vec_normalize(u);
     hatch_vec_cross(normal, u, v);
@@ -76,17 +76,8 @@ static void find_line(const struct measure *of, const uint32_t *corner, const do
         double x = hatch_vec_dot(own, u), y = hatch_vec_dot(own, v), square = x * x + y * y;
         z[c][0] = square > 0 ? (x * x - y * y) / square : 0;
         z[c][1] = square > 0 ? 2 * x * y / square : 0;
-        sum[0] += z[c][0];
-        sum[1] += z[c][1];
     }
-    double length = hypot(sum[0], sum[1]), nearest = 1;
-    double x = length > 0 ? sum[0] / length : 1, y = length > 0 ? sum[1] / length : 0;
-    for (int c = 0; c < 3; c++)
-        nearest = fmin(nearest, z[c][0] * x + z[c][1] * y);
-    *spread = acos(fmax(nearest, -1)) / 2;
-    double half = atan2(y, x) / 2, cosine = cos(half), sine = sin(half);
-    for (int k = 0; k < 3; k++)
-        line[k] = cosine * u[k] + sine * v[k];
+    hatch_field_mean((const double(*)[2])z, u, v, line, spread);
 }
 
 static void measure_face(const struct measure *of, uint32_t face)

@@ -103,13 +103,9 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
         hatch_curvature_store(run, p, NULL, NULL, frame.radius);
         return;
     }
-    double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
-    hatch_jet_solve(&system, system.degree, coefficients);
-    hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
-    hatch_jet_variances(&system, variances);
-    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[system.degree]);
+    struct hatch_bend_variance variance;
+    hatch_bend_of_system(&frame, &system, system.degree, &bend, &variance);
     double square = hatch_jet_residual(&system, system.degree) / (system.count - terms);
     double grain = hatch_curvature_grain(&run->terrain.surface, p);
     square = fmax(square * frame.radius * frame.radius, grain * grain);

@@ -358,13 +358,9 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
                         &system);
     if (system.degree == 0)
         return;
-    double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
-    hatch_jet_solve(&system, system.degree, coefficients);
-    hatch_bend_of_jet(&frame, coefficients, system.degree, 0, 0, &bend);
-    hatch_jet_variances(&system, variances);
-    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[system.degree]);
+    struct hatch_bend_variance variance;
+    hatch_bend_of_system(&frame, &system, system.degree, &bend, &variance);
     variance.across *= w->squares[p];
     variance.mean *= w->squares[p];
     double error = sum_of(&variance), weight = weight_of(error);

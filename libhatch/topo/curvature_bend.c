@@ -90,6 +90,17 @@ struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_fra
     return (struct hatch_bend_variance){unit * (variance->skew + variance->mixed) / 2, unit * variance->mean};
 }
 
+void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatch_jet_system *system,
+                          uint32_t degree, struct hatch_bend *bend, struct hatch_bend_variance *variance)
+{
+    double coefficients[HATCH_JET_TERMS];
+    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
+    hatch_jet_solve(system, degree, coefficients);
+    hatch_bend_of_jet(frame, coefficients, degree, 0, 0, bend);
+    hatch_jet_variances(system, variances);
+    *variance = hatch_bend_variance_of_jet(frame, &variances[degree]);
+}
+
 /* The squared standard error of the principal axes, whichever of them is the first. */
 static double axes_error(const struct hatch_principal *principal, const struct hatch_bend_variance *variance)
 {

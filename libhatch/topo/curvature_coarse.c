@@ -87,14 +87,10 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
     hatch_vec_copy(frame.axes[0], sample->principal.direction);
     if (system.degree < 2 || count <= hatch_jet_terms(2))
         return;
-    double coefficients[HATCH_JET_TERMS];
     struct hatch_bend bend;
-    struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
-    hatch_jet_solve(&system, 2, coefficients);
-    hatch_bend_of_jet(&frame, coefficients, 2, 0, 0, &bend);
+    struct hatch_bend_variance variance;
+    hatch_bend_of_system(&frame, &system, 2, &bend, &variance);
     hatch_bend_principal(&bend, &sample->principal);
-    hatch_jet_variances(&system, variances);
-    struct hatch_bend_variance variance = hatch_bend_variance_of_jet(&frame, &variances[2]);
     double square = hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2));
     variance.across *= square * frame.radius * frame.radius;
     variance.mean *= square * frame.radius * frame.radius;

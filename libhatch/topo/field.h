@@ -92,6 +92,12 @@ bool hatch_field_of_mesh(const struct hatch_surface *surface, const struct hatch
 void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
                       const double *direction, uint32_t face, double line[3], double *spread_rad);
 
+/* The mean of three lines in the plane of two axes, unit and at right angles: z is a line's direction against them
+ * at twice its angle, unit, 0 for none. line: unit, u where they cancel; spread_rad: the largest angle between it
+ * and one of the three. */
+void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
+                      double *spread_rad);
+
 /* Faces with an index, and per component the sum of indices (with what borders turn, so that it
  * equals the Euler characteristic, in half turns: twice it). */
 struct hatch_singularities {

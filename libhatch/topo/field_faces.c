@@ -146,29 +146,37 @@ static void corner_line(const struct view *v, uint32_t face, uint32_t c, const d
     z[1] = against[0] * turn[1] + against[1] * turn[0];
 }
 
+void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
+                      double *spread_rad)
+{
+    double sum[2] = {0, 0}, nearest = 1;
+    for (int c = 0; c < 3; c++) {
+        sum[0] += z[c][0];
+        sum[1] += z[c][1];
+    }
+    double length = hypot(sum[0], sum[1]);
+    double x = length > 0 ? sum[0] / length : 1, y = length > 0 ? sum[1] / length : 0;
+    for (int c = 0; c < 3; c++)
+        nearest = fmin(nearest, z[c][0] * x + z[c][1] * y);
+    *spread_rad = acos(fmax(nearest, -1)) / 2;
+    double half = atan2(y, x) / 2, cosine = cos(half), sine = sin(half);
+    for (int k = 0; k < 3; k++)
+        line[k] = cosine * u[k] + sine * side[k];
+}
+
 void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
                       const double *direction, uint32_t face, double line[3], double *spread_rad)
 {
     const struct view view = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *a = &surface->points[(size_t)corner[0] * 3], *b = &surface->points[(size_t)corner[1] * 3];
-    double normal[3], u[3], side[3], z[3][2], sum[2] = {0, 0};
+    double normal[3], u[3], side[3], z[3][2];
     hatch_vec_triangle(a, b, &surface->points[(size_t)corner[2] * 3], normal);
     hatch_vec_normalize(normal);
     hatch_vec_sub(b, a, u);
     hatch_vec_normalize(u);
     hatch_vec_cross(normal, u, side);
-    for (uint32_t c = 0; c < 3; c++) {
-        corner_line(&view, face, c, u, side, z[c]);
-        sum[0] += z[c][0];
-        sum[1] += z[c][1];
-    }
-    double length = hypot(sum[0], sum[1]), nearest = 1;
-    double x = length > 0 ? sum[0] / length : 1, y = length > 0 ? sum[1] / length : 0;
     for (uint32_t c = 0; c < 3; c++)
-        nearest = fmin(nearest, z[c][0] * x + z[c][1] * y);
-    *spread_rad = acos(fmax(nearest, -1)) / 2;
-    double half = atan2(y, x) / 2, cosine = cos(half), sine = sin(half);
-    for (int k = 0; k < 3; k++)
-        line[k] = cosine * u[k] + sine * side[k];
+        corner_line(&view, face, c, u, side, z[c]);
+    hatch_field_mean((const double(*)[2])z, u, side, line, spread_rad);
 }

@@ -3,8 +3,8 @@
  * picture; and of a tonal art map of four levels that suits a distance of 3 radii. Widths are those across the
  * stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
 #include <stdio.h>
-#include <stdlib.h>
 
+#include "bench.h"
 #include "rptam_model.h"
 #include "zoom_reference.h"
 
@@ -20,10 +20,8 @@ static struct hatch_mesh mesh;
 static void begin(void)
 {
     static const struct model_how how_drawn = {.tile_px = 256, .length_px = 80, .width_px = 3};
-    const struct hatch_shape_options how = {.faces = 20000, .seed = 1};
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 20000);
     model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
     const struct bounds bounds = {.radius = RADIUS};
     frame_begin(&mesh, &bounds, NULL, &frame);
@@ -149,15 +147,4 @@ START_TEST(measure)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("bench width");
-    TCase *tests = tcase_create("width");
-    tcase_set_timeout(tests, 0);
-    tcase_add_test(tests, measure);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_set_log(runner, "/dev/stderr");
-    srunner_run_all(runner, CK_SILENT);
-    return srunner_ntests_failed(runner) ? EXIT_FAILURE : EXIT_SUCCESS;
-}
+HATCH_BENCH_MAIN("bench width", measure)

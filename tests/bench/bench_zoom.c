@@ -4,6 +4,7 @@
  * coordinates 2^40 times as dense, so that -40 is as near as 40, and 0 shows their whole square 2^40 times. */
 #include <stdio.h>
 
+#include "bench.h"
 #include "rptam_model.h"
 #include "zoom_reference.h"
 
@@ -17,9 +18,8 @@ static void begin(enum hatch_shape shape, float repeats)
 {
     static const struct model_how how_drawn = {
         .layers = 2, .tile_px = 32, .length_px = 12, .width_px = 2, .angle_rad = {0.5, 1.5}, .overlap = 0.3};
-    const struct hatch_shape_options how = {.faces = 2000, .seed = 1};
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame.arena, &frame.scratch, &mesh, &frame.err), &frame.err);
+    mesh = frame_shape(&frame, shape, 2000);
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
     for (size_t i = 0; i < 2 * (size_t)mesh.vertex_count; i++)
         texcoord[i] *= repeats;
@@ -80,13 +80,11 @@ START_TEST(measure)
 {
     static const double on_plane[3] = {0.0371, 0.0213, 0}, from_plane[3] = {0.36, -0.48, 0.8};
     double on_torus[3] = {0, 0, 0}, from_torus[3], corner[3][3];
-    const struct hatch_shape_options how = {.faces = 2000, .seed = 1};
     printf("surface\toctave\tmethod\tlargest_px\tmean_px\tmissing\ttone_drift\n");
     zoom("plane", HATCH_SHAPE_PLANE, on_plane, from_plane, -1);
     zoom("plane", HATCH_SHAPE_PLANE, on_plane, from_plane, 1);
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 2000);
     hatch_mesh_corners(&mesh, 640, corner);
     hatch_vec_triangle(corner[0], corner[1], corner[2], from_torus);
     hatch_vec_normalize(from_torus);
@@ -97,18 +95,4 @@ START_TEST(measure)
 }
 END_TEST
 
-/* Check's words fail outside a test of its. */
-int main(void)
-{
-    Suite *suite = suite_create("bench zoom");
-    TCase *tests = tcase_create("zoom");
-    tcase_set_timeout(tests, 0);
-    tcase_add_test(tests, measure);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_set_log(runner, "/dev/stderr");
-    srunner_run_all(runner, CK_SILENT);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
-}
+HATCH_BENCH_MAIN("bench zoom", measure)

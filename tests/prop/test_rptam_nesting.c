@@ -104,7 +104,6 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam nesting");
     TCase *tests = tcase_create("nesting");
-    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, strokes_only_fade_while_the_view_goes_out, 0, 5 * FADES);
     tcase_add_loop_test(tests, a_quarter_stays_at_each_level, 0, 6);

@@ -23,9 +23,8 @@ static void begin_mesh(const struct bounds *bounds)
 
 static void make_shape(enum hatch_shape shape, uint32_t faces)
 {
-    struct hatch_shape_options how = {.faces = faces, .seed = 1};
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame.arena, &frame.scratch, &mesh, &frame.err), &frame.err);
+    mesh = frame_shape(&frame, shape, faces);
 }
 
 /* A place on a face by its corners' shares, and the face's normal. */
@@ -212,10 +211,7 @@ START_TEST(tiles_join)
     HATCH_TEST_OK(hatch_image_make(&frame.arena, WIDTH, HEIGHT, "RGB", &pictures[1], err), err);
     HATCH_TEST_OK(picture_target(WIDTH / 2, HEIGHT / 2, 1, &frame.renderer, &target, err), err);
     HATCH_TEST_OK(picture_draw(&frame.renderer, technique, &view, &target, &pictures[1], err), err);
-    double worst = 0;
-    for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++)
-        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
-    ck_assert_double_le(worst, 1 / 255.0);
+    ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
     target_free(&target);
     frame_end(&frame);
 }

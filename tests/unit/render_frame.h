@@ -3,6 +3,7 @@
 #ifndef HATCH_TEST_RENDER_FRAME_H
 #define HATCH_TEST_RENDER_FRAME_H
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -71,6 +72,41 @@ static inline void frame_arenas(struct test_frame *frame)
     hatch_arena_init(&frame->scratch, (size_t)1 << 30);
 }
 
+/* With all the attributes that shapes have, in the frame's arena. */
+static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch_shape shape, uint32_t faces)
+{
+    struct hatch_shape_options how = {.faces = faces, .seed = 1};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame->arena, &frame->scratch, &mesh, &frame->err), &frame->err);
+    return mesh;
+}
+
+/* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
+static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t faces)
+{
+    struct hatch_mesh mesh = frame_shape(frame, HATCH_SHAPE_PLANE, faces);
+    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
+    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
+        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
+    }
+    return mesh;
+}
+
+/* From a little above and beside, at the distance that frames the scene. */
+static inline struct view frame_view(struct test_frame *frame, double aspect)
+{
+    static const struct view_choice choice = {
+        .kind = VIEW_FRAMED, .azimuth_rad = 0.5, .elevation_rad = 0.4, .fov_rad = 0.5};
+    static const struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    struct view view;
+    HATCH_TEST_OK(view_make(&choice, &frame->gpu.pose, &span, &frame->gpu.bounds, aspect, &frame->scratch, &view,
+                            &frame->err),
+                  &frame->err);
+    return view;
+}
+
 /* Draws with a technique into an image of R G B, linear. */
 static inline void frame_draw(struct test_frame *frame, const char *technique,
                               const struct view *view, uint32_t width, uint32_t height,
@@ -86,11 +122,35 @@ static inline void frame_draw(struct test_frame *frame, const char *technique,
     target_free(&target);
 }
 
-static inline void frame_end(struct test_frame *frame)
+/* The largest of all channels, of two pictures of one size. */
+static inline double frame_difference(const struct hatch_image *a, const struct hatch_image *b)
+{
+    double worst = 0;
+    for (size_t i = 0; i < 3 * (size_t)a->width * a->height; i++)
+        worst = fmax(worst, fabs((double)a->pixels[i] - (double)b->pixels[i]));
+    return worst;
+}
+
+/* The mean darkness of all channels. */
+static inline double frame_ink(const struct hatch_image *image)
+{
+    double sum = 0;
+    for (size_t i = 0; i < 3 * (size_t)image->width * image->height; i++)
+        sum += 1 - (double)image->pixels[i];
+    return sum / (3.0 * image->width * image->height);
+}
+
+/* What frame_begin made; the arenas keep what they hold, for the next frame_begin. */
+static inline void frame_close(struct test_frame *frame)
 {
     renderer_free(&frame->renderer);
     scene_free(&frame->gpu);
     context_close(&frame->context);
+}
+
+static inline void frame_end(struct test_frame *frame)
+{
+    frame_close(frame);
     hatch_arena_free(&frame->arena);
     hatch_arena_free(&frame->scratch);
 }

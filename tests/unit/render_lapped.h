@@ -121,31 +121,6 @@ static inline void begin(void)
     HATCH_TEST_OK(hatch_image_make(&frame.arena, SIZE, SIZE, "YA", &mask, &frame.err), &frame.err);
 }
 
-static inline struct hatch_mesh shape_of(enum hatch_shape shape, uint32_t faces)
-{
-    struct hatch_shape_options how = {.faces = faces, .seed = 1};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
-    return mesh;
-}
-
-static inline double worst_difference(const struct hatch_image *a, const struct hatch_image *b)
-{
-    double worst = 0;
-    for (size_t i = 0; i < 3 * (size_t)a->width * a->height; i++)
-        worst = fmax(worst, fabs((double)a->pixels[i] - (double)b->pixels[i]));
-    return worst;
-}
-
-static inline double ink_of(const struct hatch_image *image)
-{
-    double sum = 0;
-    for (size_t i = 0; i < 3 * (size_t)image->width * image->height; i++)
-        sum += 1 - (double)image->pixels[i];
-    return sum / (3.0 * image->width * image->height);
-}
-
 /* Shifts of the map and of the outline, in texels, from patch to patch. */
 static const int shifts[4][4] = {{0, 0, 0, 0}, {5, 40, 11, -7}, {23, 9, -20, 3}, {50, 31, 2, 17}};
 
@@ -181,14 +156,6 @@ static inline void black_map(void)
             for (uint32_t i = 0; i < map.columns[t].levels[level].width *
                                          map.columns[t].levels[level].height; i++)
                 map.columns[t].levels[level].pixels[i] = 0;
-}
-
-/* The frame can begin anew, with what its arenas hold. */
-static inline void close_frame(void)
-{
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
 }
 
 /* Caps of a sphere around points of a spiral, each in the plane that touches it there. */

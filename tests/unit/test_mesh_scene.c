@@ -53,23 +53,26 @@ START_TEST(nodes_are_placed_by_their_parents)
 }
 END_TEST
 
-static struct hatch_animation animation_of(struct hatch_animation_channel *channel)
+/* A scene of one node, moved by one channel. */
+static struct hatch_node moved_node;
+static struct hatch_animation_channel moving;
+static struct hatch_animation movement;
+
+static struct hatch_scene moved_by(struct hatch_animation_channel channel)
 {
-    return (struct hatch_animation){1, channel, channel->times_s[channel->key_count - 1]};
+    moved_node = resting;
+    moving = channel;
+    movement = (struct hatch_animation){1, &moving, moving.times_s[moving.key_count - 1]};
+    return (struct hatch_scene){
+        .node_count = 1, .nodes = &moved_node, .animation_count = 1, .animations = &movement};
 }
 
 START_TEST(keys_are_interpolated_each_way)
 {
-    struct hatch_node node = resting;
     float times[] = {1, 2, 4}, values[] = {0, 0, 0, 10, 0, 0, 10, 4, 0};
-    struct hatch_animation_channel channel = {.path = HATCH_PATH_TRANSLATION,
-                                              .interpolation = HATCH_LINEAR,
-                                              .key_count = 3,
-                                              .times_s = times,
-                                              .values = values};
-    struct hatch_animation animation = animation_of(&channel);
-    const struct hatch_scene scene = {
-        .node_count = 1, .nodes = &node, .animation_count = 1, .animations = &animation};
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
+        .path = HATCH_PATH_TRANSLATION, .interpolation = HATCH_LINEAR, .key_count = 3,
+        .times_s = times, .values = values});
     const struct {
         double time_s;
         float linear[2], step[2];
@@ -80,10 +83,10 @@ START_TEST(keys_are_interpolated_each_way)
     };
     float world[16];
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
-        channel.interpolation = HATCH_LINEAR;
+        moving.interpolation = HATCH_LINEAR;
         hatch_scene_pose(&scene, 0, want[i].time_s, world);
         is_at(world, want[i].linear[0], want[i].linear[1], 0);
-        channel.interpolation = HATCH_STEP;
+        moving.interpolation = HATCH_STEP;
         hatch_scene_pose(&scene, 0, want[i].time_s, world);
         is_at(world, want[i].step[0], want[i].step[1], 0);
     }
@@ -95,17 +98,11 @@ END_TEST
 START_TEST(cubic_keys_follow_their_tangents)
 {
     /* In-tangent, value, out-tangent: x(t) = t³ - t over [0, 2], whose slopes are -1 and 11. */
-    struct hatch_node node = resting;
     float times[] = {0, 2};
     float values[] = {9, 9, 9, 0, 0, 0, -1, 0, 0, 11, 0, 0, 6, 0, 0, 9, 9, 9};
-    struct hatch_animation_channel channel = {.path = HATCH_PATH_TRANSLATION,
-                                              .interpolation = HATCH_CUBIC,
-                                              .key_count = 2,
-                                              .times_s = times,
-                                              .values = values};
-    struct hatch_animation animation = animation_of(&channel);
-    const struct hatch_scene scene = {
-        .node_count = 1, .nodes = &node, .animation_count = 1, .animations = &animation};
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
+        .path = HATCH_PATH_TRANSLATION, .interpolation = HATCH_CUBIC, .key_count = 2,
+        .times_s = times, .values = values});
     for (double t = 0; t <= 2; t += 0.125) {
         float world[16];
         hatch_scene_pose(&scene, 0, t, world);
@@ -116,18 +113,12 @@ END_TEST
 
 START_TEST(rotations_turn_evenly_the_short_way)
 {
-    struct hatch_node node = resting;
     float times[] = {0, 1};
     /* A quarter turn around z, its end given as minus the quaternion. */
     float values[] = {0, 0, 0, 1, 0, 0, -HALF_SQRT, -HALF_SQRT};
-    struct hatch_animation_channel channel = {.path = HATCH_PATH_ROTATION,
-                                              .interpolation = HATCH_LINEAR,
-                                              .key_count = 2,
-                                              .times_s = times,
-                                              .values = values};
-    struct hatch_animation animation = animation_of(&channel);
-    const struct hatch_scene scene = {
-        .node_count = 1, .nodes = &node, .animation_count = 1, .animations = &animation};
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
+        .path = HATCH_PATH_ROTATION, .interpolation = HATCH_LINEAR, .key_count = 2,
+        .times_s = times, .values = values});
     for (double t = 0; t <= 1; t += 0.125) {
         float world[16], p[3];
         hatch_scene_pose(&scene, 0, t, world);

@@ -10,20 +10,6 @@ enum { SIZE = 64, TONES = 6 };
 static struct test_frame frame;
 static struct hatch_tam map;
 
-static void make_plane(uint32_t faces, struct hatch_mesh *mesh)
-{
-    struct hatch_shape_options how = {.faces = faces, .seed = 1};
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, mesh,
-                                   &frame.err),
-                  &frame.err);
-    const float *position = hatch_mesh_find(mesh, "POSITION", 3);
-    float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
-    for (size_t v = 0; v < mesh->vertex_count; v++) {
-        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
-        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
-    }
-}
-
 /* A lamp before the upper left corner, so that every vertex has a tone of its own. */
 static const struct hatch_light lamp = {
     .type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1.9f};
@@ -113,11 +99,10 @@ static double expected(const struct hatch_mesh *mesh, uint32_t column, uint32_t 
 
 static double worst_against_definition(const char *technique, uint32_t tones, uint32_t level)
 {
-    struct hatch_mesh mesh;
     struct hatch_image image;
     frame_arenas(&frame);
     random_map(SIZE, tones, &frame.arena, &map);
-    make_plane(50, &mesh);
+    struct hatch_mesh mesh = frame_plane(&frame, 50);
     frame_begin(&mesh, &frame_unit, &map, &frame);
     add_lamp();
     frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)(1u << level);
@@ -167,39 +152,22 @@ END_TEST
 
 static void draw_teapot(const char *technique, struct hatch_image *image)
 {
-    struct view view;
-    struct view_choice choice = {.kind = VIEW_FRAMED,
-                                 .azimuth_rad = 0.5,
-                                 .elevation_rad = 0.4,
-                                 .fov_rad = 0.5};
-    struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
-    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, &span, &frame.gpu.bounds, 4.0 / 3,
-                            &frame.scratch, &view, &frame.err),
-                  &frame.err);
+    struct view view = frame_view(&frame, 4.0 / 3);
     frame_draw(&frame, technique, &view, 320, 240, 2, image);
 }
 
 START_TEST(tam_triple_is_tam_on_a_teapot)
 {
-    struct hatch_shape_options how = {.faces = 4000, .seed = 1};
-    struct hatch_mesh mesh;
     struct hatch_image one, three;
     struct bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
     frame_arenas(&frame);
     random_map(SIZE, TONES, &frame.arena, &map);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh,
-                                   &frame.err),
-                  &frame.err);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 4000);
     frame_begin(&mesh, &bounds, &map, &frame);
     draw_teapot("tam", &one);
     draw_teapot("tam-triple", &three);
-    double worst = 0, ink = 0;
-    for (size_t i = 0; i < 3u * 320 * 240; i++) {
-        worst = fmax(worst, fabs((double)(one.pixels[i] - three.pixels[i])));
-        ink += 1 - (double)one.pixels[i];
-    }
-    ck_assert_double_gt(ink / (3 * 320 * 240), 0.05);
-    ck_assert_double_le(worst, 2.0 / 255);
+    ck_assert_double_gt(frame_ink(&one), 0.05);
+    ck_assert_double_le(frame_difference(&one, &three), 2.0 / 255);
     frame_end(&frame);
 }
 END_TEST

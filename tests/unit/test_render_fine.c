@@ -34,16 +34,7 @@ static void nested_map(void)
 
 static void begin(double tone, double tiles)
 {
-    struct hatch_shape_options how = {.faces = 2, .seed = 1};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
-    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
-    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
-    for (size_t v = 0; v < mesh.vertex_count; v++) {
-        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
-        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
-    }
+    struct hatch_mesh mesh = frame_plane(&frame, 2);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.fine = &fine;
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
@@ -108,9 +99,7 @@ static double worst_of(const char *technique, double tone, double tiles)
             }
             worst = fmax(worst, fmax((double)(drawn - want), (double)(dark - drawn)));
         }
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    frame_close(&frame);
     return worst;
 }
 
@@ -215,17 +204,13 @@ START_TEST(exact_runs_are_the_volume_at_its_tones)
     for (uint32_t slice = 0; slice < TONES / 2; slice += 3)
         for (double tiles = 1; tiles <= 4; tiles *= 2) {
             struct hatch_image pictures[2];
-            double worst = 0;
             for (int k = 0; k < 2; k++) {
                 fine = forms[k];
                 begin((slice + 0.5) / (TONES / 2.0), tiles);
                 frame_draw(&frame, k ? "threshold" : "volume", &map_facing, SIZE, SIZE, 1, &pictures[k]);
-                renderer_free(&frame.renderer);
-                scene_free(&frame.gpu);
-                context_close(&frame.context);
+                frame_close(&frame);
             }
-            for (size_t i = 0; i < 3 * SIZE * SIZE; i++)
-                worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
+            double worst = frame_difference(&pictures[0], &pictures[1]);
             ck_assert_msg(worst <= 2.0 / 255, "slice %u, %g tiles: %g/255", slice, tiles, 255 * worst);
         }
     hatch_arena_free(&frame.arena);
@@ -247,11 +232,7 @@ START_TEST(no_tone_is_paper)
     frame_draw(&frame, "threshold-soft", &map_facing, SIZE, SIZE, 1, &image);
     for (size_t i = 0; i < 3 * SIZE * SIZE; i++)
         ck_assert_float_eq(image.pixels[i], 1.0f);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    frame_end(&frame);
 }
 END_TEST
 
@@ -259,7 +240,6 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render fine");
     TCase *tests = tcase_create("fine");
-    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, volume_is_its_model);
     tcase_add_test(tests, volume_in_layers_is_its_model);
     tcase_add_test(tests, blocks_are_their_model);

@@ -26,7 +26,7 @@ static double worst_against_composite(const char *technique, uint32_t materials)
     begin();
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         mask.pixels[2 * i + 1] = (float)(hatch_random_u64(3, 0, i) % 256) / 255.0f;
-    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50);
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
     begin_lapped(&plane, &cut);
     ck_assert_uint_eq(frame.gpu.item_count, materials == 1 ? 1 : 4);
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = (double)map.target[tone];
@@ -53,7 +53,7 @@ START_TEST(what_is_lit_stays_paper)
     struct hatch_image image;
     begin();
     round_mask();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
     frame.renderer.style.curve.high = 0;
     draw_in_tiles(names[_i], 160, 1, &image);
@@ -69,7 +69,8 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     const struct cut cut = {.count = 2, .materials = 1, .place = place_shifted};
     struct hatch_image image;
     begin();
-    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50), behind = shape_of(HATCH_SHAPE_PLANE, 50);
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
+    struct hatch_mesh behind = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
     for (uint32_t v = 0; v < behind.vertex_count; v++)
         behind.attributes[0].data[3 * v + 2] = -0.5f;
     make_scene(&plane, &cut);
@@ -129,7 +130,7 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
     struct hatch_image lapped, plain;
     begin();
     fill_mask();
-    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_PLANE, 50);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), unused[2];
     float *normal = hatch_mesh_find(&mesh, "NORMAL", 3);
     for (size_t v = 0; v < mesh.vertex_count; v++) {
@@ -139,12 +140,12 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
     begin_lapped(&mesh, &cut);
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &lapped);
-    close_frame();
+    frame_close(&frame);
     frame_begin(&mesh, &frame_unit, &map, &frame);
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &plain);
-    ck_assert_double_gt(ink_of(&plain), 0.1);
-    ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
+    ck_assert_double_gt(frame_ink(&plain), 0.1);
+    ck_assert_double_le(frame_difference(&lapped, &plain), 1.0 / 255);
     frame_end(&frame);
 }
 END_TEST
@@ -154,17 +155,17 @@ START_TEST(both_ways_to_blend_agree)
     struct hatch_image once, passes, tiled;
     begin();
     round_mask();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 2000);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 2000);
     begin_lapped(&sphere, &caps);
     light();
     draw_in_tiles("tam", 160, (uint32_t)_i, &once);
     draw_in_tiles("tam-triple", 160, (uint32_t)_i, &passes);
-    ck_assert_double_gt(ink_of(&once), 0.05);
-    ck_assert_double_le(worst_difference(&once, &passes), 1.0 / 255);
+    ck_assert_double_gt(frame_ink(&once), 0.05);
+    ck_assert_double_le(frame_difference(&once, &passes), 1.0 / 255);
     draw_in_tiles("tam", 64, (uint32_t)_i, &tiled);
-    ck_assert_double_le(worst_difference(&once, &tiled), 1.0 / 255);
+    ck_assert_double_le(frame_difference(&once, &tiled), 1.0 / 255);
     draw_in_tiles("tam-triple", 64, (uint32_t)_i, &tiled);
-    ck_assert_double_le(worst_difference(&passes, &tiled), 1.0 / 255);
+    ck_assert_double_le(frame_difference(&passes, &tiled), 1.0 / 255);
     frame_end(&frame);
 }
 END_TEST
@@ -174,7 +175,7 @@ START_TEST(nothing_shows_through_patches)
     struct hatch_image image;
     begin();
     fill_mask();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
     black_map();
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
@@ -190,7 +191,7 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
 {
     struct hatch_image turned, other;
     begin();
-    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_PLANE, 50);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), unused[2];
     for (size_t v = 0; v < mesh.vertex_count; v++)
         place_shifted(0, mesh.attributes[0].data + 3 * v, texcoord + 2 * v, unused);
@@ -199,7 +200,7 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
     frame.renderer.style.hatch_turn_rad = 1.57079632679489662;
     frame.renderer.style.hatch_scale = 0.5;
     frame_draw(&frame, "tam", &map_facing, SIZE, SIZE, 1, &turned);
-    close_frame();
+    frame_close(&frame);
     /* Against the clock as one sees it: what ran to the right along u runs upwards, where v falls. */
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         float *t = texcoord + 2 * v, u = t[0];
@@ -209,8 +210,8 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
     frame_begin(&mesh, &frame_unit, &map, &frame);
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.5;
     frame_draw(&frame, "tam", &map_facing, SIZE, SIZE, 1, &other);
-    ck_assert_double_gt(ink_of(&other), 0.2);
-    ck_assert_double_le(worst_difference(&turned, &other), 1.0 / 255);
+    ck_assert_double_gt(frame_ink(&other), 0.2);
+    ck_assert_double_le(frame_difference(&turned, &other), 1.0 / 255);
     frame_end(&frame);
 }
 END_TEST

@@ -36,18 +36,14 @@ static void make_case(int i)
 
 START_TEST(lists_and_all_seeds_give_one_picture)
 {
-    struct hatch_shape_options how = {.faces = 400, .seed = 1};
-    struct hatch_mesh mesh;
     struct hatch_image pictures[2];
     struct view view = {.half_height = 0.5, .aspect = 1, .near = 0.01, .far = 100, .pivot = 3};
-    double worst = 0, ink = 0;
     view_set_back(&view, (const double[3]){0.4, 0.8, 1});
     for (int k = 0; k < 3; k++)
         view.eye[k] = 3 * view.back[k];
     frame_arenas(&frame);
     make_case(_i);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 400);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.rptam = &rptam;
     frame.renderer.style.curve.high = tones[level(_i, 2)];
@@ -56,12 +52,9 @@ START_TEST(lists_and_all_seeds_give_one_picture)
         frame.renderer.all_seeds = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &pictures[all]);
     }
-    for (size_t i = 0; i < (size_t)3 * SIZE * SIZE; i++) {
-        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
-        ink += 1 - (double)pictures[0].pixels[i];
-    }
+    double worst = frame_difference(&pictures[0], &pictures[1]);
     ck_assert_msg(worst <= 1 / 255.0, "%.2f/255", 255 * worst);
-    ck_assert_double_gt(ink, 0);
+    ck_assert_double_gt(frame_ink(&pictures[0]), 0);
     frame_end(&frame);
 }
 END_TEST

@@ -57,16 +57,14 @@ START_TEST(lapped_surfaces_hold)
     begin();
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         mask.pixels[2 * i + 1] = 1;
-    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
     begin_lapped(&torus, &whole);
     make_model();
     struct view view = view_near(&torus, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[0]);
     ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
     struct hatch_mesh last = patch_of(&torus, &whole, whole.count - 1);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    frame_close(&frame);
     frame_begin(&last, &frame_unit, NULL, &frame);
     make_model();
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[1]);
@@ -74,7 +72,7 @@ START_TEST(lapped_surfaces_hold)
     for (size_t i = 0; i < 3 * WIDE * HIGH; i++)
         ink += 1 - (double)pictures[1].pixels[i];
     ck_assert_double_gt(ink, 3 * WIDE * HIGH * 0.1);
-    ck_assert_double_le(worst_difference(&pictures[0], &pictures[1]), 1 / 255.0);
+    ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
     frame_end(&frame);
 }
 END_TEST
@@ -85,7 +83,7 @@ START_TEST(surfaces_may_move)
     static const double away[3] = {0.25, -0.5, 0.125};
     struct hatch_image pictures[3];
     begin();
-    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
     frame_begin(&torus, &frame_unit, NULL, &frame);
     make_model();
     for (int i = 0; i < 3; i++) {
@@ -96,9 +94,9 @@ START_TEST(surfaces_may_move)
         frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[i]);
         ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
     }
-    ck_assert_double_le(worst_difference(&pictures[0], &pictures[2]), 0);
+    ck_assert_double_le(frame_difference(&pictures[0], &pictures[2]), 0);
     /* Sums of coordinates of other sizes are rounded otherwise, by 2^-23 of the distance or less. */
-    ck_assert_double_le(worst_difference(&pictures[0], &pictures[1]), 0.02);
+    ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 0.02);
     frame_end(&frame);
 }
 END_TEST
@@ -110,7 +108,7 @@ START_TEST(too_little_memory_is_a_status)
     const struct near_wish wish = {.pieces = true, .hatch = {1, 0}, .tile = &tile};
     uint32_t refused = 0;
     begin();
-    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 1000);
+    struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
     frame_begin(&torus, &frame_unit, NULL, &frame);
     struct view view = view_near(&torus, 0x1p-30, nowhere);
     for (uint64_t bytes = 1024; bytes < (uint64_t)64 << 20; bytes += bytes / 3) {

@@ -10,10 +10,7 @@ static struct hatch_rptam rptam;
 
 static void begin_plane(void)
 {
-    struct hatch_shape_options how = {.faces = 2, .seed = 1};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
     float *position = hatch_mesh_find(&mesh, "POSITION", 3), *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         for (size_t k = 0; k < 2; k++)

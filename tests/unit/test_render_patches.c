@@ -31,7 +31,7 @@ static bool overlap(uint32_t a, uint32_t b, const struct hatch_mesh *sphere)
 START_TEST(joined_patches_are_the_surface)
 {
     begin();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     make_scene(&sphere, &caps);
     HATCH_TEST_OK(patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
                   &frame.err);
@@ -70,7 +70,7 @@ static enum hatch_status join(void *context, struct hatch_arena *keep, struct ha
 START_TEST(joining_survives_every_failed_allocation)
 {
     begin();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 100);
     make_scene(&sphere, &caps);
     ck_assert_uint_gt(hatch_test_fail_alloc(join, &frame.scene, &frame.scene, sizeof frame.scene), 20);
     hatch_arena_free(&frame.arena);
@@ -98,19 +98,19 @@ START_TEST(lines_see_the_surface_once)
     struct hatch_image lapped, plain, none;
     begin();
     fill_mask();
-    struct hatch_mesh mesh = shape_of(_i ? HATCH_SHAPE_PLANE : HATCH_SHAPE_SPHERE, 500);
+    struct hatch_mesh mesh = frame_shape(&frame, _i ? HATCH_SHAPE_PLANE : HATCH_SHAPE_SPHERE, 500);
     const struct cut planes = {.count = 3, .materials = 1, .place = place_shifted};
     begin_lapped(&mesh, _i ? &planes : &caps);
     frame.renderer.style.curve.high = 0.2;
     draw_lines(&lapped);
-    close_frame();
+    frame_close(&frame);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.style.curve.high = 0.2;
     frame.scene.meshes[0].had_normals = true;
     draw_lines(&plain);
     draw_in_tiles("gouraud", 160, 2, &none);
-    ck_assert_double_gt(worst_difference(&plain, &none), 0.5);
-    ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
+    ck_assert_double_gt(frame_difference(&plain, &none), 0.5);
+    ck_assert_double_le(frame_difference(&lapped, &plain), 1.0 / 255);
     frame_end(&frame);
 }
 END_TEST
@@ -118,7 +118,7 @@ END_TEST
 /* The upper half of a sphere follows a joint that leans and moves to the right. */
 static struct hatch_mesh skinned_sphere(void)
 {
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 2000);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 2000);
     float *joints, *weights;
     HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &sphere, "JOINTS_0", 4, &joints, &frame.err), &frame.err);
     HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &sphere, "WEIGHTS_0", 4, &weights, &frame.err), &frame.err);
@@ -168,18 +168,18 @@ START_TEST(patches_move_with_a_skin)
     black_map();
     frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
     draw_in_tiles("tam", 160, 1, &lapped);
-    close_frame();
+    frame_close(&frame);
     HATCH_TEST_OK(hatch_scene_of_mesh(&sphere, &frame.arena, &frame.scene, &frame.err), &frame.err);
     frame_begin_scene(NULL, &frame_unit, NULL, &frame);
     frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
     draw_in_tiles("gouraud", 160, 1, &still);
-    close_frame();
+    frame_close(&frame);
     add_skin(&frame.scene);
     frame_begin_scene(NULL, &frame_unit, NULL, &frame);
     frame.renderer.style.light = (struct own_light){true, 3.14159265358979324, 0}; /* behind it */
     draw_in_tiles("gouraud", 160, 1, &plain);
-    ck_assert_double_gt(worst_difference(&plain, &still), 0.5);
-    ck_assert_double_le(worst_difference(&lapped, &plain), 1.0 / 255);
+    ck_assert_double_gt(frame_difference(&plain, &still), 0.5);
+    ck_assert_double_le(frame_difference(&lapped, &plain), 1.0 / 255);
     frame_end(&frame);
 }
 END_TEST
@@ -196,7 +196,8 @@ START_TEST(scenes_stand_in_a_row)
     struct hatch_scene scenes[2], joined;
     float world[16 * 8];
     begin();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100), large = shape_of(HATCH_SHAPE_SPHERE, 100);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 100);
+    struct hatch_mesh large = frame_shape(&frame, HATCH_SHAPE_SPHERE, 100);
     for (size_t i = 0; i < 3 * (size_t)large.vertex_count; i++)
         large.attributes[0].data[i] = 5 * large.attributes[0].data[i] + 7;
     make_scene(&sphere, &caps);
@@ -230,7 +231,7 @@ START_TEST(patches_have_tones_of_their_own)
     uint32_t tones = 0;
     begin();
     round_mask();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 2000);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 2000);
     begin_lapped(&sphere, &caps);
     frame.renderer.style.light = (struct own_light){true, 0, 0};
     draw_in_tiles("patches", 160, 1, &image);
@@ -248,7 +249,7 @@ START_TEST(marks_lie_evenly_along_directions)
     struct field field;
     float *directions;
     begin();
-    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200);
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 200);
     HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &plane, "_HATCH_DIR", 4, &directions, &frame.err),
                   &frame.err);
     for (size_t v = 0; v < plane.vertex_count; v++) {
@@ -285,7 +286,7 @@ END_TEST
 START_TEST(strokes_have_one_size_on_all_patches)
 {
     begin();
-    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
+    struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     make_scene(&sphere, &caps);
     struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
     nodes[0] = nodes[1] = frame.scene.nodes[0];

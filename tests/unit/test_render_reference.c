@@ -44,12 +44,10 @@ static void set_view(int scene, struct view *view)
 
 static void draw_both(int scene, double low, double high, struct raster *raster, struct hatch_image *picture)
 {
-    struct hatch_shape_options how = {.faces = scenes[scene].faces, .seed = 1};
     static struct hatch_mesh mesh;
     static struct view view;
     set_view(scene, &view);
-    HATCH_TEST_OK(hatch_shape_make(scenes[scene].shape, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    mesh = frame_shape(&frame, scenes[scene].shape, scenes[scene].faces);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.rptam = &rptam;
     frame.renderer.style.curve.low = low;

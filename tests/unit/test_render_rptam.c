@@ -10,19 +10,9 @@ enum { SIZE = 96 };
 static struct test_frame frame;
 static struct hatch_rptam rptam;
 
-/* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
 static void begin_plane(void)
 {
-    struct hatch_shape_options how = {.faces = 200, .seed = 1};
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
-    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
-    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
-    for (size_t v = 0; v < mesh.vertex_count; v++) {
-        texcoord[2 * v] = 0.5f + 0.5f * position[3 * v];
-        texcoord[2 * v + 1] = 0.5f - 0.5f * position[3 * v + 1];
-    }
+    struct hatch_mesh mesh = frame_plane(&frame, 200);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.rptam = &rptam;
 }
@@ -106,15 +96,12 @@ END_TEST
 /* Two of the same views of a torus, with the lists and without. */
 START_TEST(lists_hold_every_stroke_that_shows)
 {
-    struct hatch_shape_options how = {.faces = 800, .seed = 1};
-    struct hatch_mesh mesh;
     struct hatch_image pictures[2];
     struct view view = view_of(0.8);
     view.half_height = 1.5;
     frame_arenas(&frame);
     model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 800);
     frame_begin(&mesh, &frame_unit, NULL, &frame);
     frame.renderer.rptam = &rptam;
     frame.renderer.style.curve.exposure = 1;
@@ -123,13 +110,8 @@ START_TEST(lists_hold_every_stroke_that_shows)
         frame.renderer.all_seeds = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 2, &pictures[all]);
     }
-    double worst = 0, sum = 0;
-    for (size_t i = 0; i < (size_t)3 * SIZE * SIZE; i++) {
-        worst = fmax(worst, fabs((double)pictures[0].pixels[i] - (double)pictures[1].pixels[i]));
-        sum += 1 - (double)pictures[0].pixels[i];
-    }
-    ck_assert_double_le(worst, 1 / 255.0);
-    ck_assert_double_gt(sum / (3 * SIZE * SIZE), 0.02);
+    ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
+    ck_assert_double_gt(frame_ink(&pictures[0]), 0.02);
     frame_end(&frame);
 }
 END_TEST

@@ -15,16 +15,13 @@ static const struct bounds teapot_bounds = {.center = {0.2, 1.5, 0}, .radius = 3
 /* The default style at 256 texels, and the teapot. */
 static void begin(void)
 {
-    struct hatch_shape_options how = {.faces = 10000, .seed = 1};
     map_begin();
     map_style(NULL, NULL, &map);
     map.options.size_px = 256;
     map.options.levels = 4;
     map_fill(&map);
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &how, &frame.arena, &frame.scratch, &mesh,
-                                   &frame.err),
-                  &frame.err);
+    mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 10000);
     frame_begin(&mesh, &teapot_bounds, &map.tam, &frame);
     frame.renderer.style.light = (struct own_light){.azimuth_rad = -0.7, .elevation_rad = 0.7};
 }
@@ -38,15 +35,7 @@ static void end(void)
 /* From a distance in units of the distance that frames the teapot. */
 static struct view view_from(double distance)
 {
-    struct view view;
-    struct view_choice choice = {.kind = VIEW_FRAMED,
-                                 .azimuth_rad = 0.5,
-                                 .elevation_rad = 0.4,
-                                 .fov_rad = 0.5};
-    struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
-    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, &span, &frame.gpu.bounds,
-                            (double)WIDTH / HEIGHT, &frame.scratch, &view, &frame.err),
-                  &frame.err);
+    struct view view = frame_view(&frame, (double)WIDTH / HEIGHT);
     for (int k = 0; k < 3; k++)
         view.eye[k] *= distance;
     return view;
