@@ -86,7 +86,7 @@ enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
         capacity = want;
     if (capacity < 4096)
         capacity = 4096;
-    uint8_t *data = HATCH_NEW(buffer->arena, uint8_t, capacity, err);
+    uint8_t *data = HATCH_NEW_UNSET(buffer->arena, uint8_t, capacity, err);
     if (!data)
         return HATCH_LIMIT;
     if (buffer->size)

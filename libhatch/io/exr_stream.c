@@ -46,6 +46,8 @@ static int64_t write_at(exr_const_context_t context, void *data, const void *byt
     struct hatch_exr_stream *stream = data;
     struct hatch_buffer *buffer = stream->buffer;
     size_t end = (size_t)(offset + size);
+    if (offset == buffer->size)
+        return hatch_buffer_add(buffer, bytes, (size_t)size, &stream->first) == HATCH_OK ? (int64_t)size : -1;
     if (end > buffer->size &&
         hatch_buffer_add(buffer, NULL, end - buffer->size, &stream->first) != HATCH_OK)
         return -1;

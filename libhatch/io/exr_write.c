@@ -15,6 +15,15 @@
 #define ZIP_LEVEL 1
 #define SHORT_NAME_MAX 31u
 
+/* What packing a part needs, kept for the next one: taken anew each time, it costs as much as a tenth of it all. */
+struct workspace {
+    struct hatch_arena arena; /* holds the workspace, too */
+    struct libdeflate_compressor *compressor;
+    uint8_t *raw; /* room for three chunks */
+    struct hatch_buffer packed;
+};
+#define IDLE_MOST 16u
+
 struct part {
     struct hatch_arena arena;  /* what follows lives in it: threads add parts side by side */
     struct hatch_mipmap label; /* name and attributes; its levels are not used */
@@ -36,6 +45,7 @@ struct hatch_exr_writer {
     struct part *parts;
     size_t limit_bytes;
     atomic_size_t packed_bytes; /* of all parts; the limit holds for all together */
+    struct workspace *_Atomic idle[IDLE_MOST]; /* workspaces that no thread uses just now, or NULL */
 };
 
 static uint32_t chunks_across(uint32_t size, uint32_t chunk)
@@ -161,25 +171,77 @@ static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_
     return (size_t)(at - raw);
 }
 
-static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, struct part *part,
-                                     const struct hatch_mipmap *mipmap,
-                                     struct libdeflate_compressor *compressor,
-                                     struct hatch_buffer *packed, struct hatch_err *err)
+static void free_workspace(struct workspace *work)
+{
+    if (!work)
+        return;
+    struct hatch_arena arena = work->arena;
+    libdeflate_free_compressor(work->compressor);
+    hatch_arena_free(&arena);
+}
+
+static void free_workspaces(struct hatch_exr_writer *writer)
+{
+    for (uint32_t i = 0; writer && i < IDLE_MOST; i++)
+        free_workspace(atomic_exchange(&writer->idle[i], NULL));
+}
+
+static size_t chunk_bytes(const struct hatch_exr_writer *writer)
 {
     size_t texel = 0;
     for (uint32_t c = 0; c < writer->channel_count; c++)
         texel += hatch_exr_channel_bytes(writer->channels[c].type);
-    size_t raw_size = texel * writer->chunk_width * writer->chunk_height;
-    uint8_t *raw = HATCH_NEW(packed->arena, uint8_t, 3 * raw_size, err);
-    if (!raw)
-        return HATCH_LIMIT;
-    uint8_t *filtered = raw + raw_size, *zipped = raw + 2 * raw_size;
+    return texel * writer->chunk_width * writer->chunk_height;
+}
+
+static enum hatch_status make_workspace(const struct hatch_exr_writer *writer, struct workspace **work,
+                                        struct hatch_err *err)
+{
+    struct hatch_arena arena;
+    hatch_arena_init(&arena, writer->limit_bytes);
+    struct workspace *made = HATCH_NEW(&arena, struct workspace, 1, err);
+    uint8_t *raw = made ? HATCH_NEW_UNSET(&arena, uint8_t, 3 * chunk_bytes(writer), err) : NULL;
+    struct libdeflate_compressor *compressor = raw ? libdeflate_alloc_compressor(ZIP_LEVEL) : NULL;
+    if (!compressor) {
+        enum hatch_status status = raw ? hatch_fail(err, HATCH_LIMIT, "out of memory for compression") : HATCH_LIMIT;
+        hatch_arena_free(&arena);
+        return status;
+    }
+    *made = (struct workspace){.arena = arena, .compressor = compressor, .raw = raw};
+    made->packed.arena = &made->arena;
+    *work = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status take_workspace(struct hatch_exr_writer *writer, struct workspace **work,
+                                        struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < IDLE_MOST; i++)
+        if ((*work = atomic_exchange(&writer->idle[i], NULL)))
+            return HATCH_OK;
+    return make_workspace(writer, work, err);
+}
+
+static void give_workspace_back(struct hatch_exr_writer *writer, struct workspace *work)
+{
+    work->packed.size = 0;
+    for (uint32_t i = 0; work && i < IDLE_MOST; i++)
+        work = atomic_exchange(&writer->idle[i], work);
+    free_workspace(work);
+}
+
+static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, struct part *part,
+                                     const struct hatch_mipmap *mipmap, struct workspace *work,
+                                     struct hatch_err *err)
+{
+    size_t raw_size = chunk_bytes(writer);
+    uint8_t *filtered = work->raw + raw_size, *zipped = work->raw + 2 * raw_size;
     struct area area = {0};
     for (uint32_t chunk = 0; next_area(writer, &area); chunk++) {
-        size_t size = lay_out(writer, &mipmap->levels[area.level], &area, raw);
-        size = hatch_exr_zip(compressor, raw, size, filtered, zipped);
+        size_t size = lay_out(writer, &mipmap->levels[area.level], &area, work->raw);
+        size = hatch_exr_zip(work->compressor, work->raw, size, filtered, zipped);
         part->chunk_sizes[chunk] = (uint32_t)size;
-        HATCH_TRY(hatch_buffer_add(packed, zipped, size, err));
+        HATCH_TRY(hatch_buffer_add(&work->packed, zipped, size, err));
     }
     return HATCH_OK;
 }
@@ -202,23 +264,22 @@ static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap
 }
 
 static enum hatch_status add_part(struct hatch_exr_writer *writer, struct part *part,
-                                  const struct hatch_mipmap *mipmap,
-                                  struct libdeflate_compressor *compressor,
-                                  struct hatch_arena *scratch, struct hatch_err *err)
+                                  const struct hatch_mipmap *mipmap, struct workspace *work,
+                                  struct hatch_err *err)
 {
     HATCH_TRY(keep_label(part, mipmap, err));
     part->chunk_sizes = HATCH_NEW(&part->arena, uint32_t, writer->chunk_count, err);
     if (!part->chunk_sizes)
         return HATCH_LIMIT;
-    struct hatch_buffer packed = {.arena = scratch};
-    HATCH_TRY(pack_chunks(writer, part, mipmap, compressor, &packed, err));
-    if (atomic_fetch_add(&writer->packed_bytes, packed.size) + packed.size > writer->limit_bytes)
+    HATCH_TRY(pack_chunks(writer, part, mipmap, work, err));
+    size_t size = work->packed.size;
+    if (atomic_fetch_add(&writer->packed_bytes, size) + size > writer->limit_bytes)
         return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu",
                           writer->limit_bytes);
-    part->packed = HATCH_NEW(&part->arena, uint8_t, packed.size, err);
+    part->packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
     if (!part->packed)
         return HATCH_LIMIT;
-    memcpy(part->packed, packed.data, packed.size);
+    memcpy(part->packed, work->packed.data, size);
     return HATCH_OK;
 }
 
@@ -229,15 +290,10 @@ enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t p
     assert(mipmap->level_count == writer->level_count);
     assert(mipmap->levels[0].width == writer->width && mipmap->levels[0].height == writer->height);
     assert(mipmap->levels[0].channel_count == writer->channel_count);
-    struct libdeflate_compressor *compressor = libdeflate_alloc_compressor(ZIP_LEVEL);
-    if (!compressor)
-        return hatch_fail(err, HATCH_LIMIT, "out of memory for compression");
-    struct hatch_arena scratch;
-    hatch_arena_init(&scratch, writer->limit_bytes);
-    enum hatch_status status =
-        add_part(writer, &writer->parts[part], mipmap, compressor, &scratch, err);
-    hatch_arena_free(&scratch);
-    libdeflate_free_compressor(compressor);
+    struct workspace *work;
+    HATCH_TRY(take_workspace(writer, &work, err));
+    enum hatch_status status = add_part(writer, &writer->parts[part], mipmap, work, err);
+    give_workspace_back(writer, work);
     return status;
 }
 
@@ -333,6 +389,7 @@ enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_bu
     for (uint32_t i = 0; i < writer->part_count; i++)
         assert(writer->parts[i].packed);
     assert(file->size == 0);
+    free_workspaces(writer);
     struct hatch_exr_stream stream = {.buffer = file};
     size_t overhead = (size_t)writer->part_count * (writer->chunk_count * 32u + 1024u);
     enum hatch_status status = hatch_buffer_reserve(file, writer->packed_bytes + overhead, err);
@@ -357,6 +414,7 @@ void hatch_exr_abandon(struct hatch_exr_writer *writer)
 {
     for (uint32_t i = 0; writer && i < writer->part_count; i++)
         hatch_arena_free(&writer->parts[i].arena);
+    free_workspaces(writer);
 }
 
 enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,

@@ -97,16 +97,30 @@ void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_c
     }
 }
 
+/* Adds all of a level's darkness to the field; its rows repeat as often as a cell of its grid is wide. */
+static void spread_all(struct hatch_potential *field, uint32_t level)
+{
+    uint32_t size = field->size, grid = field->grid[level], cells = size / grid;
+    float weight = level_weight(field->canvas_size_px >> level), *repeated = field->row;
+    for (uint32_t y = 0; y < size; y++) {
+        const float *from = field->darkness[level] + (size_t)(y / cells) * grid;
+        float *row = field->octave[0] + (size_t)y * size;
+        field->used[y] = true;
+        if (y % cells == 0)
+            for (uint32_t x = 0; x < grid; x++)
+                for (uint32_t i = 0; i < cells; i++)
+                    repeated[x * cells + i] = from[x] * weight;
+        for (uint32_t x = 0; x < size; x++)
+            row[x] += repeated[x];
+    }
+}
+
 void hatch_potential_start(struct hatch_potential *field, uint32_t level)
 {
     size_t cells = (size_t)field->size * field->size;
     memset(field->potential, 0, cells * sizeof *field->potential);
-    for (uint32_t l = 0; l <= level; l++) {
-        float weight = level_weight(field->canvas_size_px >> l);
-        for (uint32_t y = 0; y < field->grid[l]; y++)
-            for (uint32_t x = 0; x < field->grid[l]; x++)
-                spread(field, field->grid[l], x, y, field->darkness[l][y * field->grid[l] + x] * weight);
-    }
+    for (uint32_t l = 0; l <= level; l++)
+        spread_all(field, l);
     hatch_potential_settle(field);
 }
 
