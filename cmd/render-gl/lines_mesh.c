@@ -173,6 +173,7 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
                               err));
     HATCH_TRY(take(from, &edges, scratch, arena, &taken, err));
     HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
+    HATCH_TRY(line_ring_make(&lines->mesh, arena, scratch, &lines->ring, err));
     uint32_t *points;
     HATCH_TRY(sort_edges(&edges, choice->kinds, arena, scratch, lines, &points, err));
     lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&

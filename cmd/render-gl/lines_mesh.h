@@ -35,10 +35,16 @@ struct line_choice {
     bool normals_meant; /* the mesh's normals are its maker's, not made from its faces */
 };
 
+/* The neighbours of vertex v are neighbours[first[v]] up to first[v + 1]: none where they do not go all around it. */
+struct line_ring {
+    uint32_t *first, *neighbours;
+};
+
 struct line_mesh {
     struct hatch_mesh mesh; /* a vertex for each position and normal; positions minus the origin */
     bool skinned;           /* mesh has JOINTS_0 and WEIGHTS_0 */
     uint8_t *hard_sides;    /* per face: bit c is set where the surface is not smooth across side c */
+    struct line_ring ring;
     uint32_t hard_count, feature_count;
     struct line_hard_edge *hards;
     struct line_feature *features;
@@ -54,6 +60,11 @@ struct line_mesh {
 enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double origin[3],
                                  const struct line_choice *choice, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct line_mesh *lines,
+                                 struct hatch_err *err) HATCH_MUST_USE;
+
+/* arena and scratch must not be the same. */
+enum hatch_status line_ring_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct line_ring *ring,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

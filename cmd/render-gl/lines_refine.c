@@ -8,6 +8,8 @@
 #define PARTS 4u
 #define COS_LEAST 0.9994 /* turns of less than 2 degrees look straight already */
 #define COS_MOST 0.57    /* turns of more than 55 degrees may be meant */
+#define REACH 0.5        /* of a segment's length: as far a line is followed to see how the segment bends */
+#define STEPS_MOST 16u
 
 struct work {
     const struct line_trace *from;
@@ -16,20 +18,43 @@ struct work {
     struct line_chains refined;
 };
 
-/* The direction of the circle through a chain's node and its neighbours. false where the chain ends or
- * has a corner, or is straight. i: 0 .. the chain's segment_count. */
-static bool tangent(const struct work *w, const struct line_chain *chain, const uint32_t *nodes,
-                    uint32_t i, double out[3])
+static const double *node_at(const struct work *w, uint32_t node)
 {
+    return &w->from->nodes[3 * (size_t)node];
+}
+
+/* Along a chain from its node i, the first that is so far away. NULL where it ends or has a corner before. */
+static const double *reach(const struct work *w, const struct line_chain *chain, const uint32_t *nodes, uint32_t i,
+                           bool forward, double distance)
+{
+    const double *from = node_at(w, nodes[i]);
     uint32_t count = chain->segment_count;
-    if (!w->from->smooth[nodes[i]] || (!chain->closed && (i == 0 || i == count)))
+    for (uint32_t step = 0; step < STEPS_MOST; step++) {
+        if (!w->from->smooth[nodes[i]] || (!chain->closed && i == (forward ? count : 0)))
+            return NULL;
+        if (forward)
+            i = i < count ? i + 1 : 1;
+        else
+            i = i > 0 ? i - 1 : count - 1;
+        if (hatch_vec_distance(from, node_at(w, nodes[i])) >= distance)
+            return node_at(w, nodes[i]);
+    }
+    return NULL;
+}
+
+/* The direction in which a segment leaves its first node i (or comes to its last): that of the circle through the
+ * segment's ends and what lies about as far on the other side, since a short neighbour says nothing of how a long
+ * segment bends. false where the chain ends or has a corner, or is straight. */
+static bool tangent(const struct work *w, const struct line_chain *chain, const uint32_t *nodes,
+                    uint32_t i, bool first, double out[3])
+{
+    const double *at = node_at(w, nodes[i]), *end = node_at(w, nodes[first ? i + 1 : i - 1]);
+    const double *other = reach(w, chain, nodes, i, !first, REACH * hatch_vec_distance(at, end));
+    if (!other)
         return false;
-    const double *at = &w->from->nodes[3 * (size_t)nodes[i]];
-    const double *before = &w->from->nodes[3 * (size_t)nodes[i > 0 ? i - 1 : count - 1]];
-    const double *after = &w->from->nodes[3 * (size_t)nodes[i < count ? i + 1 : 1]];
     double a[3], b[3];
-    hatch_vec_sub(at, before, a);
-    hatch_vec_sub(after, at, b);
+    hatch_vec_sub(at, first ? other : end, a);
+    hatch_vec_sub(first ? end : other, at, b);
     double length_a = hatch_vec_normalize(a), length_b = hatch_vec_normalize(b);
     double cosine = hatch_vec_dot(a, b);
     for (int k = 0; k < 3; k++)
@@ -77,7 +102,7 @@ static void refine_chain(struct work *w, uint32_t number)
         double tangents[2][3];
         bool curved = false;
         for (uint32_t k = 0; k < 2; k++) {
-            if (tangent(w, chain, from, i + k, tangents[k])) {
+            if (tangent(w, chain, from, i + k, k == 0, tangents[k])) {
                 curved = true;
                 continue;
             }

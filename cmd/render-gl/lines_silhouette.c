@@ -7,6 +7,9 @@
 #include "render-gl/lines_trace.h"
 
 #define BULGE_MAX 0.12 /* how far from an edge a point may lie, in lengths of the edge: an arc of 51° */
+#define BACK_LEAST 0.5 /* lengths of an edge that the surface goes on behind its end: else the normal there tells
+                        * of less than the edge's length */
+#define RING_SEEN 64u  /* neighbours */
 #define SLACK_PX 2.0
 #define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* with a point's number: a node that is a point */
 
@@ -73,11 +76,30 @@ static double root(const struct work *w, uint32_t low, uint32_t high)
     return a / (a - b);
 }
 
+/* How far an end's normal says how an edge bends, 0 to 1: where a short face lies behind it, as at a chamfer, most
+ * of the turn is that face's. along: from the end. */
+static double say(const struct work *w, uint32_t end, const double along[3])
+{
+    const struct line_ring *ring = &w->shape->lines->ring;
+    const float *positions = w->shape->positions;
+    uint32_t first = ring->first[end], count = ring->first[end + 1] - first;
+    double square = hatch_vec_dot(along, along), back = 0, at[3], p[3], away[3];
+    if (count == 0 || !(square > 0))
+        return 1;
+    hatch_vec_of(&positions[3 * (size_t)end], at);
+    for (uint32_t i = 0; i < count; i += 1 + count / RING_SEEN) {
+        hatch_vec_of(&positions[3 * (size_t)ring->neighbours[first + i]], p);
+        hatch_vec_sub(at, p, away);
+        back = fmax(back, hatch_vec_dot(away, along));
+    }
+    return fmin(1, back / (BACK_LEAST * square));
+}
+
 /* The share t of an edge, on the cubic that has its ends' normals where that bulges outwards. */
 static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight,
                      double out[3])
 {
-    double p[2][3], n[2][3], along[3], bulge[3] = {0, 0, 0}, mean[3], unit[3];
+    double p[2][3], n[2][3], along[3], back[3], bulge[3] = {0, 0, 0}, mean[3], unit[3];
     const uint32_t ends[2] = {low, high};
     for (int i = 0; i < 2; i++) {
         hatch_vec_of(&w->shape->positions[3 * (size_t)ends[i]], p[i]);
@@ -85,7 +107,8 @@ static void point_on(const struct work *w, uint32_t low, uint32_t high, double t
         hatch_vec_normalize(n[i]);
     }
     hatch_vec_sub(p[1], p[0], along);
-    double rise[2] = {hatch_vec_dot(along, n[0]), -hatch_vec_dot(along, n[1])};
+    hatch_vec_sub(p[0], p[1], back);
+    double rise[2] = {hatch_vec_dot(along, n[0]) * say(w, low, along), hatch_vec_dot(back, n[1]) * say(w, high, back)};
     hatch_vec_add_scaled(bulge, -(1 - t) * (1 - t) * t * rise[0], n[0], bulge);
     hatch_vec_add_scaled(bulge, -(1 - t) * t * t * rise[1], n[1], bulge);
     hatch_vec_add_scaled(n[0], 1, n[1], mean);

@@ -214,6 +214,47 @@ START_TEST(curves_go_through_the_nodes)
 }
 END_TEST
 
+/* A rod of radius 1 along y with both ends chamfered: rings of ROD_SIDES vertices. */
+#define ROD_SIDES 24u
+#define ROD_RINGS 4u
+static struct hatch_mesh chamfered_rod(void)
+{
+    static const float radius[ROD_RINGS] = {0.7f, 1, 1, 0.7f}, height[ROD_RINGS] = {-10, -9.7f, 9.7f, 10};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, ROD_RINGS * ROD_SIDES, 2 * (ROD_RINGS - 1) * ROD_SIDES, &mesh, &err), &err);
+    for (uint32_t v = 0; v < ROD_RINGS * ROD_SIDES; v++) {
+        double angle = 2 * 3.14159265358979 * (v % ROD_SIDES) / ROD_SIDES;
+        mesh.attributes[0].data[3 * v] = radius[v / ROD_SIDES] * (float)cos(angle);
+        mesh.attributes[0].data[3 * v + 1] = height[v / ROD_SIDES];
+        mesh.attributes[0].data[3 * v + 2] = -radius[v / ROD_SIDES] * (float)sin(angle);
+    }
+    for (uint32_t side = 0; side < (ROD_RINGS - 1) * ROD_SIDES; side++) {
+        uint32_t a = side, b = side / ROD_SIDES * ROD_SIDES + (side + 1) % ROD_SIDES;
+        const uint32_t faces[6] = {a, b, b + ROD_SIDES, a, b + ROD_SIDES, a + ROD_SIDES};
+        memcpy(mesh.indices + 6 * side, faces, sizeof faces);
+    }
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &mesh, 1.04f, &err), &err);
+    return mesh;
+}
+
+/* The chamfers' turn is smooth and short: the long faces beside them do not bend by it. */
+START_TEST(long_faces_beside_short_ones_stay_straight)
+{
+    struct hatch_mesh mesh = chamfered_rod();
+    struct line_mesh lines = lines_of(&mesh, LINES_SILHOUETTES, 1.04);
+    struct line_shape shape = shape_in_place(&lines);
+    struct view view = view_from(6, 3, 8, true);
+    struct line_trace trace = silhouettes_of(&shape, &view);
+    struct line_chains chains = chains_of(&trace);
+    ck_assert_uint_gt(trace.node_count, 4);
+    HATCH_TEST_OK(line_refine(&trace, &chains, &keep, &err), &err);
+    for (uint32_t i = 0; i < trace.node_count; i++) {
+        const double *at = &trace.nodes[3 * i];
+        ck_assert_double_le(sqrt(at[0] * at[0] + at[2] * at[2]), 1.05);
+    }
+}
+END_TEST
+
 static enum hatch_status trace_all(void *context, struct hatch_arena *arena,
                                    struct hatch_arena *temporary, struct hatch_err *said)
 {
@@ -250,6 +291,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
     tcase_add_test(tests, the_place_of_a_shape_counts);
     tcase_add_test(tests, curves_go_through_the_nodes);
+    tcase_add_test(tests, long_faces_beside_short_ones_stay_straight);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);
     return suite;
