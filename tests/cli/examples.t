@@ -1,4 +1,5 @@
-# Every example of the manuals and of --help runs, as it stands, in the order in which it stands.
+# Every example of the manuals and of --help runs, as it stands, in the order in which it stands. In those of
+# formats (man5), lines are commands and blocks are files.
 . "${TOP:-.}/tests/tap.sh"
 [ -z "$SANITIZE" ] || { skip "examples" "they are run without sanitizers"; finish; }
 
@@ -18,13 +19,13 @@ for picture in a b picture reference; do
 done
 cd .. || exit 1
 
-# The lines of EXAMPLES, as a reader sees them.
+# manual_examples MANUAL WHAT: the blocks of EXAMPLES, its lines, or both, as a reader sees them
 manual_examples() {
-    awk '/^\.Sh/ {inside = /EXAMPLES/; next}
+    awk -v what="$2" '/^\.Sh/ {inside = /EXAMPLES/; next}
         inside && /^\.Bd -literal/ {literal = 1; next}
         inside && /^\.Ed/ {literal = 0; next}
-        inside && literal {print}
-        inside && sub(/^\.Dl /, "") {print}' "$1" | sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g'
+        inside && literal && what != "lines" {print}
+        inside && sub(/^\.Dl /, "") && what != "blocks" {print}' "$1" | sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g'
 }
 
 # run_examples NAME: the shell lines in .lines; they may warn, but not fail
@@ -33,6 +34,7 @@ run_examples() {
     # One frame is as good as forty-eight; what is installed stands in the build folder.
     sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share\\(/[^ ]*\\)|\"$BUILD/share\\1\"|" .lines >lines
     while IFS= read -r line; do
+        case $line in *exrheader*) command -v exrheader >/dev/null || { skip "$1: $line" "no exrheader"; continue; } ;; esac
         (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
         status=$?
         case $line in *' -v '* | *' --fit '*) : >.err ;; esac # it asked for words
@@ -40,9 +42,23 @@ run_examples() {
     done <lines
 }
 for manual in "$TOP"/man/man[17]/*; do
-    manual_examples "$manual" >.lines
+    manual_examples "$manual" both >.lines
     run_examples "$(basename "$manual")"
 done
+for manual in hatch-style layers seeds; do
+    manual_examples "$TOP/man/man5/$manual.5" blocks >"given/example.$manual"
+done
+mv given/example.hatch-style given/skin.style
+for manual in "$TOP"/man/man5/*; do
+    manual_examples "$manual" lines >.lines
+    run_examples "$(basename "$manual")"
+done
+cd given || exit 1
+render-gl model.glb --technique rptam --layers example.layers --size 64x48 -o layers.png
+is "layers.5: the file is one" $? 0
+eval "$(sed -n 's/^# //p' example.seeds)" | cmp - example.seeds
+is "seeds.5: the file is what its comment makes" $? 0
+cd .. || exit 1
 for command in $(ls "$BIN"); do
     "$command" --help | sed '1,/^examples:/d' >.lines
     run_examples "$command--help"
