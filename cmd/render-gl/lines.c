@@ -35,7 +35,7 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
         HATCH_TRY(line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch,
                                  mesh, err));
     }
-    HATCH_TRY(line_gl_make(shaders, &made.gl, err));
+    HATCH_TRY(line_gl_make(shaders, style->haloes, &made.gl, err));
     hatch_arena_init(&made.frame, max_memory);
     *lines = made;
     return HATCH_OK;
@@ -131,7 +131,7 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
     struct line_sample *samples = HATCH_NEW(&lines->frame, struct line_sample, count, err);
     uint8_t *visible =
         samples ? HATCH_NEW(&lines->frame, uint8_t, count + LINE_BATCH, err) : NULL;
-    float *segments = visible ? HATCH_NEW(&lines->frame, float, 4 * count, err) : NULL;
+    struct line_segment *segments = visible ? HATCH_NEW(&lines->frame, struct line_segment, count, err) : NULL;
     if (!segments)
         return HATCH_LIMIT;
     for (const struct part *part = frame->parts; part; part = part->next) {
@@ -142,7 +142,7 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
     at = 0;
     for (const struct part *part = frame->parts; part; part = part->next) {
         line_strips_smooth(&part->strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, visible + at);
-        segment_count += line_strips_visible(&part->strips, visible + at, segments + 4 * segment_count);
+        segment_count += line_strips_visible(&part->strips, visible + at, segments + segment_count);
         at += part->strips.piece_count;
     }
     line_gl_stroke(&lines->gl, segments, segment_count, width_px);

@@ -7,6 +7,7 @@
 
 struct line_style {
     uint32_t kinds;    /* enum line_kind, joined; LINES_NONE: nothing is drawn */
+    bool haloes;       /* lines end where the haloes of what is nearer begin */
     bool asked;        /* by name; else only techniques of strokes have lines */
     double width_px;
     double crease_rad; /* edges that turn by more are creases */

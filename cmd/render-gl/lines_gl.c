@@ -1,5 +1,7 @@
 #include "render-gl/lines_gl.h"
 
+#include <stddef.h>
+
 #define RESULT_ROWS 1024u
 
 enum { TEST, STROKE, OVER };
@@ -13,7 +15,7 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
         [OVER] = {.vertex = "screen.vert", .fragment = "line_over.frag"}};
     for (int i = 0; i < LINE_PROGRAMS; i++) {
         GLuint fresh;
-        HATCH_TRY(shader_program(shaders, &stages[i], "", &fresh, err));
+        HATCH_TRY(shader_program(shaders, &stages[i], gl->haloes ? "#define HALOES 1\n" : "", &fresh, err));
         glDeleteProgram(gl->programs[i]);
         gl->programs[i] = fresh;
     }
@@ -29,10 +31,10 @@ static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint 
     glNamedFramebufferTexture(*framebuffer, GL_COLOR_ATTACHMENT0, *texture, 0);
 }
 
-enum hatch_status line_gl_make(const struct shader_source *shaders, struct line_gl *gl,
+enum hatch_status line_gl_make(const struct shader_source *shaders, bool haloes, struct line_gl *gl,
                                struct hatch_err *err)
 {
-    struct line_gl made = {.width = 0};
+    struct line_gl made = {.haloes = haloes};
     enum hatch_status status = line_gl_compile(shaders, &made, err);
     if (status != HATCH_OK) {
         line_gl_free(&made);
@@ -40,10 +42,13 @@ enum hatch_status line_gl_make(const struct shader_source *shaders, struct line_
     }
     glCreateBuffers(1, &made.segments);
     glCreateVertexArrays(1, &made.array);
-    glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, 4 * sizeof(float));
-    glEnableVertexArrayAttrib(made.array, 0);
-    glVertexArrayAttribFormat(made.array, 0, 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(made.array, 0, 0);
+    glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, sizeof(struct line_segment));
+    for (GLuint i = 0; i < 2; i++) {
+        glEnableVertexArrayAttrib(made.array, i);
+        glVertexArrayAttribFormat(made.array, i, i ? 2 : 4, GL_FLOAT, GL_FALSE,
+                                  i ? offsetof(struct line_segment, depth) : 0);
+        glVertexArrayAttribBinding(made.array, i, 0);
+    }
     glVertexArrayBindingDivisor(made.array, 0, 1);
     glCreateTextures(GL_TEXTURE_2D, 1, &made.samples);
     glTextureStorage2D(made.samples, 1, GL_RGB32F, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
@@ -107,7 +112,8 @@ enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
     return HATCH_OK;
 }
 
-void line_gl_stroke(const struct line_gl *gl, const float *segments, size_t count, double width_px)
+void line_gl_stroke(const struct line_gl *gl, const struct line_segment *segments, size_t count,
+                    double width_px)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->coverage_framebuffer);
     glViewport(0, 0, (GLsizei)gl->width, (GLsizei)gl->height);
@@ -119,7 +125,7 @@ void line_gl_stroke(const struct line_gl *gl, const float *segments, size_t coun
     glUniform2f(0, (GLfloat)gl->width, (GLfloat)gl->height);
     glUniform1f(1, (GLfloat)width_px);
     glBindVertexArray(gl->array);
-    glNamedBufferData(gl->segments, (GLsizeiptr)(4 * sizeof *segments * count), segments,
+    glNamedBufferData(gl->segments, (GLsizeiptr)(sizeof *segments * count), segments,
                       GL_STREAM_DRAW);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
     glBlendEquation(GL_FUNC_ADD);

@@ -8,6 +8,7 @@
 #define LINE_PROGRAMS 3
 
 struct line_gl {
+    bool haloes;
     GLuint programs[LINE_PROGRAMS];
     GLuint array, segments;
     GLuint samples;                        /* a texel per sample */
@@ -16,7 +17,8 @@ struct line_gl {
     uint32_t width, height;                /* of coverage */
 };
 
-enum hatch_status line_gl_make(const struct shader_source *shaders, struct line_gl *gl,
+/* haloes: lines end at those of the frame's halo, which has been found before. */
+enum hatch_status line_gl_make(const struct shader_source *shaders, bool haloes, struct line_gl *gl,
                                struct hatch_err *err) HATCH_MUST_USE;
 
 /* Compiles anew; the old programs stay when the new ones have an error. */
@@ -34,9 +36,10 @@ void line_gl_test(const struct line_gl *gl, const struct target *target,
 enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws segments with round ends into the coverage, x y x y in pixels each. Where they meet or cross
- * the larger coverage counts, so that joints are no darker than the rest. */
-void line_gl_stroke(const struct line_gl *gl, const float *segments, size_t count, double width_px);
+/* Draws segments with round ends into the coverage. Where they meet or cross the larger coverage counts, so
+ * that joints are no darker than the rest. */
+void line_gl_stroke(const struct line_gl *gl, const struct line_segment *segments, size_t count,
+                    double width_px);
 
 /* Puts a colour, in linear light, over the target's resolved picture where coverage says. */
 void line_gl_end(const struct line_gl *gl, const struct target *target, const float rgb[3]);

@@ -1,5 +1,6 @@
 /* From pieces that are hidden or not to lines without crumbs. */
 #include <math.h>
+#include <string.h>
 
 #include "render-gl/lines_strip.h"
 
@@ -77,7 +78,7 @@ void line_strips_smooth(const struct line_strips *strips, double gap_px, double 
 }
 
 uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible,
-                             float *segments)
+                             struct line_segment *segments)
 {
     uint32_t count = 0;
     for (uint32_t s = 0; s < strips->strip_count; s++) {
@@ -88,13 +89,11 @@ uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *vi
             goes_on = goes_on && visible[i] && piece->segment == piece[-1].segment;
             if (!visible[i])
                 continue;
-            if (!goes_on) {
-                segments[4 * (size_t)count] = piece->a[0];
-                segments[4 * (size_t)count + 1] = piece->a[1];
-                count++;
-            }
-            segments[4 * (size_t)count - 2] = piece->b[0];
-            segments[4 * (size_t)count - 1] = piece->b[1];
+            if (!goes_on)
+                segments[count++] = (struct line_segment){.a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}};
+            struct line_segment *segment = &segments[count - 1];
+            memcpy(segment->b, piece->b, sizeof segment->b);
+            segment->depth[1] = piece->depth[1];
             goes_on = true;
         }
     }

@@ -125,6 +125,11 @@ static void mix(const double a[2], const double b[2], double t, float out[2])
         out[k] = (float)(a[k] + t * (b[k] - a[k]));
 }
 
+static float limit_at(const struct cut *cut, double share)
+{
+    return (float)(cut->limit[0] + share * (cut->limit[1] - cut->limit[0]));
+}
+
 static void begin_strip(struct walk *w, bool joined)
 {
     if (!w->open)
@@ -159,7 +164,9 @@ static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
         mix(cut->at[0], cut->at[1], k / cut->count, piece->a);
         mix(cut->at[0], cut->at[1], (k + 1) / cut->count, piece->b);
         mix(cut->at[0], cut->at[1], middle, sample->at);
-        sample->limit = (float)(cut->limit[0] + middle * (cut->limit[1] - cut->limit[0]));
+        sample->limit = limit_at(cut, middle);
+        for (int end = 0; end < 2; end++)
+            piece->depth[end] = limit_at(cut, (k + end) / cut->count);
     }
 }
 

@@ -10,7 +10,13 @@
 /* In pixels from the tile's lower left corner. */
 struct line_piece {
     float a[2], b[2];
+    float depth[2];   /* at both ends: what the depth buffer holds for a surface that hides it */
     uint32_t segment; /* pieces of one segment with one number lie on a straight line */
+};
+
+/* A straight line of pieces, as it is drawn. */
+struct line_segment {
+    float a[2], b[2], depth[2];
 };
 
 /* Where a piece's visibility is tested, and the depth that hides it: what the depth buffer holds
@@ -46,9 +52,9 @@ enum hatch_status line_strips_make(const struct line_trace *trace, const struct 
 void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
                         double trim_px, uint8_t *visible);
 
-/* Writes the visible parts as segments, x y x y each, and returns how many there are: at most
- * piece_count. Pieces of one straight segment become one. */
+/* Writes the visible parts as segments, and returns how many there are: at most piece_count. Pieces of
+ * one straight segment become one. */
 uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible,
-                             float *segments);
+                             struct line_segment *segments);
 
 #endif

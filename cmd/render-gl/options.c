@@ -19,7 +19,7 @@ static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anis
 static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static double shadow_edge;
+static double shadow_edge, halo;
 static bool shadows_given, range_given, light_given, specular_given, base_tone, pixel_light, turntable, probe, window;
 static const char *seeds, *layers_path, *drawing = "ink";
 static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile, overlap = 0.3;
@@ -84,6 +84,7 @@ static struct cmd_option table[] = {
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
      "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
      NULL},
+    {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+paper beside what passes before something farther", &halo, NULL, NULL},
     {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+of lines (default 2)", &line_width, NULL, NULL},
     {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL,
      NULL},
@@ -200,7 +201,8 @@ static void read_style(struct style *style)
                             .base_tone = base_tone || modulate,
                             .pixel_light = pixel_light,
                             .shadows = shadows_given,
-                            .shadow_edge = shadow_edge};
+                            .shadow_edge = shadow_edge,
+                            .halo_px = halo};
     size_t first = strcspn(ink, ",");
     words_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
     words_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
@@ -233,6 +235,7 @@ static void read_seed_choice(struct seed_choice *choice)
 static void read_lines(struct line_style *style)
 {
     *style = (struct line_style){.kinds = words_line_kinds(lines ? lines : "all"),
+                                 .haloes = halo > 0,
                                  .asked = lines != NULL,
                                  .width_px = line_width,
                                  .crease_rad = crease * RADIANS};

@@ -27,6 +27,7 @@ const struct param params[] = {
     {"light", PARAM_TONE, false, 5, RADIANS, {STYLE(light.azimuth_rad), STYLE(light.elevation_rad)}},
     {"shadows", PARAM_TONE, true, 1.1, 1, {STYLE(shadow_edge)}},
     {"exposure", PARAM_TONE, true, 1.1, 1, {STYLE(curve.exposure)}},
+    {"haloes", PARAM_TONE, true, 1.1, 1, {STYLE(halo_px)}},
     {"line-width", PARAM_LINES, true, 1.1, 1, {AT(options.lines.width_px)}},
     {"from", PARAM_CAMERA, false, 5, RADIANS, {AT(options.view.azimuth_rad), AT(options.view.elevation_rad)}},
     {"fov", PARAM_CAMERA, false, 5, RADIANS, {AT(options.view.fov_rad)}},

@@ -20,8 +20,7 @@ enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
                                const struct view *view, const struct target *target,
                                struct hatch_image *image, struct hatch_err *err)
 {
-    /* Lines look around themselves before they end; tiles that overlap see the same around a border. */
-    uint32_t reach = renderer->lines ? LINES_REACH_PX : 0;
+    uint32_t reach = renderer_reach_px(renderer, technique); /* tiles that overlap see the same around a border */
     uint32_t left = image->width > target->width ? reach : 0;
     uint32_t below = image->height > target->height ? reach : 0;
     uint32_t width = target->width - 2 * left, height = target->height - 2 * below;

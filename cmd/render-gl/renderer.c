@@ -84,6 +84,8 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
         HATCH_TRY(scene_tell_patches(renderer->scene, scratch, err));
     if (renderer->style.shadows && !renderer->shadow.programs[0])
         HATCH_TRY(shadow_compile(&renderer->shaders, &renderer->shadow, err));
+    if (renderer->style.halo_px > 0 && !renderer->halo.programs[0])
+        HATCH_TRY(halo_compile(&renderer->shaders, &renderer->halo, err));
     for (uint32_t i = 0; i < renderer->scene->item_count; i++) {
         uint32_t variant = draw_variant_of(renderer, technique, &renderer->scene->items[i]);
         GLuint *program = &renderer->programs[technique][variant];
@@ -137,6 +139,26 @@ static enum hatch_status find_near(struct renderer *renderer, uint32_t technique
     return prepare_pieces(renderer, technique, err);
 }
 
+static bool draws_lines(const struct renderer *renderer, uint32_t technique)
+{
+    return renderer->lines && (technique_draws_strokes(techniques[technique]) || renderer->lines->style.asked);
+}
+
+/* Half of a nearer line lies over its halo. */
+static double halo_reach_px(const struct renderer *renderer, uint32_t technique)
+{
+    double line_px = draws_lines(renderer, technique) ? renderer->lines->style.width_px : 0;
+    return renderer->style.halo_px + 0.5 * line_px;
+}
+
+/* Lines look around themselves before they end; edges and slopes of depth take three samples more than haloes. */
+uint32_t renderer_reach_px(const struct renderer *renderer, uint32_t technique)
+{
+    double lines = renderer->lines ? LINES_REACH_PX : 0;
+    double haloes = renderer->style.halo_px > 0 ? ceil(halo_reach_px(renderer, technique)) + 4 : 0;
+    return (uint32_t)fmax(lines, haloes);
+}
+
 static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t technique,
                                        const float background[3], struct view *view,
                                        const struct tile *tile, const struct target *target,
@@ -171,6 +193,11 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
     draw_items(renderer, technique);
     if (technique == TECHNIQUE_FIELD && renderer->field)
         field_draw(renderer->field, target);
+    if (style->halo_px > 0 && techniques[technique]->patches != PATCHES_COVER) {
+        HATCH_TRY(halo_find(&renderer->halo, target, view, halo_reach_px(renderer, technique), err));
+        halo_draw(&renderer->halo, target, background);
+        clock_end_pass(renderer->clock, "haloes");
+    }
     target_resolve(target);
     clock_end_pass(renderer->clock, "resolve");
     return HATCH_OK;
@@ -192,11 +219,10 @@ enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
                                 const struct view *view, const struct tile *tile,
                                 const struct target *target, struct hatch_err *err)
 {
-    bool strokes = technique_draws_strokes(techniques[technique]);
     struct view shown = *view;
     HATCH_TRY(draw_surfaces(renderer, technique, renderer->style.inks.paper, &shown, tile, target, err));
     enum hatch_status status = HATCH_OK;
-    if (renderer->lines && (strokes || renderer->lines->style.asked)) {
+    if (draws_lines(renderer, technique)) {
         status = lines_draw(renderer->lines, &shown, tile, target, err);
         clock_end_pass(renderer->clock, "lines");
     }
@@ -232,6 +258,8 @@ enum hatch_status renderer_reload(struct renderer *renderer, struct hatch_err *e
     }
     if (renderer->shadow.programs[0])
         HATCH_TRY(shadow_compile(&renderer->shaders, &renderer->shadow, err));
+    if (renderer->halo.programs[0])
+        HATCH_TRY(halo_compile(&renderer->shaders, &renderer->halo, err));
     if (renderer->lines)
         HATCH_TRY(line_gl_compile(&renderer->shaders, &renderer->lines->gl, err));
     return HATCH_OK;
@@ -247,6 +275,7 @@ void renderer_free(struct renderer *renderer)
     glDeleteProgram(renderer->pieces_below);
     near_free(&renderer->near);
     shadow_free(&renderer->shadow);
+    halo_free(&renderer->halo);
     for (uint32_t form = 0; form < COLUMNS_FORMS; form++)
         columns_free(&renderer->columns[form]);
     seeds_free(&renderer->seeds);

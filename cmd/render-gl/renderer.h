@@ -6,6 +6,7 @@
 #include "render-gl/field.h"
 #include "render-gl/fine.h"
 #include "render-gl/frame.h"
+#include "render-gl/halo.h"
 #include "render-gl/lines.h"
 #include "render-gl/near.h"
 #include "render-gl/scene.h"
@@ -27,6 +28,7 @@ struct style {
     bool pixel_light; /* techniques that can light pixels, not vertices */
     bool shadows;     /* lights cast some; then the same */
     double shadow_edge; /* their edges' width in the unit scene; over 0 */
+    double halo_px;   /* of haloes beside lines; 0: none */
 };
 
 struct renderer {
@@ -44,6 +46,7 @@ struct renderer {
     GLuint below_patches[2]; /* draw the surface that patches lie on: without a geometry stage, with one */
     GLuint pieces_below;     /* its pieces */
     struct shadow shadow;    /* made when a style first has shadows */
+    struct halo halo;        /* the same for haloes */
     struct near near;        /* what seeds' techniques draw as pieces */
     bool floats_alone;       /* nothing is drawn as pieces: to see what that is good for */
     GLuint block_buffer;
@@ -55,6 +58,9 @@ struct renderer {
 
 /* Whether what the technique reads is there, apart from strokes at seeds. */
 bool renderer_can(const struct renderer *renderer, uint32_t technique);
+
+/* What lies further outside of a tile changes nothing within it. */
+uint32_t renderer_reach_px(const struct renderer *renderer, uint32_t technique);
 
 /* Makes a technique ready to draw: uploads columns and compiles what its items need. Calling it again
  * is cheap. technique: index into techniques. */

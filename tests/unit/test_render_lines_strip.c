@@ -166,12 +166,12 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
 {
     struct line_strips strips = square();
     uint8_t visible[268];
-    float segments[4 * 268];
+    struct line_segment segments[268];
     memset(visible, 1, sizeof visible);
     visible[30] = 0;
     ck_assert_uint_eq(line_strips_visible(&strips, visible, segments), 5);
-    ck_assert_float_eq_tol(segments[4], strips.pieces[31].a[0], 1e-6f);
-    ck_assert_float_eq_tol(segments[6], strips.pieces[66].b[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[31].a[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[66].b[0], 1e-6f);
 }
 END_TEST
 

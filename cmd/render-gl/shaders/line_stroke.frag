@@ -1,9 +1,12 @@
 // The share of a pixel that a line covers, from the distance to its middle. A pixel's square reaches
 // furthest along its diagonal, so the ramp is as wide as the square is seen from the line. A line
 // narrower than a pixel is as wide as one, and paler.
+#include "halo.glsl"
+
 layout(location = 1) uniform float width_px;
 
 flat in vec4 v_ends;
+flat in vec2 v_depth;
 out float o_coverage;
 
 void main()
@@ -15,4 +18,8 @@ void main()
     float ramp = distance_px > 1e-3 ? (abs(away.x) + abs(away.y)) / distance_px : 1.0;
     float inside = 0.5 * max(width_px, 1.0) - distance_px;
     o_coverage = clamp(inside / ramp + 0.5, 0.0, 1.0) * min(width_px, 1.0);
+#ifdef HALOES
+    if (o_coverage > 0.0)
+        o_coverage *= 1.0 - halo_over_line(v_ends.xy + share * along, mix(v_depth.x, v_depth.y, share), along);
+#endif
 }

@@ -3,8 +3,10 @@ layout(location = 0) uniform vec2 size_px;
 layout(location = 1) uniform float width_px;
 
 layout(location = 0) in vec4 a_ends; // pixels
+layout(location = 1) in vec2 a_depth;
 
 flat out vec4 v_ends;
+flat out vec2 v_depth;
 
 void main()
 {
@@ -15,5 +17,6 @@ void main()
     vec2 corner = (gl_VertexID & 1) == 0 ? a_ends.xy - reach * along : a_ends.zw + reach * along;
     corner += ((gl_VertexID & 2) == 0 ? reach : -reach) * vec2(-along.y, along.x);
     v_ends = a_ends;
+    v_depth = a_depth;
     gl_Position = vec4(corner / size_px * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -1,0 +1,18 @@
+// Paper where the halo of something nearer is.
+#include "halo.glsl"
+
+layout(location = 0) uniform vec3 paper;
+
+out vec4 o_color;
+
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    float depth = depth_of(at);
+    if (depth <= 0.0)
+        discard;
+    float share = halo_over(gl_FragCoord.xy, depth_around(at), slope_of(at), vec2(0.0));
+    if (share <= 0.0)
+        discard;
+    o_color = vec4(paper, share);
+}

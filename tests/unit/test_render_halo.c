@@ -1,0 +1,219 @@
+/* Haloes: as wide as asked for on what lies behind, and none on one surface however it slants. All that is drawn is
+ * black here, so that what is white is a halo, or nothing. */
+#include "render_frame.h"
+#include "render_map.h"
+
+#include "meshes.h"
+
+enum { SIZE = 256 };
+
+#define RADIUS 0.4
+
+static struct test_frame frame;
+
+static const struct view near_by = {.eye = {0, 0, 4},
+                                    .right = {1, 0, 0},
+                                    .up = {0, 1, 0},
+                                    .back = {0, 0, 1},
+                                    .half_height = 0.25,
+                                    .aspect = 1,
+                                    .near = VIEW_NEAR,
+                                    .pivot = 4};
+
+static void show(const struct hatch_mesh *mesh)
+{
+    struct hatch_mesh kept = *mesh;
+    frame_arenas(&frame);
+    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.arena, &frame.scratch, &kept, 1, &frame.err), &frame.err);
+    frame_begin(&kept, &frame_unit, NULL, &frame);
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    memcpy(frame.renderer.style.inks.light_ink, frame.renderer.style.inks.paper, sizeof(float[3]));
+}
+
+static void draw(const struct view *view, double halo_px, uint32_t side, struct hatch_image *image)
+{
+    frame.renderer.style.halo_px = halo_px;
+    frame_draw(&frame, "gouraud", view, SIZE, SIZE, side, image);
+}
+
+static double light_at(const struct hatch_image *image, int x, int y)
+{
+    return (double)image->pixels[3 * ((size_t)y * SIZE + (size_t)x)];
+}
+
+static struct hatch_mesh plane_at(double half, double depth)
+{
+    float at[12];
+    static const uint32_t faces[6] = {0, 1, 3, 0, 3, 2};
+    for (int v = 0; v < 4; v++) {
+        at[3 * v] = (float)(v & 1 ? half : -half);
+        at[3 * v + 1] = (float)(v & 2 ? half : -half);
+        at[3 * v + 2] = (float)depth;
+    }
+    return mesh_of(at, 4, faces, 2);
+}
+
+static struct hatch_mesh ball_before_plane(void)
+{
+    struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 20000), plane = plane_at(8, -1);
+    move(&ball, (float)RADIUS, 0);
+    return both(&plane, &ball);
+}
+
+/* The ball's radius in pixels. */
+static double rim_px(const struct view *view)
+{
+    double distance = view->eye[2];
+    double seen = view->orthographic ? RADIUS : RADIUS / sqrt(distance * distance - RADIUS * RADIUS);
+    return SIZE / 2 * seen / view->half_height;
+}
+
+START_TEST(haloes_are_as_wide_as_asked_for)
+{
+    static const double widths[] = {0.5, 1, 3, 6.5, 20, 32};
+    struct hatch_mesh mesh = ball_before_plane();
+    show(&mesh);
+    for (uint32_t side = 1; side <= 3; side++)
+        for (size_t i = 0; i < 2 * sizeof widths / sizeof *widths; i++) {
+            const struct view *view = i % 2 ? &near_by : &map_facing;
+            double width = widths[i / 2], white[2] = {0, 0}, inside = 0, rim = rim_px(view);
+            struct hatch_image image;
+            draw(view, width, side, &image);
+            for (int x = 0; x < SIZE; x++) {
+                double away = fabs(x + 0.5 - SIZE / 2);
+                white[x > SIZE / 2] += light_at(&image, x, SIZE / 2);
+                if (away < rim - 1)
+                    inside = fmax(inside, light_at(&image, x, SIZE / 2));
+            }
+            ck_assert_double_le(inside, 1e-6);
+            for (int end = 0; end < 2; end++)
+                ck_assert_msg(fabs(white[end] - width) <= 0.5, "%g px for %g, %u samples, view %zu", white[end],
+                              width, side * side, i % 2);
+        }
+    frame_end(&frame);
+}
+END_TEST
+
+/* Of all pixels, those that are not black. */
+static double white_of(const struct hatch_image *image)
+{
+    double sum = 0;
+    for (int i = 0; i < SIZE * SIZE; i++)
+        sum += (double)image->pixels[3 * (size_t)i];
+    return sum;
+}
+
+static void tilt(struct hatch_mesh *mesh, double angle)
+{
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        float *at = mesh->attributes[0].data + 3 * v, y = at[1];
+        at[1] = (float)(cos(angle) * (double)y - sin(angle) * (double)at[2]);
+        at[2] = (float)(sin(angle) * (double)y + cos(angle) * (double)at[2]);
+    }
+}
+
+/* A wall behind, and the floor from its foot on. */
+static struct hatch_mesh wall_and_floor(void)
+{
+    static const float at[18] = {-8, 8, -1, 8, 8, -1, -8, -0.5f, -1, 8, -0.5f, -1, -8, -0.5f, 3.5f, 8, -0.5f, 3.5f};
+    static const uint32_t faces[12] = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
+    return mesh_of(at, 6, faces, 4);
+}
+
+/* Planes up to nearly edge on, a ball's rim, and a floor that meets a wall. */
+START_TEST(one_surface_has_none)
+{
+    for (int kind = 0; kind < 3; kind++)
+        for (int turn = 0; turn < 6; turn++)
+            for (int view = 0; view < 2; view++) {
+                struct hatch_image with, without;
+                            struct hatch_mesh mesh = kind == 0   ? plane_at(6, 0)
+                                         : kind == 1 ? bare_shape(HATCH_SHAPE_SPHERE, 2000u << turn)
+                                                     : wall_and_floor();
+                tilt(&mesh, kind == 2 ? 0.35 + 0.15 * turn : 1.5 - 0.28 * turn);
+                show(&mesh);
+                draw(view ? &near_by : &map_facing, 0, 2, &without);
+                draw(view ? &near_by : &map_facing, 6, 2, &with);
+
+                double more = white_of(&with) - white_of(&without);
+                /* of some 800 on a rim that polygons make */
+                ck_assert_msg(more <= (kind == 1 ? 2 : 0), "kind %d, turn %d, view %d: %g pixels", kind, turn, view,
+                              more);
+                frame_end(&frame);
+                        }
+}
+END_TEST
+
+START_TEST(tiles_are_one_picture)
+{
+    struct hatch_image whole, tiled;
+    struct hatch_mesh mesh = ball_before_plane();
+    show(&mesh);
+    draw(&near_by, 12, 1, &whole);
+    frame.renderer.size_max_px = 100;
+    draw(&near_by, 12, 1, &tiled);
+    for (int i = 0; i < 3 * SIZE * SIZE; i++)
+        ck_assert_float_eq_tol(whole.pixels[i], tiled.pixels[i], 1.0f / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+#define LINE_PX 3.0
+
+/* White surfaces and black lines: those of a square behind the ball end before it, its own does not. */
+START_TEST(lines_behind_end_at_haloes)
+{
+    const double halo = 8;
+    struct hatch_image image;
+    struct lines lines;
+    struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 20000), plane = plane_at(0.35, -1);
+    move(&ball, (float)RADIUS, 0);
+    for (uint32_t v = 0; v < 4; v++)
+        plane.attributes[0].data[3 * v] *= 2; /* a border runs from left to right below the middle */
+    struct hatch_mesh mesh = both(&plane, &ball);
+    show(&mesh);
+    const struct line_style style = {
+        .kinds = LINES_ALL, .haloes = true, .asked = true, .width_px = LINE_PX, .crease_rad = 0.7};
+    HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30, &frame.arena,
+                             &frame.scratch, &lines, &frame.err),
+                  &frame.err);
+    frame.renderer.lines = &lines;
+    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0;
+    draw(&map_facing, halo, 2, &image);
+    double rim = rim_px(&map_facing), down = 0.35 * SIZE / 2;
+    double side = sqrt(rim * rim - down * down), first = 0, last = 0;
+    int row = (int)(SIZE / 2 + down);
+    for (int x = SIZE / 2 + (int)side; x < SIZE / 2 + (int)(0.7 * SIZE / 2) - 8; x++)
+        if (light_at(&image, x, row) < 0.5 && x > SIZE / 2 + side + LINE_PX && first == 0)
+            first = x;
+    for (int x = SIZE / 2 + (int)side - 6; x < SIZE / 2 + (int)side + 8; x++)
+        if (light_at(&image, x, row) < 0.5)
+            last = x + 1;
+    /* The border's line ends where it is as far from the rim as the halo and half the ball's line are wide. */
+    double want = sqrt((rim + halo + LINE_PX / 2) * (rim + halo + LINE_PX / 2) - down * down) + SIZE / 2;
+    ck_assert_msg(fabs(first - want) <= 1.5, "the line begins at %g, not %g", first, want);
+    ck_assert_msg(fabs(last - SIZE / 2 - side) <= 4, "the ball's line ends at %g, it at %g", last - SIZE / 2, side);
+    for (int k = 0; k < 64; k++) {
+        double a = 6.283185307 * k / 64, x = SIZE / 2 + rim * cos(a), y = SIZE / 2 + rim * sin(a);
+        ck_assert_msg(light_at(&image, (int)x, (int)y) < 0.5, "the ball's line is cut at %d/64", k);
+    }
+    lines_free(&lines);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render halo");
+    TCase *tests = tcase_create("halo");
+    tcase_set_timeout(tests, 120);
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, haloes_are_as_wide_as_asked_for);
+    tcase_add_test(tests, one_surface_has_none);
+    tcase_add_test(tests, tiles_are_one_picture);
+    tcase_add_test(tests, lines_behind_end_at_haloes);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
