@@ -35,8 +35,8 @@ refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink bl
 refuses "samples that are no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
 refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
 refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
-refuses "shadows without edges" 2 2 "--shadows 0" $draw torus.glb --tam map.exr --shadows 0
-refuses "haloes as wide as the picture" 2 2 "--haloes 33" $draw torus.glb --tam map.exr --haloes 33
+refuses "shadows without edges" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
+refuses "haloes as wide as the picture" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33
 for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
     refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
 done
