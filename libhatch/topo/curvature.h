@@ -53,7 +53,8 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface,
     HATCH_MUST_USE;
 
 /* Sets confidence to 0 at the ends of edges whose faces turn by more than crease_rad: a hard edge is where
- * two surfaces end, and tells of neither how it bends. A box would be torn between its twelve. */
+ * two surfaces end, and tells of neither how it bends. A box would be torn between its twelve.
+ * crease_rad: under π/2. */
 void hatch_curvature_doubt_creases(const struct hatch_surface *surface, double crease_rad,
                                    struct hatch_curvature *curvature);
 

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "math/vector.h"
+#include "topo/curvature_place.h"
 #include "topo/curvature_work.h"
 
 #define RADIUS_STEP 1.7
@@ -29,15 +30,6 @@
 #define SIGNIFICANT 16.0   /* differences of degrees, in variances */
 #define STIFFNESS 0.1      /* squared bias of a quartic, as a share of the largest that its residual allows */
 
-/* What is known of a point: sums over the fits that serve it, weighed; and the least expected error, of all
- * levels and of this one. */
-struct place {
-    struct hatch_bend bend;
-    struct hatch_bend_variance variance;
-    double weight, radius, least, now;
-    bool open; /* larger supports may still help */
-};
-
 struct fit {
     struct hatch_jet_frame frame;
     double coefficients[HATCH_JET_TERMS];
@@ -54,7 +46,7 @@ struct served {
 struct work {
     const struct hatch_curvature_run *run;
     const struct hatch_curvature_terrain *terrain; /* the level's: the run's, or a thinned one */
-    struct place *places;
+    struct hatch_place *places;
     double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
     uint32_t *centers;            /* the terrain's points that a fit stands on */
     uint32_t *first_served;       /* per center, and one more: where in served what it serves begins */
@@ -64,11 +56,6 @@ struct work {
     double radius;
     bool first;
 };
-
-static double sum_of(const struct hatch_bend_variance *variance)
-{
-    return variance->across + variance->mean;
-}
 
 static uint32_t point_of(const struct work *w, uint32_t entry)
 {
@@ -93,7 +80,7 @@ static enum hatch_status list_served(struct work *w, const struct hatch_support 
         return hatch_fail(err, HATCH_LIMIT, "too many points for curvature");
     if (first + support->count > w->served_room) {
         w->served_room = 2 * (first + support->count);
-        struct served *grown = HATCH_NEW(scratch, struct served, w->served_room, err);
+        struct served *grown = HATCH_NEW_UNSET(scratch, struct served, w->served_room, err);
         if (!grown)
             return HATCH_LIMIT;
         if (first > 0)
@@ -175,7 +162,7 @@ static void choose_degree(const struct work *w, const struct hatch_jet_system *s
             error.across += STIFFNESS * fmax(0, excess) * system->count * own.across;
             error.mean += STIFFNESS * fmax(0, excess) * system->count * own.mean;
         }
-        if (fit->degree == 0 || sum_of(&error) < sum_of(&fit->variance)) {
+        if (fit->degree == 0 || hatch_bend_variance_sum(&error) < hatch_bend_variance_sum(&fit->variance)) {
             fit->degree = d;
             fit->variance = error;
             memcpy(fit->coefficients, coefficients, sizeof coefficients);
@@ -262,85 +249,58 @@ static void measure_noise(struct work *w, uint32_t count, double *scratch)
     }
 }
 
-/* More than inverse variance: errors of fits that share points are alike, and the better ones should speak nearly
- * alone. */
-static double weight_of(double error)
-{
-    return 1 / (error * sqrt(error));
-}
+/* Points that a fit serves, to be told two at a time. */
+struct served_points {
+    struct hatch_place *places[2];
+    double weight[2], side[2], x[2], y[2];
+    uint32_t count;
+};
 
-static void add_bend(struct place *place, double weight, double side, const struct hatch_bend *bend)
+static void tell_points(const struct fit *fit, struct served_points *told)
 {
-    for (int i = 0; i < 6; i++)
-        place->bend.matrix[i] += side * weight * bend->matrix[i];
-    for (int i = 0; i < 3; i++)
-        place->bend.normal[i] += side * weight * bend->normal[i];
-    place->weight += weight;
+    struct hatch_bend bends[2];
+    hatch_bends_of_jet(&fit->frame, fit->coefficients, fit->degree, told->x, told->y, bends);
+    for (uint32_t i = 0; i < told->count; i++)
+        hatch_place_add(told->places[i], told->weight[i], told->side[i], &bends[i], &fit->variance, fit->frame.radius);
+    told->count = 0;
 }
 
 /* Gives what a fit says to a point that it serves, which lies at an offset from its middle. The middle of its support
  * weighs most. */
-static void serve_point(struct place *place, const struct fit *fit, double most, double side, const double offset[3])
+static void serve_point(struct hatch_place *place, const struct fit *fit, double most, double side,
+                        const double offset[3], struct served_points *told)
 {
     double unit = 1 / fit->frame.radius, away = hatch_vec_dot(offset, offset) * unit * unit / (SERVED * SERVED);
+    uint32_t at = told->count;
     if (!(away < 1))
         return;
-    double weight = (1 - away) * (1 - away) * most;
-    double x = hatch_vec_dot(offset, fit->frame.axes[0]) * unit, y = hatch_vec_dot(offset, fit->frame.axes[1]) * unit;
-    struct hatch_bend bend;
-    hatch_bend_of_jet(&fit->frame, fit->coefficients, fit->degree, x, y, &bend);
-    add_bend(place, weight, side, &bend);
-    place->variance.across += weight * fit->variance.across;
-    place->variance.mean += weight * fit->variance.mean;
-    place->radius += weight * fit->frame.radius;
     if (away <= 4 * SPACING * SPACING)
-        place->now = fmin(place->now, sum_of(&fit->variance));
+        place->now = fmin(place->now, hatch_bend_variance_sum(&fit->variance));
+    told->places[at] = place;
+    told->weight[at] = (1 - away) * (1 - away) * most;
+    told->side[at] = side;
+    told->x[at] = hatch_vec_dot(offset, fit->frame.axes[0]) * unit;
+    told->y[at] = hatch_vec_dot(offset, fit->frame.axes[1]) * unit;
+    if (++told->count == 2)
+        tell_points(fit, told);
 }
 
 static void serve(struct work *w, const struct fit *fit, uint32_t center)
 {
     const struct hatch_curvature_terrain *terrain = w->terrain;
-    double most = weight_of(sum_of(&fit->variance));
+    double most = hatch_place_weight(hatch_bend_variance_sum(&fit->variance));
+    struct served_points told = {.count = 0};
     for (uint32_t n = w->first_served[center]; n < w->first_served[center + 1]; n++) {
         struct hatch_curvature_span span = hatch_curvature_points(terrain, w->served[n].node);
         for (uint32_t i = span.first; i < span.end; i++) {
             uint32_t p = point_of(w, i);
             double side = w->served[n].side * (terrain->sides ? terrain->sides[i] : 1), offset[3];
             hatch_vec_sub(&w->run->terrain.surface.points[3 * (size_t)p], fit->frame.origin, offset);
-            serve_point(&w->places[p], fit, most, side, offset);
+            serve_point(&w->places[p], fit, most, side, offset, &told);
         }
     }
-}
-
-/* The weighed means. false when no fit has served the point. */
-static bool mean_of(const struct place *place, struct hatch_bend *bend, struct hatch_bend_variance *variance)
-{
-    if (!(place->weight > 0))
-        return false;
-    for (int i = 0; i < 6; i++)
-        bend->matrix[i] = place->bend.matrix[i] / place->weight;
-    hatch_vec_copy(place->bend.normal, bend->normal);
-    variance->across = place->variance.across / place->weight;
-    variance->mean = place->variance.mean / place->weight;
-    return hatch_vec_normalize(bend->normal) > 0;
-}
-
-/* Whether the direction is known to this many radians. What is far from it shows in the curvatures' difference alone,
- * squared: twice the sum of a matrix' squares less the square of its trace. */
-static bool is_known(const struct place *place, double limit_rad)
-{
-    const double *m = place->bend.matrix;
-    double trace = m[0] + m[3] + m[5], off = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
-    double spread = 2 * (m[0] * m[0] + m[3] * m[3] + m[5] * m[5] + 2 * off) - trace * trace;
-    if (place->variance.across * place->weight > 2 * limit_rad * limit_rad * spread)
-        return false;
-    struct hatch_bend bend;
-    struct hatch_bend_variance variance;
-    struct hatch_principal principal;
-    if (!mean_of(place, &bend, &variance))
-        return false;
-    hatch_bend_principal(&bend, &principal);
-    return hatch_bend_deviation(&principal, &variance) <= limit_rad;
+    if (told.count > 0)
+        tell_points(fit, &told);
 }
 
 /* A point whose direction is nearly certain gets a fit of its own in place of what the first level's fits
@@ -348,10 +308,10 @@ static bool is_known(const struct place *place, double limit_rad)
 static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
 {
     struct work *w = context;
-    struct place *place = &w->places[p];
+    struct hatch_place *place = &w->places[p];
     struct hatch_jet_system system;
     struct hatch_jet_frame frame;
-    if (!is_known(place, NEARLY_RAD))
+    if (!hatch_place_known(place, NEARLY_RAD))
         return;
     hatch_curvature_fit(support, p, &w->run->terrain.normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
@@ -363,25 +323,22 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     hatch_bend_of_system(&frame, &system, system.degree, &bend, &variance);
     variance.across *= w->squares[p];
     variance.mean *= w->squares[p];
-    double error = sum_of(&variance), weight = weight_of(error);
-    *place = (struct place){.least = error, .now = error, .open = true};
-    add_bend(place, weight, 1, &bend);
-    place->variance.across = weight * variance.across;
-    place->variance.mean = weight * variance.mean;
-    place->radius = weight * frame.radius;
+    double error = hatch_bend_variance_sum(&variance);
+    *place = (struct hatch_place){.least = error, .now = error, .open = true};
+    hatch_place_add(place, hatch_place_weight(error), 1, &bend, &variance, frame.radius);
 }
 
 /* Closes the points that need no larger support, or that a larger one has not helped. */
 static void settle(struct work *w)
 {
     for (uint32_t p = 0; p < w->run->terrain.surface.point_count; p++) {
-        struct place *place = &w->places[p];
+        struct hatch_place *place = &w->places[p];
         if (!place->open)
             continue;
         bool worse = place->now < INFINITY && place->now > WORSE * place->least;
         place->least = fmin(place->least, place->now);
         place->now = INFINITY;
-        place->open = !worse && !is_known(place, CERTAIN_RAD);
+        place->open = !worse && !hatch_place_known(place, CERTAIN_RAD);
         if (place->weight > 0) {
             double *normal = &w->run->terrain.normals[(size_t)p * 3];
             hatch_vec_copy(place->bend.normal, normal);
@@ -398,7 +355,7 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(choose_centers(w, covered, level, &count, scratch, err));
     *more = count > 0;
-    w->fits = HATCH_NEW(scratch, struct fit, count, err);
+    w->fits = HATCH_NEW_UNSET(scratch, struct fit, count, err);
     if (!w->fits)
         return HATCH_LIMIT;
     hatch_curvature_each(w->run, count, fit_center, w);
@@ -406,12 +363,13 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
         measure_noise(w, count, pool);
     for (uint32_t c = 0; c < count; c++) {
         struct fit *fit = &w->fits[c];
+        if (fit->degree == 0)
+            continue;
         if (w->first) {
             fit->variance.across *= w->squares[w->centers[c]];
             fit->variance.mean *= w->squares[w->centers[c]];
         }
-        if (fit->degree > 0)
-            serve(w, fit, c);
+        serve(w, fit, c);
     }
     if (w->first)
         hatch_curvature_each(w->run, w->run->terrain.surface.point_count, fit_itself, w);
@@ -424,13 +382,13 @@ static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, u
                                   double **pool, struct hatch_err *err)
 {
     uint32_t points = w->run->terrain.surface.point_count;
-    w->places = HATCH_NEW(scratch, struct place, points, err);
+    w->places = HATCH_NEW_UNSET(scratch, struct hatch_place, points, err);
     w->squares = w->places ? HATCH_NEW(scratch, double, points, err) : NULL;
     w->freedom = w->squares ? HATCH_NEW(scratch, double, points, err) : NULL;
-    w->centers = w->freedom ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
+    w->centers = w->freedom ? HATCH_NEW_UNSET(scratch, uint32_t, points, err) : NULL;
     w->first_served = w->centers ? HATCH_NEW(scratch, uint32_t, (size_t)points + 1, err) : NULL;
     *covered = w->first_served ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
-    *pool = *covered ? HATCH_NEW(scratch, double, points, err) : NULL;
+    *pool = *covered ? HATCH_NEW_UNSET(scratch, double, points, err) : NULL;
     return *pool ? HATCH_OK : HATCH_LIMIT;
 }
 
@@ -455,7 +413,7 @@ enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
     double *pool;
     HATCH_TRY(allocate(&w, scratch, &covered, &pool, err));
     for (uint32_t p = 0; p < points; p++)
-        w.places[p] = (struct place){.least = INFINITY, .now = INFINITY, .open = true};
+        w.places[p] = (struct hatch_place){.least = INFINITY, .now = INFINITY, .open = true};
     bool more = true;
     for (uint32_t level = 1; more && w.radius <= RADIUS_MAX; level++, w.radius *= RADIUS_STEP) {
         if (level >= LEVEL_THINNED)
@@ -466,10 +424,10 @@ enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
             run->supports[i].lean_cosine = LEAN_COSINE;
     }
     for (uint32_t p = 0; p < points; p++) {
-        const struct place *place = &w.places[p];
+        const struct hatch_place *place = &w.places[p];
         struct hatch_bend bend;
         struct hatch_bend_variance variance;
-        bool known = mean_of(place, &bend, &variance);
+        bool known = hatch_place_mean(place, &bend, &variance);
         hatch_curvature_store(run, p, known ? &bend : NULL, &variance,
                               known ? place->radius / place->weight : w.radius);
     }

@@ -4,13 +4,16 @@
 
 #define PI 3.14159265358979323846
 
-/* f(x, y) at a place: slopes and second derivatives, in units of the frame's radius. */
+/* Two places side by side: the same sums for both, on every processor. */
+typedef double lanes __attribute__((vector_size(2 * sizeof(double))));
+
+/* f(x, y) at two places: slopes and second derivatives, in units of the frame's radius. */
 struct place {
-    double fx, fy, fxx, fxy, fyy;
+    lanes fx, fy, fxx, fxy, fyy;
 };
 
 /* The terms of one degree d have second derivatives of degree d - 2, of which Euler's theorem makes the slopes. */
-static inline void add_terms(double x, double y, double fxx, double fxy, double fyy, double share, struct place *at)
+static inline void add_terms(lanes x, lanes y, lanes fxx, lanes fxy, lanes fyy, double share, struct place *at)
 {
     at->fxx += fxx;
     at->fxy += fxy;
@@ -19,13 +22,14 @@ static inline void add_terms(double x, double y, double fxx, double fxy, double 
     at->fy += share * (x * fxy + y * fyy);
 }
 
-static void find_place(const double c[HATCH_JET_TERMS], uint32_t degree, double x, double y, struct place *at)
+static inline void find_place(const double c[HATCH_JET_TERMS], uint32_t degree, lanes x, lanes y, struct place *at)
 {
-    *at = (struct place){.fx = c[1], .fy = c[2]};
-    add_terms(x, y, 2 * c[3], c[4], 2 * c[5], 1, at);
+    const lanes none = {0};
+    *at = (struct place){.fx = none + c[1], .fy = none + c[2]};
+    add_terms(x, y, none + 2 * c[3], none + c[4], none + 2 * c[5], 1, at);
     if (degree >= 3)
         add_terms(x, y, 6 * c[6] * x + 2 * c[7] * y, 2 * (c[7] * x + c[8] * y), 2 * c[8] * x + 6 * c[9] * y, 0.5, at);
-    double xx = x * x, xy = x * y, yy = y * y;
+    lanes xx = x * x, xy = x * y, yy = y * y;
     if (degree >= 4)
         add_terms(x, y, 12 * c[10] * xx + 6 * c[11] * xy + 2 * c[12] * yy,
                   3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy,
@@ -34,26 +38,31 @@ static void find_place(const double c[HATCH_JET_TERMS], uint32_t degree, double 
 
 /* The second fundamental form h_ij as a matrix in space: Σ h_ij g_i g_j, with the g_i of the tangents' dual basis. A
  * normal that the surface bends away from sees it fall: hence the sign. */
-void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
-                       uint32_t degree, double x, double y, struct hatch_bend *bend)
+void hatch_bends_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
+                        uint32_t degree, const double x[2], const double y[2], struct hatch_bend bends[2])
 {
     struct place at;
-    find_place(coefficients, degree, x, y, &at);
-    double slope = 1 / sqrt(1 + at.fx * at.fx + at.fy * at.fy), square = slope * slope, unit = -slope / frame->radius;
-    double a = square * (1 + at.fy * at.fy), b = -square * at.fx * at.fy, c = square * (1 + at.fx * at.fx);
-    double d = square * at.fx, e = square * at.fy, xx = unit * at.fxx, xy = unit * at.fxy, yy = unit * at.fyy;
-    double first[3], second[3], p[3], q[3];
+    find_place(coefficients, degree, (lanes){x[0], x[1]}, (lanes){y[0], y[1]}, &at);
+    lanes square = 1 / (1 + at.fx * at.fx + at.fy * at.fy), slope = {sqrt(square[0]), sqrt(square[1])};
+    lanes unit = -slope / frame->radius, xx = unit * at.fxx, xy = unit * at.fxy, yy = unit * at.fyy;
+    lanes a = square * (1 + at.fy * at.fy), b = -square * at.fx * at.fy, c = square * (1 + at.fx * at.fx);
+    lanes d = square * at.fx, e = square * at.fy, first[3], second[3], p[3], q[3];
     for (int i = 0; i < 3; i++) {
         double u = frame->axes[0][i], v = frame->axes[1][i], n = frame->axes[2][i];
-        bend->normal[i] = slope * (n - at.fx * u - at.fy * v);
+        lanes normal = slope * (n - at.fx * u - at.fy * v);
+        bends[0].normal[i] = normal[0];
+        bends[1].normal[i] = normal[1];
         first[i] = a * u + b * v + d * n;
         second[i] = b * u + c * v + e * n;
         p[i] = xx * first[i] + xy * second[i];
         q[i] = xy * first[i] + yy * second[i];
     }
-    static const int row[6] = {0, 0, 0, 1, 1, 2}, column[6] = {0, 1, 2, 1, 2, 2};
-    for (int i = 0; i < 6; i++)
-        bend->matrix[i] = first[row[i]] * p[column[i]] + second[row[i]] * q[column[i]];
+    for (int row = 0, entry = 0; row < 3; row++)
+        for (int column = row; column < 3; column++, entry++) {
+            lanes sum = first[row] * p[column] + second[row] * q[column];
+            bends[0].matrix[entry] = sum[0];
+            bends[1].matrix[entry] = sum[1];
+        }
 }
 
 static double form(const double matrix[6], const double a[3], const double b[3])
@@ -95,8 +104,11 @@ void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatc
 {
     double coefficients[HATCH_JET_TERMS];
     struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
+    struct hatch_bend bends[2];
+    static const double middle[2] = {0, 0};
     hatch_jet_solve(system, degree, coefficients);
-    hatch_bend_of_jet(frame, coefficients, degree, 0, 0, bend);
+    hatch_bends_of_jet(frame, coefficients, degree, middle, middle, bends);
+    *bend = bends[0];
     hatch_jet_variances(system, variances);
     *variance = hatch_bend_variance_of_jet(frame, &variances[degree]);
 }

@@ -16,9 +16,9 @@ struct hatch_principal {
     double value[2];     /* the first is that of larger absolute value */
 };
 
-/* Bending of the fit at (x, y) of its frame. */
-void hatch_bend_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
-                       uint32_t degree, double x, double y, struct hatch_bend *bend);
+/* Bending of the fit at two places (x, y) of its frame. */
+void hatch_bends_of_jet(const struct hatch_jet_frame *frame, const double coefficients[HATCH_JET_TERMS],
+                        uint32_t degree, const double x[2], const double y[2], struct hatch_bend bends[2]);
 
 /* Principal curvatures: of bend's matrix in the plane of its normal. */
 void hatch_bend_principal(const struct hatch_bend *bend, struct hatch_principal *principal);

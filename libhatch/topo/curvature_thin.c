@@ -55,7 +55,7 @@ static enum hatch_status group_nodes(struct thinning *t, struct hatch_arena *are
 {
     uint32_t nodes = t->fine->surface.point_count;
     t->first = HATCH_NEW(arena, uint32_t, (size_t)t->count + 2, err);
-    t->list = t->first ? HATCH_NEW(arena, uint32_t, nodes, err) : NULL;
+    t->list = t->first ? HATCH_NEW_UNSET(arena, uint32_t, nodes, err) : NULL;
     t->slot = t->list ? HATCH_NEW(arena, uint32_t, t->count, err) : NULL;
     if (!t->slot)
         return HATCH_LIMIT;
@@ -74,14 +74,14 @@ static enum hatch_status allocate(const struct thinning *t, struct hatch_arena *
     size_t nodes = t->count, entries = t->fine->surface.ring_first[t->fine->surface.point_count];
     *out = (struct hatch_curvature_terrain){.surface = {.point_count = t->count}};
     out->first = HATCH_NEW(arena, uint32_t, nodes + 1, err);
-    out->points = out->first ? HATCH_NEW(arena, uint32_t, t->finest->surface.point_count, err) : NULL;
-    out->sides = out->points ? HATCH_NEW(arena, int8_t, t->finest->surface.point_count, err) : NULL;
-    out->weights = out->sides ? HATCH_NEW(arena, double, nodes, err) : NULL;
+    out->points = out->first ? HATCH_NEW_UNSET(arena, uint32_t, t->finest->surface.point_count, err) : NULL;
+    out->sides = out->points ? HATCH_NEW_UNSET(arena, int8_t, t->finest->surface.point_count, err) : NULL;
+    out->weights = out->sides ? HATCH_NEW_UNSET(arena, double, nodes, err) : NULL;
     out->normals = out->weights ? HATCH_NEW(arena, double, nodes * 3, err) : NULL;
     out->surface.points = out->normals ? HATCH_NEW(arena, double, nodes * 3, err) : NULL;
     out->surface.ring_first = out->surface.points ? HATCH_NEW(arena, uint32_t, nodes + 1, err) : NULL;
-    out->surface.ring_point = out->surface.ring_first ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
-    out->surface.ring_turned = out->surface.ring_point ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
+    out->surface.ring_point = out->surface.ring_first ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
+    out->surface.ring_turned = out->surface.ring_point ? HATCH_NEW_UNSET(arena, uint8_t, entries, err) : NULL;
     return out->surface.ring_turned ? HATCH_OK : HATCH_LIMIT;
 }
 

@@ -10,8 +10,7 @@
 #define HATCH_CURVATURE_RADIUS 2.6
 #define HATCH_CURVATURE_DEGREE 4u
 
-/* The points, rings and components of a surface with its points numbered so that neighbours lie near one another
- * in memory: files order them as they like, and walks then wait for memory most of the time. */
+/* The points, rings and components of a surface, with its points in the order of hatch_surface_order. */
 struct hatch_curvature_terrain {
     struct hatch_surface surface; /* no faces */
     double *normals;              /* 3 a point: the frames', later the best that is known */

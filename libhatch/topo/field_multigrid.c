@@ -126,7 +126,7 @@ static enum hatch_status group(const struct level *level, uint32_t count, struct
 {
     uint32_t nodes = level->system.count;
     members->first = HATCH_NEW(arena, uint32_t, (size_t)count + 2, err);
-    members->node = members->first ? HATCH_NEW(arena, uint32_t, nodes, err) : NULL;
+    members->node = members->first ? HATCH_NEW_UNSET(arena, uint32_t, nodes, err) : NULL;
     members->slot = members->node ? HATCH_NEW(arena, uint32_t, count, err) : NULL;
     if (!members->slot)
         return HATCH_LIMIT;
@@ -188,12 +188,12 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count,
     for (uint32_t a = 0; a < count; a++)
         coarse->first[a + 1] = sum_links(level, members, a, coarse->first[a], NULL);
     uint32_t links = coarse->first[count];
-    coarse->to = HATCH_NEW(arena, uint32_t, links, err);
+    coarse->to = HATCH_NEW_UNSET(arena, uint32_t, links, err);
     coarse->link = coarse->to ? HATCH_NEW(arena, double, (size_t)links * 2, err) : NULL;
     coarse->diagonal = coarse->link ? HATCH_NEW(arena, double, count, err) : NULL;
-    next->z = coarse->diagonal ? HATCH_NEW(arena, double, (size_t)count * 2, err) : NULL;
-    next->right = next->z ? HATCH_NEW(arena, double, (size_t)count * 2, err) : NULL;
-    next->residual = next->right ? HATCH_NEW(arena, double, (size_t)count * 2, err) : NULL;
+    next->z = coarse->diagonal ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
+    next->right = next->z ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
+    next->residual = next->right ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
     if (!next->residual)
         return HATCH_LIMIT;
     memset(members->slot, 0, count * sizeof *members->slot);
@@ -206,7 +206,7 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count,
 static enum hatch_status part_links(struct level *level, struct hatch_arena *arena, struct hatch_err *err)
 {
     const struct hatch_field_system *system = &level->system;
-    level->middle = HATCH_NEW(arena, uint32_t, system->count, err);
+    level->middle = HATCH_NEW_UNSET(arena, uint32_t, system->count, err);
     if (!level->middle)
         return HATCH_LIMIT;
     for (uint32_t n = 0; n < system->count; n++) {
@@ -233,7 +233,7 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
     struct level *level = &levels->level[levels->count - 1];
     uint32_t nodes = level->system.count;
     struct members members = {0};
-    level->aggregate = HATCH_NEW(arena, uint32_t, nodes, err);
+    level->aggregate = HATCH_NEW_UNSET(arena, uint32_t, nodes, err);
     level->phase = level->aggregate ? HATCH_NEW(arena, double, (size_t)nodes * 2, err) : NULL;
     if (!level->phase)
         return HATCH_LIMIT;
@@ -258,7 +258,7 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
         return HATCH_LIMIT;
     made->count = 1;
     made->level[0].system = *system;
-    made->level[0].residual = HATCH_NEW(arena, double, (size_t)system->count * 2, err);
+    made->level[0].residual = HATCH_NEW_UNSET(arena, double, (size_t)system->count * 2, err);
     if (!made->level[0].residual)
         return HATCH_LIMIT;
     HATCH_TRY(part_links(&made->level[0], arena, err));
@@ -379,9 +379,10 @@ enum hatch_status hatch_field_iterate(const struct hatch_field_system *system,
 {
     size_t size = (size_t)system->count * 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *r = HATCH_NEW(scratch, double, size, err), *s = r ? HATCH_NEW(scratch, double, size, err) : NULL;
-    double *p = s ? HATCH_NEW(scratch, double, size, err) : NULL;
-    double *q = p ? HATCH_NEW(scratch, double, size, err) : NULL;
+    double *r = HATCH_NEW_UNSET(scratch, double, size, err);
+    double *s = r ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
+    double *p = s ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
+    double *q = p ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
     if (!q) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;

@@ -78,8 +78,8 @@ void hatch_field_system_energy(const struct hatch_surface *surface, const struct
                                const double *z, double energy[2])
 {
     energy[0] = energy[1] = 0;
-    for (uint32_t p = 0; p < surface->point_count; p++) {
-        uint32_t n = system->node[p];
+    for (uint32_t k = 0; k < surface->point_count; k++) {
+        uint32_t n = system->node[system->order[k]];
         if (n == HATCH_NO_SIDE)
             continue;
         const double *own = &z[2 * (size_t)n], *right = &system->right[2 * (size_t)n];
@@ -123,11 +123,14 @@ static enum hatch_status number_nodes(const struct hatch_surface *surface, const
                                       struct hatch_arena *arena, struct hatch_field_system *system,
                                       uint32_t *links, struct hatch_err *err)
 {
-    system->node = HATCH_NEW(arena, uint32_t, surface->point_count, err);
+    system->order = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
+    system->node = system->order ? HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err) : NULL;
     if (!system->node)
         return HATCH_LIMIT;
+    HATCH_TRY(hatch_surface_order(surface, arena, system->order, system->node, err));
     uint64_t count = 0, entries = 0;
-    for (uint32_t p = 0; p < surface->point_count; p++) {
+    for (uint32_t i = 0; i < surface->point_count; i++) {
+        uint32_t p = system->order[i];
         uint32_t of = surface->point_component[p], sides = surface->components[of].orientable ? 1 : 2;
         system->node[p] = include[of] ? (uint32_t)count : HATCH_NO_SIDE;
         if (include[of]) {
@@ -143,6 +146,23 @@ static enum hatch_status number_nodes(const struct hatch_surface *surface, const
     return HATCH_OK;
 }
 
+/* The link of entry i of a node's point, of which the row at the other end may be there already: what leads back is
+ * its conjugate, unless both ends see the edge from different sides. */
+static void make_link(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t i, uint32_t n,
+                      uint32_t side, const struct hatch_field_system *system, uint32_t to, double link[2])
+{
+    if (to < n) {
+        uint32_t mate = frames->mate[i] - surface->ring_first[surface->ring_point[i]];
+        const double *back = &system->link[2 * ((size_t)system->first[to] + mate)];
+        link[0] = back[0];
+        link[1] = -back[1];
+        return;
+    }
+    double turn = 2 * frames->turn_rad[i], weight = frames->weight[i];
+    link[0] = weight * cos(turn);
+    link[1] = weight * (side ? -sin(turn) : sin(turn));
+}
+
 /* The row of a point seen from its ring's outside (side 0) or its other side. */
 static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch_frames *frames,
                          uint32_t point, uint32_t side, uint32_t at, struct hatch_field_system *system)
@@ -151,11 +171,9 @@ static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch
     double sum = 0;
     system->first[n] = at;
     for (uint32_t i = surface->ring_first[point]; i < surface->ring_first[point + 1]; i++, at++) {
-        double turn = 2 * frames->turn_rad[i], weight = frames->weight[i];
         system->to[at] = system->node[surface->ring_point[i]] + (side ^ surface->ring_turned[i]);
-        system->link[2 * (size_t)at] = weight * cos(turn);
-        system->link[2 * (size_t)at + 1] = weight * (side ? -sin(turn) : sin(turn));
-        sum += weight;
+        make_link(surface, frames, i, n, side, system, system->to[at], &system->link[2 * (size_t)at]);
+        sum += frames->weight[i];
     }
     system->diagonal[n] = sum + system->mass[n];
     system->first[n + 1] = at;
@@ -171,16 +189,16 @@ enum hatch_status hatch_field_assemble(const struct hatch_surface *surface, cons
     uint32_t links = 0, at = 0;
     HATCH_TRY(number_nodes(surface, include, arena, system, &links, err));
     size_t count = system->count;
-    system->first = HATCH_NEW(arena, uint32_t, count + 1, err);
-    system->to = system->first ? HATCH_NEW(arena, uint32_t, links, err) : NULL;
-    system->link = system->to ? HATCH_NEW(arena, double, (size_t)links * 2, err) : NULL;
-    system->diagonal = system->link ? HATCH_NEW(arena, double, count, err) : NULL;
-    system->mass = system->diagonal ? HATCH_NEW(arena, double, count, err) : NULL;
-    system->right = system->mass ? HATCH_NEW(arena, double, count * 2, err) : NULL;
+    system->first = HATCH_NEW_UNSET(arena, uint32_t, count + 1, err);
+    system->to = system->first ? HATCH_NEW_UNSET(arena, uint32_t, links, err) : NULL;
+    system->link = system->to ? HATCH_NEW_UNSET(arena, double, (size_t)links * 2, err) : NULL;
+    system->diagonal = system->link ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    system->mass = system->diagonal ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    system->right = system->mass ? HATCH_NEW_UNSET(arena, double, count * 2, err) : NULL;
     if (!system->right)
         return HATCH_LIMIT;
-    for (uint32_t p = 0; p < surface->point_count; p++) {
-        uint32_t n = system->node[p], of = surface->point_component[p];
+    for (uint32_t k = 0; k < surface->point_count; k++) {
+        uint32_t p = system->order[k], n = system->node[p], of = surface->point_component[p];
         double d[2];
         if (n == HATCH_NO_SIDE)
             continue;

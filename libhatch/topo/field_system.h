@@ -17,6 +17,7 @@ struct hatch_field_system {
     double *diagonal;   /* per node: sum of its edges' weights and its data's */
     double *mass;       /* per node: the data's weight, part of the diagonal */
     double *right;      /* 2 a node: b, mass times the data */
+    uint32_t *order;    /* the surface's points as hatch_surface_order has them: nodes follow one another so */
     uint32_t *node;     /* per point of the surface: its first node (of two on a component with one side), or
                            HATCH_NO_SIDE where the point is not in the system */
 };

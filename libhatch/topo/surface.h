@@ -78,6 +78,12 @@ enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const 
                                      struct hatch_mesh *mesh, uint32_t **vertex_point,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
+/* Numbers the points so that neighbours lie near one another in memory: files order them as they like, and walks then
+ * wait for memory most of the time. Components stay whole, in their order, each from its first point on. order: the
+ * points by their new numbers; number: the new number of each point. A little memory: arena. */
+enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                      uint32_t *order, uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
+
 /* A point's position in the mesh's units. */
 void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3]);
 
