@@ -55,11 +55,11 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     bool *made_up = HATCH_NEW(work, bool, surface->component_count, err);
     if (!made_up)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_frames_make(surface, work, &args->scratch, &frames, err));
+    HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
                                        &curvature, err));
     hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
-    hatch_frames_lean(surface, curvature.normal, &frames);
+    HATCH_TRY(hatch_frames_lean(surface, curvature.normal, &args->scratch, &frames, err));
     hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL};
     HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,

@@ -96,13 +96,13 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     bool *made_up = HATCH_NEW(&part->work, bool, part->surface->component_count, &err);
     check(part, made_up ? HATCH_OK : HATCH_LIMIT, &err);
     check(part, check_sides(part->surface, options->turn_deg, &err), &err);
-    check(part, hatch_frames_make(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
+    check(part, hatch_frames_begin(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
     end_phase(part, PHASE_FRAMES, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
     check(part, estimate(args, options, part, &curvature, &err), &err);
     hatch_curvature_doubt_creases(part->surface, CMD_FIELD_HARD_RAD, &curvature);
-    hatch_frames_lean(part->surface, curvature.normal, &part->frames);
+    check(part, hatch_frames_lean(part->surface, curvature.normal, &args->scratch, &part->frames, &err), &err);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
     hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);
     turn(&part->frames, part->surface, options->turn_deg, hard, curvature.direction);

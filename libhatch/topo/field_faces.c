@@ -34,24 +34,21 @@ static double turn_along(const struct view *v, uint32_t p, uint32_t i)
     return away && !turned ? -turn : turn;
 }
 
-/* The turn of the line along a face's side that begins at corner c, and the corner's scaled angle. */
-static double side_turn(const struct view *v, uint32_t face, uint32_t c, double *corner)
+/* The turn of the line along a face's side that begins at corner c. */
+static double side_turn(const struct view *v, uint32_t face, uint32_t c)
 {
     uint32_t p = v->surface->corners[(size_t)face * 3 + c], i = v->frames->entry[(size_t)face * 3 + c];
     uint32_t next = i + 1 < v->surface->ring_first[p + 1] ? i + 1 : v->surface->ring_first[p];
-    *corner = hatch_frames_corner(v->surface, v->frames, p, i);
     return v->surface->ring_flipped[i] ? -turn_along(v, p, next) : turn_along(v, p, i);
 }
 
-/* A line that is carried around a face comes back turned by its scaled angles' excess over half a turn; with what
- * the field turns that makes a whole number of half turns. */
+/* What a line that is carried around a face comes back turned by and what the field turns make a whole number of half
+ * turns. */
 static int face_index(const struct view *v, uint32_t face)
 {
-    double sum = -PI, corner;
-    for (uint32_t c = 0; c < 3; c++) {
-        sum += side_turn(v, face, c, &corner);
-        sum += corner;
-    }
+    double sum = hatch_frames_excess(v->surface, v->frames, face);
+    for (uint32_t c = 0; c < 3; c++)
+        sum += side_turn(v, face, c);
     return (int)lround(sum / PI);
 }
 
@@ -65,11 +62,11 @@ int hatch_field_face_index(const struct hatch_surface *surface, const struct hat
 /* How the border's direction turns against the line, in half turns, all loops of a component together. */
 static int32_t border_turns(const struct view *v, const struct hatch_component *of)
 {
-    double sum = 0, corner;
+    double sum = 0;
     for (uint32_t f = of->first_face; f < of->first_face + of->face_count; f++)
         for (uint32_t c = 0; c < 3; c++)
             if (v->surface->opposite[(size_t)f * 3 + c] == HATCH_NO_SIDE)
-                sum -= side_turn(v, f, c, &corner);
+                sum -= side_turn(v, f, c);
     for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++) {
         uint32_t last = v->surface->ring_first[p + 1] - 1;
         if (v->surface->ring_face[last] == HATCH_NO_SIDE)

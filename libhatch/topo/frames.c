@@ -28,12 +28,15 @@ static void measure_face(const struct hatch_surface *surface, uint32_t face, str
     double *normal = &of->normal[(size_t)face * 3];
     hatch_vec_triangle(at[0], at[1], at[2], normal);
     double doubled = hatch_vec_normalize(normal);
+    double angles = TURN / 2;
     for (int c = 0; c < 3; c++) {
         double a[3], b[3];
         hatch_vec_sub(at[(c + 1) % 3], at[c], a);
         hatch_vec_sub(at[(c + 2) % 3], at[c], b);
         double dot = hatch_vec_dot(a, b);
-        of->angle[(size_t)face * 3 + (size_t)c] = atan2(doubled, dot);
+        double angle = c < 2 ? atan2(doubled, dot) : fmax(angles, 0);
+        angles -= angle;
+        of->angle[(size_t)face * 3 + (size_t)c] = angle;
         of->cot[(size_t)face * 3 + (size_t)c] =
             fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
         area[corner[c]] += doubled / 6;
@@ -50,9 +53,9 @@ static enum hatch_status measure_corners(const struct hatch_surface *surface, st
                                          struct corners *of, struct hatch_frames *frames, struct hatch_err *err)
 {
     size_t count = (size_t)surface->face_count * 3;
-    of->angle = HATCH_NEW(scratch, double, count, err);
-    of->cot = of->angle ? HATCH_NEW(scratch, double, count, err) : NULL;
-    of->normal = of->cot ? HATCH_NEW(scratch, double, count, err) : NULL;
+    of->angle = HATCH_NEW_UNSET(scratch, double, count, err);
+    of->cot = of->angle ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
+    of->normal = of->cot ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
     if (!of->normal)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++)
@@ -91,9 +94,7 @@ static void measure_ring(const struct hatch_surface *surface, const struct corne
                         of->normal[(size_t)surface->ring_face[first] * 3 + (size_t)i];
 }
 
-/* Angle 0 points where the scaled angles agree best with the edges as they lie in space, so that a
- * direction in space keeps its meaning from point to point. */
-static void fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames)
+void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames)
 {
     const double *at = &surface->points[(size_t)point * 3], *normal = &frames->normal[(size_t)point * 3];
     double u[3], v[3], x = 0, y = 0;
@@ -160,14 +161,27 @@ static void join_entries(const struct hatch_surface *surface, const struct corne
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
             uint32_t mate = find_mate(surface, frames, p, i);
-            double here = frames->angle_rad[i], there = frames->angle_rad[mate];
             frames->mate[i] = mate;
-            double turn = here + (surface->ring_turned[i] ? there : -there) + TURN / 2;
-            while (turn > TURN / 2)
-                turn -= TURN;
-            frames->turn_rad[i] = turn;
             frames->weight[i] = i < mate ? edge_weight(surface, of, p, i) : frames->weight[mate];
         }
+}
+
+/* Into -TURN / 2 .. TURN / 2. */
+double hatch_frames_shortest(double angle_rad)
+{
+    while (angle_rad > TURN / 2)
+        angle_rad -= TURN;
+    while (angle_rad < -TURN / 2)
+        angle_rad += TURN;
+    return angle_rad;
+}
+
+void hatch_frames_find_turns(const struct hatch_surface *surface, struct hatch_frames *frames)
+{
+    for (uint32_t i = 0; i < surface->ring_first[surface->point_count]; i++) {
+        double here = frames->angle_rad[i], there = frames->angle_rad[frames->mate[i]];
+        frames->turn_rad[i] = hatch_frames_shortest(here + (surface->ring_turned[i] ? there : -there) + TURN / 2);
+    }
 }
 
 static enum hatch_status allocate(const struct hatch_surface *surface, struct hatch_arena *arena,
@@ -175,19 +189,20 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
 {
     size_t points = surface->point_count, entries = surface->ring_first[surface->point_count];
     frames->normal = HATCH_NEW(arena, double, points * 3, err);
-    frames->axis = frames->normal ? HATCH_NEW(arena, double, points * 3, err) : NULL;
-    frames->angle_rad = frames->axis ? HATCH_NEW(arena, double, entries, err) : NULL;
-    frames->turn_rad = frames->angle_rad ? HATCH_NEW(arena, double, entries, err) : NULL;
-    frames->weight = frames->turn_rad ? HATCH_NEW(arena, double, entries, err) : NULL;
-    frames->mate = frames->weight ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
-    frames->entry = frames->mate ? HATCH_NEW(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
+    frames->axis = frames->normal ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
+    frames->angle_rad = frames->axis ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
+    frames->turn_rad = frames->angle_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
+    frames->weight = frames->turn_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
+    frames->mate = frames->weight ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
+    frames->entry = frames->mate ? HATCH_NEW_UNSET(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
     frames->area = frames->entry ? HATCH_NEW(arena, double, points, err) : NULL;
-    return frames->area ? HATCH_OK : HATCH_LIMIT;
+    frames->folded = frames->area ? HATCH_NEW(arena, bool, points, err) : NULL;
+    return frames->folded ? HATCH_OK : HATCH_LIMIT;
 }
 
-enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_frames *frames,
-                                    struct hatch_err *err)
+enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_frames *frames,
+                                     struct hatch_err *err)
 {
     struct hatch_frames made = {0};
     struct corners of = {0};
@@ -197,13 +212,24 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
     if (status == HATCH_OK) {
         for (uint32_t p = 0; p < surface->point_count; p++) {
             measure_ring(surface, &of, p, &made);
-            fit_axis(surface, p, &made);
+            hatch_vec_any_orthogonal(&made.normal[(size_t)p * 3], &made.axis[(size_t)p * 3]);
         }
         join_entries(surface, &of, &made);
         *frames = made;
     }
     hatch_arena_rewind(scratch, mark);
     return status;
+}
+
+enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_frames *frames,
+                                    struct hatch_err *err)
+{
+    HATCH_TRY(hatch_frames_begin(surface, arena, scratch, frames, err));
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        hatch_frames_fit_axis(surface, p, frames);
+    hatch_frames_find_turns(surface, frames);
+    return HATCH_OK;
 }
 
 double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3])

@@ -5,6 +5,8 @@
 #ifndef HATCH_TOPO_FRAMES_H
 #define HATCH_TOPO_FRAMES_H
 
+#include <stdbool.h>
+
 #include "topo/surface.h"
 
 struct hatch_frames {
@@ -16,6 +18,8 @@ struct hatch_frames {
     double *weight;    /* per ring entry: the edge's weight in the smoothness energy, over 0, the same from both
                           ends */
     double *area;      /* per point: a third of its faces' */
+    bool *folded;      /* per point: its faces lie over one another in its plane, so that turns do not follow from its
+                          angles (after hatch_frames_lean; before, none is) */
     uint32_t *mate;    /* per ring entry: the same edge's entry in the ring at its other end */
     uint32_t *entry;   /* per corner 3 * f + c: the entry of the corner's point whose ring_face is f */
 };
@@ -24,11 +28,32 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
+/* The same, of which hatch_frames_lean makes the rest: axes are any tangents, and turns are not there yet. */
+enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_frames *frames,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
 /* Takes other normals, of a smoother surface than the faces', where points are noisy: angles are then those of
- * edges laid into the new planes, and turns the least that make one plane another. A point whose faces fold over
- * one another in its new plane keeps what it has. The fields that are solved on such frames do not follow the
- * noise. normal: 3 a point, unit, on the sides of the frames' own; may not be frames->normal. */
-void hatch_frames_lean(const struct hatch_surface *surface, const double *normal, struct hatch_frames *frames);
+ * edges laid into the new planes, and turns the least that make one plane another, whatever the faces between them
+ * look like. A point whose faces fold over one another in its new plane keeps its scaled angles, which say little.
+ * The fields that are solved on such frames do not follow the noise. normal: 3 a point, unit, on the sides of the
+ * frames' own; may not be frames->normal. */
+enum hatch_status hatch_frames_lean(const struct hatch_surface *surface, const double *normal,
+                                    struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
+    HATCH_MUST_USE;
+
+/* By how much a direction that is carried around a face comes back turned: over all faces of a closed component 2π
+ * times the Euler characteristic. */
+double hatch_frames_excess(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t face);
+
+/* The steps that both share. The axis of a point is laid where its scaled angles agree best with the edges as they lie
+ * in space, so that a direction in space keeps its meaning from point to point; turns follow from angles; an angle goes
+ * into -π .. π; and around folded points turns are found from the normals, where that keeps the sum of indices. */
+void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames);
+void hatch_frames_find_turns(const struct hatch_surface *surface, struct hatch_frames *frames);
+double hatch_frames_shortest(double angle_rad);
+enum hatch_status hatch_frames_turn_folds(const struct hatch_surface *surface, struct hatch_arena *scratch,
+                                          struct hatch_frames *frames, struct hatch_err *err) HATCH_MUST_USE;
 
 /* What rounding leaves in the plane of a vector along the normal, as a share of it: counts as nothing. */
 #define HATCH_FRAMES_ROUNDING 1e-14

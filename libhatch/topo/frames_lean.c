@@ -31,16 +31,6 @@ static double edge_angle(const struct hatch_surface *surface, const double *norm
     return atan2(hatch_vec_dot(edge, side), hatch_vec_dot(edge, axis));
 }
 
-/* Into -TURN / 2 .. TURN / 2. */
-static double shortest(double angle)
-{
-    while (angle > TURN / 2)
-        angle -= TURN;
-    while (angle < -TURN / 2)
-        angle += TURN;
-    return angle;
-}
-
 /* Goes around a ring in the plane of its new normal. false when that is not one time around: faces are folded over
  * one another there. angle_rad: of the ring's entries. */
 static bool lean_ring(const struct hatch_surface *surface, const double *normal, uint32_t p, double axis[3],
@@ -56,29 +46,47 @@ static bool lean_ring(const struct hatch_surface *surface, const double *normal,
         return false;
     for (uint32_t i = first; i < end; i++) {
         double angle = i == first ? 0 : edge_angle(surface, normal, p, i, axis);
-        sum += shortest(angle - before);
+        sum += hatch_frames_shortest(angle - before);
         before = angle;
         angle_rad[i - first] = sum;
         if (sum < 0 || sum >= TURN)
             return false;
     }
-    return open || sum + shortest(-before) > TURN / 2;
+    return open || sum + hatch_frames_shortest(-before) > TURN / 2;
+}
+
+/* Keeps the scaled angles; on a border, so that they end where its last edge lies. */
+static void fold(const struct hatch_surface *surface, const double *normal, uint32_t p, struct hatch_frames *frames)
+{
+    uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
+    frames->folded[p] = true;
+    hatch_vec_copy(&normal[(size_t)p * 3], &frames->normal[(size_t)p * 3]);
+    if (surface->ring_face[end - 1] == HATCH_NO_SIDE) {
+        double axis[3];
+        hatch_vec_any_orthogonal(&normal[(size_t)p * 3], axis);
+        double wide = edge_angle(surface, normal, p, end - 1, axis) - edge_angle(surface, normal, p, first, axis);
+        double scale = (wide > 0 ? wide : wide + TURN) / frames->angle_rad[end - 1];
+        for (uint32_t i = first; i < end; i++)
+            frames->angle_rad[i] *= scale;
+    }
+    hatch_frames_fit_axis(surface, p, frames);
 }
 
 /* Turns are found last: until then their place holds angles that may come to nothing. */
-void hatch_frames_lean(const struct hatch_surface *surface, const double *normal, struct hatch_frames *frames)
+enum hatch_status hatch_frames_lean(const struct hatch_surface *surface, const double *normal,
+                                    struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
 {
     for (uint32_t p = 0; p < surface->point_count; p++) {
         uint32_t first = surface->ring_first[p], count = surface->ring_first[p + 1] - first;
         double axis[3];
-        if (!lean_ring(surface, normal, p, axis, &frames->turn_rad[first]))
+        if (!lean_ring(surface, normal, p, axis, &frames->turn_rad[first])) {
+            fold(surface, normal, p, frames);
             continue;
+        }
         memcpy(&frames->angle_rad[first], &frames->turn_rad[first], count * sizeof *frames->angle_rad);
         hatch_vec_copy(&normal[(size_t)p * 3], &frames->normal[(size_t)p * 3]);
         hatch_vec_copy(axis, &frames->axis[(size_t)p * 3]);
     }
-    for (uint32_t i = 0; i < surface->ring_first[surface->point_count]; i++) {
-        double here = frames->angle_rad[i], there = frames->angle_rad[frames->mate[i]];
-        frames->turn_rad[i] = shortest(here + (surface->ring_turned[i] ? there : -there) + TURN / 2);
-    }
+    hatch_frames_find_turns(surface, frames);
+    return hatch_frames_turn_folds(surface, scratch, frames, err);
 }

@@ -235,7 +235,7 @@ START_TEST(leaning_frames_keep_the_index)
     for (int s = 0; s < 5; s++) {
         struct field_case of = case_with_truth(bent[s], 3000, 0.2f);
         struct hatch_curvature found = estimate_case(&of, 0, 0);
-        hatch_frames_lean(&of.surface, found.normal, &of.frames);
+        HATCH_TEST_OK(hatch_frames_lean(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
         struct hatch_singularities singular = singularities_of(&of, found.direction);
         ck_assert_int_eq(singular.component_half_turns[0], 2 * of.surface.components[0].euler);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {

@@ -92,6 +92,42 @@ START_TEST(a_plane_carries_directions_as_they_are)
 }
 END_TEST
 
+/* Points of a plane are thrown about in it until faces lie over one another: with the plane's normals a direction is
+ * still carried as it is, and turns around no face. */
+START_TEST(folded_faces_turn_nothing)
+{
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_PLANE, 800);
+    const double line[3] = {0.6, 0.8, 0};
+    for (uint32_t v = 0; v < mesh.vertex_count; v++)
+        for (uint32_t k = 0; k < 2; k++) {
+            float *at = &mesh.attributes[0].data[3 * v];
+            bool inside = fabsf(at[0]) < 0.9f && fabsf(at[1]) < 0.9f;
+            at[k] += inside ? 0.1f * (hatch_random_unit(0, k, v) - 0.5f) : 0;
+        }
+    struct field_case of = case_of(mesh);
+    double *normal = HATCH_NEW(&keep, double, 3 * (size_t)of.surface.point_count, &err);
+    double *lines = HATCH_NEW(&keep, double, 3 * (size_t)of.surface.point_count, &err);
+    for (size_t p = 0; p < of.surface.point_count; p++) {
+        normal[3 * p + 2] = 1;
+        hatch_vec_copy(line, &lines[3 * p]);
+    }
+    HATCH_TEST_OK(hatch_frames_lean(&of.surface, normal, &scratch, &of.frames, &err), &err);
+    uint32_t folded = 0;
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        folded += of.frames.folded[p];
+        FOR_RING(&of, p, i)
+        {
+            double there = hatch_frames_angle(&of.frames, of.surface.ring_point[i], line);
+            double turn = there + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, line);
+            ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-6);
+        }
+    }
+    ck_assert_uint_gt(folded, 5);
+    ck_assert_uint_eq(singularities_of(&of, lines).count, 0);
+    check_entries(&of);
+}
+END_TEST
+
 /* Along a meridian's edge a sphere's direction to the pole stays one. */
 START_TEST(a_sphere_carries_the_meridian_along_itself)
 {
@@ -173,6 +209,7 @@ static Suite *suite(void)
     tcase_add_test(tests, frames_of_every_shape_are_sound);
     tcase_add_test(tests, scaled_angles_sum_to_gauss_and_bonnet);
     tcase_add_test(tests, a_plane_carries_directions_as_they_are);
+    tcase_add_test(tests, folded_faces_turn_nothing);
     tcase_add_test(tests, a_sphere_carries_the_meridian_along_itself);
     tcase_add_test(tests, slivers_have_sober_weights);
     tcase_add_test(tests, a_fan_of_many_faces_takes_no_longer_than_its_faces);
