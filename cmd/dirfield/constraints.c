@@ -178,7 +178,7 @@ static enum hatch_status list_vertices(struct cmd_args *args, struct places *pla
 static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, struct places *places,
                                struct hatch_err *err)
 {
-    struct hatch_text rest = {(const char *)text.data, text.size}, line;
+    struct hatch_text rest = hatch_text_of(text), line;
     struct header header = {.columns = 0};
     for (uint32_t row = 1; hatch_text_line(&rest, &line); row++) {
         double values[KEYS] = {0};

@@ -17,6 +17,16 @@ static struct hatch_text take_until(struct hatch_text *rest, char separator)
     return taken;
 }
 
+struct hatch_text hatch_text_of(struct hatch_bytes file)
+{
+    static const char mark[] = "\xef\xbb\xbf";
+    const size_t length = sizeof mark - 1;
+    struct hatch_text text = {(const char *)file.data, file.size};
+    if (text.length >= length && memcmp(text.at, mark, length) == 0)
+        text = (struct hatch_text){text.at + length, text.length - length};
+    return text;
+}
+
 bool hatch_text_line(struct hatch_text *rest, struct hatch_text *line)
 {
     if (rest->length == 0)

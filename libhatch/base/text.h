@@ -13,6 +13,9 @@ struct hatch_text {
     size_t length;
 };
 
+/* A file's text, without the byte order mark that some editors put before it. */
+struct hatch_text hatch_text_of(struct hatch_bytes file);
+
 /* Takes the next line off *rest, without its LF or CR LF; false at the end. */
 bool hatch_text_line(struct hatch_text *rest, struct hatch_text *line);
 

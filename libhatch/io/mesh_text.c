@@ -5,10 +5,8 @@
 
 struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes)
 {
-    static const char mark[] = "\xef\xbb\xbf";
-    const char *start = (const char *)bytes.data, *end = start + bytes.size;
-    bool marked = bytes.size >= sizeof mark - 1 && memcmp(start, mark, sizeof mark - 1) == 0;
-    return (struct hatch_mesh_text){.at = marked ? start + sizeof mark - 1 : start, .end = end, .line = 1};
+    struct hatch_text text = hatch_text_of(bytes);
+    return (struct hatch_mesh_text){.at = text.at, .end = text.at + text.length, .line = 1};
 }
 
 size_t hatch_mesh_text_left(const struct hatch_mesh_text *text)

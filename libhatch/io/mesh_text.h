@@ -11,7 +11,7 @@ struct hatch_mesh_text {
     char comment;   /* starts a comment that runs to the line's end; 0: none does */
 };
 
-/* Begins behind the byte order mark that some editors put before UTF-8. */
+/* As hatch_text_of: without a byte order mark. */
 struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes);
 
 /* The next word of this line: what stands between blanks. Length 0: the line has no further word. */

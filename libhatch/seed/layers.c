@@ -104,7 +104,7 @@ static enum hatch_status take_key(struct hatch_text key, struct hatch_text *rest
 enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena *arena,
                                     struct hatch_layers *layers, struct hatch_err *err)
 {
-    struct hatch_text rest = {(const char *)file.data, file.size}, line, key;
+    struct hatch_text rest = hatch_text_of(file), line, key;
     struct hatch_layers found = {0};
     found.lines = HATCH_NEW(arena, struct hatch_layer_line, HATCH_RPTAM_LAYERS_MAX, err);
     if (!found.lines)

@@ -43,7 +43,7 @@ static enum hatch_status read_layer(struct hatch_text line, uint32_t number,
 enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena,
                                    struct hatch_seeds *seeds, struct hatch_err *err)
 {
-    struct hatch_text rest = {(const char *)file.data, file.size}, line;
+    struct hatch_text rest = hatch_text_of(file), line;
     struct hatch_seeds found = {0};
     found.layers = HATCH_NEW(arena, struct hatch_seed_set, HATCH_SEED_LAYERS_MAX, err);
     if (!found.layers)

@@ -256,7 +256,7 @@ enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
                                      struct hatch_arena *arena, struct hatch_stroke_list *strokes,
                                      struct hatch_err *err)
 {
-    struct hatch_text rest = {(const char *)text.data, text.size}, line;
+    struct hatch_text rest = hatch_text_of(text), line;
     struct hatch_stroke_list list = {0};
     struct header header = {.columns = 0};
     for (uint32_t row = 1; hatch_text_line(&rest, &line); row++) {

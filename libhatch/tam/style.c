@@ -270,7 +270,7 @@ enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style 
                                     struct hatch_err *err)
 {
     struct reading r = {.style = *style};
-    struct hatch_text rest = {(const char *)text.data, text.size}, line;
+    struct hatch_text rest = hatch_text_of(text), line;
     for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
         const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
         if (comment)

@@ -30,6 +30,17 @@ START_TEST(lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none)
 }
 END_TEST
 
+START_TEST(a_byte_order_mark_is_no_text)
+{
+    static const char *const files[] = {"", "\xef\xbb\xbf", "\xef\xbb", "\xef\xbb\xbf" "ab", "ab\xef\xbb\xbf"};
+    static const char *const want[] = {"", "", "\xef\xbb", "ab", "ab\xef\xbb\xbf"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        ck_assert(hatch_text_is(hatch_text_of((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}),
+                                want[i]));
+    ck_assert_uint_eq(hatch_text_of((struct hatch_bytes){NULL, 0}).length, 0);
+}
+END_TEST
+
 START_TEST(words_stand_between_spaces_and_tabs)
 {
     struct hatch_text rest = text_of(" \t one\ttwo  three "), word;
@@ -132,6 +143,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("base text");
     TCase *tests = tcase_create("text");
     tcase_add_test(tests, lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none);
+    tcase_add_test(tests, a_byte_order_mark_is_no_text);
     tcase_add_test(tests, words_stand_between_spaces_and_tabs);
     tcase_add_test(tests, fields_may_be_empty);
     tcase_add_test(tests, a_text_is_a_word_only_whole);

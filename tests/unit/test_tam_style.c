@@ -24,6 +24,7 @@ START_TEST(an_empty_file_is_the_default)
 {
     struct hatch_style was = style;
     HATCH_TEST_OK(parse(""), &err);
+    HATCH_TEST_OK(parse("\xef\xbb\xbf# marked\r\n"), &err);
     HATCH_TEST_OK(parse("\n   \n# nothing\n\t# more\r\n"), &err);
     ck_assert_mem_eq(&was, &style, sizeof style);
     ck_assert_str_eq(style.name, "ink");
