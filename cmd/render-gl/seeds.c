@@ -27,6 +27,7 @@ struct seeds_block {
 struct packed {
     struct seeds_block block;
     uint32_t *seeds;  /* four each: u, v, lives, lives in the next level */
+    struct lives *lives; /* of one layer's seeds: make_lives */
     int32_t *lists;
     uint8_t *strokes; /* four a texel: alpha there, to the right, below, and both */
     uint16_t *numbers; /* of seeds in their set; NULL where all strokes of a layer look the same */
@@ -40,33 +41,53 @@ static uint32_t life_in(const struct hatch_rptam_layer *layer, uint32_t seed, in
     return layer->life[4 * seed + 2 * ((uint32_t)tile_v & 1u) + ((uint32_t)tile_u & 1u)];
 }
 
-/* Four floats a stroke as bits. Its lives depend on the tile in which the place that is drawn lies, modulo 4: a
- * byte for each of its four places modulo 2, and for a stroke that stays, of which this place modulo 2 is
- * known, one for each in the next level. */
-static void put_seed(const struct hatch_rptam_layer *layer, bool weighted, const struct hatch_coverage_copy *copy,
-                     uint32_t to[4])
+/* A stroke's lives by the tile in which the place that is drawn lies, modulo 4: a byte for each of its four places
+ * modulo 2, and for a stroke that stays, of which this place modulo 2 is known, one for each in the next level. */
+struct lives {
+    uint32_t here, later;
+};
+
+static struct lives lives_of(const struct hatch_rptam_layer *layer, bool weighted, uint32_t seed, int32_t tile_u,
+                             int32_t tile_v)
 {
-    const struct hatch_seed_place *place = &layer->places[copy->seed];
-    const float at[2] = {(float)((double)place->u * 0x1p-64 + copy->tile_u),
-                         (float)((double)place->v * 0x1p-64 + copy->tile_v)};
-    uint32_t above = (copy->seed + layer->count - 1) % layer->count;
-    memcpy(to, at, sizeof at);
-    to[2] = to[3] = 0;
+    struct lives lives = {0, 0};
+    uint32_t above = (seed + layer->count - 1) % layer->count;
     for (int32_t tile = 0; tile < 4; tile++) {
-        uint32_t life = life_in(layer, copy->seed, (tile & 1) + copy->tile_u, (tile >> 1) + copy->tile_v);
-        to[2] |= life << 8 * tile;
+        uint32_t life = life_in(layer, seed, (tile & 1) + tile_u, (tile >> 1) + tile_v);
+        lives.here |= life << 8 * tile;
         if (life != HATCH_LIFE_STAYS)
             continue;
         for (int32_t next = 0; next < 4; next++) {
-            int32_t u = (tile & 1) + 2 * (next & 1) + copy->tile_u;
-            int32_t v = (tile >> 1) + 2 * (next >> 1) + copy->tile_v;
+            int32_t u = (tile & 1) + 2 * (next & 1) + tile_u;
+            int32_t v = (tile >> 1) + 2 * (next >> 1) + tile_v;
             uint32_t later = weighted ? life_in(layer, above, (u & 3) >> 1, (v & 3) >> 1) : HATCH_LIFE_STAYS;
-            to[3] |= later << 8 * next;
+            lives.later |= later << 8 * next;
         }
     }
+    return lives;
 }
 
-static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch_coverage *coverage, bool weighted,
+/* lives[16 * seed + 4 * v + u] of the strokes in tiles (u, v), modulo 4. */
+static void make_lives(const struct hatch_rptam_layer *layer, bool weighted, struct lives *lives)
+{
+    for (uint32_t i = 0; i < 16 * layer->count; i++)
+        lives[i] = lives_of(layer, weighted, i / 16, (int32_t)(i & 3), (int32_t)(i >> 2 & 3));
+}
+
+/* Four words a stroke: its place as the bits of floats, and its lives. */
+static void put_seed(const struct hatch_rptam_layer *layer, const struct lives *lives,
+                     const struct hatch_coverage_copy *copy, uint32_t to[4])
+{
+    const float at[2] = {(float)(layer->at[copy->seed][0] + copy->tile_u),
+                         (float)(layer->at[copy->seed][1] + copy->tile_v)};
+    const struct lives *own =
+        &lives[16 * copy->seed + 4 * ((uint32_t)copy->tile_v & 3) + ((uint32_t)copy->tile_u & 3)];
+    memcpy(to, at, sizeof at);
+    to[2] = own->here;
+    to[3] = own->later;
+}
+
+static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch_coverage *coverage,
                        struct packed *packed)
 {
     size_t texels = (size_t)coverage->side * coverage->side;
@@ -75,7 +96,7 @@ static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch
         for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++) {
             if (packed->numbers)
                 packed->numbers[packed->seed_count] = (uint16_t)coverage->copies[i].seed;
-            put_seed(layer, weighted, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
+            put_seed(layer, packed->lives, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
         }
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
     }
@@ -133,10 +154,11 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
                  (float)fmin(1, HATCH_RPTAM_THIN_PX / style->width_px)}};
     if (!drawn)
         pack_stroke(layer, packed);
+    make_lives(layer, weighted, packed->lives);
     if (all)
-        pack_lists(layer, all, weighted, packed);
+        pack_lists(layer, all, packed);
     for (uint32_t i = 0; !all && i < HATCH_RPTAM_SIZES; i++)
-        pack_lists(layer, &layer->coverage[i], weighted, packed);
+        pack_lists(layer, &layer->coverage[i], packed);
 }
 
 static void pack_style(const struct hatch_rptam *rptam, struct seeds_block *block)
@@ -172,11 +194,12 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
     }
     *packed = (struct packed){0};
     pack_style(rptam, &packed->block);
-    packed->seeds = HATCH_NEW(scratch, uint32_t, 4 * seeds, err);
-    packed->lists = packed->seeds ? HATCH_NEW(scratch, int32_t, 2 * lists, err) : NULL;
-    packed->strokes = packed->lists ? HATCH_NEW(scratch, uint8_t, 4 * strokes, err) : NULL;
+    packed->lives = HATCH_NEW_UNSET(scratch, struct lives, 16 * HATCH_RPTAM_SEEDS_MAX, err);
+    packed->seeds = packed->lives ? HATCH_NEW_UNSET(scratch, uint32_t, 4 * seeds, err) : NULL;
+    packed->lists = packed->seeds ? HATCH_NEW_UNSET(scratch, int32_t, 2 * lists, err) : NULL;
+    packed->strokes = packed->lists ? HATCH_NEW_UNSET(scratch, uint8_t, 4 * strokes, err) : NULL;
     if (packed->strokes && varied)
-        packed->numbers = HATCH_NEW(scratch, uint16_t, seeds, err);
+        packed->numbers = HATCH_NEW_UNSET(scratch, uint16_t, seeds, err);
     if (!packed->strokes || (varied && !packed->numbers))
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < rptam->layer_count; i++)

@@ -6,17 +6,24 @@
 
 /* A stroke's rectangle, and how much it gains where texels are asked that it touches. */
 struct reach {
-    double cosine, sine;
+    double cosine, sine, per_cosine, per_sine; /* 1 over them; 0: they are nearly 0 */
     double along, across; /* half of the rectangle and of a texel's extent in its directions */
     double u, v;          /* half of the box around the rectangle */
     uint32_t side;
 };
+
+static double turned_round(double x)
+{
+    return fabs(x) < 1e-12 ? 0 : 1 / x;
+}
 
 static struct reach reach_of(const struct hatch_coverage_stroke *stroke, uint32_t side)
 {
     double c = fabs(stroke->cosine), s = fabs(stroke->sine), texel = (c + s) / (2 * side) + MARGIN;
     return (struct reach){.cosine = stroke->cosine,
                           .sine = stroke->sine,
+                          .per_cosine = turned_round(stroke->cosine),
+                          .per_sine = turned_round(stroke->sine),
                           .along = stroke->length / 2 + texel,
                           .across = stroke->width / 2 + texel,
                           .u = (c * stroke->length + s * stroke->width) / 2 + MARGIN,
@@ -24,17 +31,17 @@ static struct reach reach_of(const struct hatch_coverage_stroke *stroke, uint32_
                           .side = side};
 }
 
-/* Cuts [*low, *high] down to the x where |a x + b| <= most. */
-static void cut(double a, double b, double most, double *low, double *high)
+/* Cuts [*low, *high] down to the x where |x / per_a + b| <= most. */
+static void cut(double per_a, double b, double most, double *low, double *high)
 {
-    if (fabs(a) < 1e-12) {
+    if (!(per_a > 0) && !(per_a < 0)) {
         if (fabs(b) > most)
             *high = *low - 1;
         return;
     }
-    double begin = (-most - b) / a, end = (most - b) / a;
-    *low = fmax(*low, fmin(begin, end));
-    *high = fmin(*high, fmax(begin, end));
+    double middle = -b * per_a, half = most * fabs(per_a), begin = middle - half, end = middle + half;
+    *low = begin > *low ? begin : *low;
+    *high = end < *high ? end : *high;
 }
 
 /* The texels of a row that a stroke at (u, v) reaches: *begin up to, without it, *end. */
@@ -42,11 +49,11 @@ static void span(const struct reach *reach, double u, double v, uint32_t row, ui
 {
     double side = reach->side, away_v = (row + 0.5) / side - v;
     double low = -reach->u - 0.5 / side, high = reach->u + 0.5 / side; /* of texels' middles, from u */
-    cut(reach->cosine, reach->sine * away_v, reach->along, &low, &high);
-    cut(-reach->sine, reach->cosine * away_v, reach->across, &low, &high);
+    cut(reach->per_cosine, reach->sine * away_v, reach->along, &low, &high);
+    cut(-reach->per_sine, reach->cosine * away_v, reach->across, &low, &high);
     double first = ceil((low + u) * side - 0.5), last = floor((high + u) * side - 0.5);
-    first = fmax(first, 0);
-    last = fmin(last, side - 1);
+    first = first > 0 ? first : 0;
+    last = last < side - 1 ? last : side - 1;
     *begin = last >= first ? (uint32_t)first : 0;
     *end = last >= first ? (uint32_t)last + 1 : 0;
 }
@@ -103,7 +110,7 @@ enum hatch_status hatch_coverage_make(const struct hatch_seed_place *places, uin
         made.first[t] = (uint32_t)(total += made.first[t]);
     if (total > UINT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "too many strokes cover one place");
-    made.copies = HATCH_NEW(arena, struct hatch_coverage_copy, total, err);
+    made.copies = HATCH_NEW_UNSET(arena, struct hatch_coverage_copy, total, err);
     if (!made.copies)
         return HATCH_LIMIT;
     put_all(places, count, &reach, NULL, made.first + 1, made.copies);

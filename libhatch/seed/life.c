@@ -20,23 +20,32 @@ static float square_between(const struct stroke *a, const struct stroke *b)
     return u * u + v * v;
 }
 
-/* Goes on with the one that is farthest from all before it, the lower index where two are. */
+/* Tells the strokes from i on that there is one more in order; returns which is now the farthest from all of
+ * these, the lower index where two are. */
+static uint32_t farthest_beside(struct stroke *strokes, uint32_t i, uint32_t count, const struct stroke *last)
+{
+    uint32_t best = i;
+    for (uint32_t k = i; k < count; k++) {
+        float square = square_between(&strokes[k], last);
+        strokes[k].square = square < strokes[k].square ? square : strokes[k].square;
+        if (strokes[k].square > strokes[best].square ||
+            (strokes[k].square == strokes[best].square && strokes[k].index < strokes[best].index))
+            best = k;
+    }
+    return best;
+}
+
+/* Goes on with the one that is farthest from all before it. begin: at least 1. */
 static void order(struct stroke *strokes, uint32_t begin, uint32_t count)
 {
-    for (uint32_t i = begin; i < count; i++)
-        for (uint32_t k = 0; k < begin; k++)
-            strokes[i].square = fminf(strokes[i].square, square_between(&strokes[i], &strokes[k]));
+    uint32_t best = begin;
+    for (uint32_t k = 0; k < begin; k++)
+        best = farthest_beside(strokes, begin, count, &strokes[k]);
     for (uint32_t i = begin; i < count; i++) {
-        uint32_t best = i;
-        for (uint32_t k = i + 1; k < count; k++)
-            if (strokes[k].square > strokes[best].square ||
-                (strokes[k].square == strokes[best].square && strokes[k].index < strokes[best].index))
-                best = k;
         struct stroke next = strokes[best];
         strokes[best] = strokes[i];
         strokes[i] = next;
-        for (uint32_t k = i + 1; k < count; k++)
-            strokes[k].square = fminf(strokes[k].square, square_between(&strokes[k], &next));
+        best = farthest_beside(strokes, i + 1, count, &next);
     }
 }
 

@@ -53,10 +53,12 @@ static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, 
                       double du, double dv)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
-    double along = (layer->cosine * du + layer->sine * dv) * pattern->tile_px;
-    double across = (layer->cosine * dv - layer->sine * du) * pattern->tile_px;
     /* Beyond a stroke of full size and the softness of its border there is no need to ask how large it is. */
-    if (fabs(along) > layer->style.length_px / 2 + 1 || fabs(across) > layer->style.width_px / 2 + 1)
+    double across = (layer->cosine * dv - layer->sine * du) * pattern->tile_px;
+    if (fabs(across) > layer->style.width_px / 2 + 1)
+        return 1;
+    double along = (layer->cosine * du + layer->sine * dv) * pattern->tile_px;
+    if (fabs(along) > layer->style.length_px / 2 + 1)
         return 1;
     double weight = weight_of(pattern, seed, tile_u, tile_v);
     if (!(weight > 0))
