@@ -10,7 +10,7 @@
 #define GROWTH 1.0001        /* of listed strokes, against rounding on the GPU */
 #define TONE_POINTS 4181u   /* for the table of tones, and what spreads them: Fibonacci numbers */
 #define TONE_STRIDE 2584u
-#define TONE_TILES 4.0       /* along the square that they are spread over */
+#define TONE_TILES 4.0       /* along the square that they are spread over, for amounts down to 1/16 */
 #define TONE_PARTS 5u        /* of each layer's stretch */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
@@ -102,10 +102,10 @@ static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double a
 {
     struct hatch_rptam_pattern pattern;
     hatch_rptam_pattern(rptam, layer, 0, amount, false, &pattern);
+    double tiles = TONE_TILES * exp2(fmax(pattern.level - 1, 0));
     for (uint32_t i = 0; i < TONE_POINTS; i++) {
         /* Down the rows slowly, so that the lists of a row are near by for many points. */
-        const double uv[2] = {TONE_TILES * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS,
-                              TONE_TILES * (i + 0.5) / TONE_POINTS};
+        const double uv[2] = {tiles * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS, tiles * (i + 0.5) / TONE_POINTS};
         paper[i] *= hatch_rptam_left(&pattern, uv);
     }
 }
@@ -132,10 +132,24 @@ static double darkness_at(const struct hatch_rptam *rptam, double way, bool *end
     return sum / TONE_POINTS;
 }
 
+/* How much of a layer to measure: rising amounts from 0 on, to which 1 comes. Even ones; but where strokes lie many
+ * times over one another, so that a part of them is all black, twice as many, and the first where they are a
+ * third of what covers a place. Returns their number. */
+static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[2 * TONE_PARTS])
+{
+    const struct hatch_rptam_layer_style *style = &layer->style;
+    double covers = layer->count * style->length_px * style->width_px / (style->tile_px * style->tile_px);
+    bool dense = covers > 2;
+    uint32_t parts = dense ? 2 * TONE_PARTS : TONE_PARTS;
+    for (uint32_t k = 0; k < parts; k++)
+        amounts[k] = pow((double)k / parts, dense ? fmax(1, log(3 * covers) / log(parts)) : 1);
+    return parts;
+}
+
 static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
                                  struct curve *curve, struct hatch_err *err)
 {
-    uint32_t most = rptam->layer_count * (TONE_PARTS + 1) + 1;
+    uint32_t most = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
     bool ended[HATCH_RPTAM_LAYERS_MAX] = {false};
     curve->way = HATCH_NEW(scratch, double, most, err);
     curve->darkness = curve->way ? HATCH_NEW(scratch, double, most, err) : NULL;
@@ -144,12 +158,14 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
     if (!paper)
         return HATCH_LIMIT;
     curve->count = 1; /* at 0 */
-    for (uint32_t i = 0; i < rptam->layer_count; i++)
-        for (uint32_t k = 0; k <= TONE_PARTS; k++) {
-            const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
-            curve->way[curve->count++] =
-                k < TONE_PARTS ? style->low + k * (style->high - style->low) / TONE_PARTS : style->high;
-        }
+    for (uint32_t i = 0; i < rptam->layer_count; i++) {
+        const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
+        double amounts[2 * TONE_PARTS];
+        uint32_t parts = amounts_to_measure(&rptam->layers[i], amounts);
+        for (uint32_t k = 0; k < parts; k++)
+            curve->way[curve->count++] = style->low + amounts[k] * (style->high - style->low);
+        curve->way[curve->count++] = style->high;
+    }
     qsort(curve->way, curve->count, sizeof *curve->way, compare);
     for (uint32_t i = 0; i < TONE_POINTS; i++)
         full[i] = 1;
@@ -159,6 +175,12 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
         curve->darkness[i] = i ? fmax(darkness, curve->darkness[i - 1]) : darkness;
     }
     return HATCH_OK;
+}
+
+/* How often strokes cover a place that are so dark together, if they lie by chance: in proportion to their number. */
+static double covers_of(double darkness)
+{
+    return -log(fmax(1 - darkness, 1e-9));
 }
 
 /* Turns the curve round: the way to tones at equal steps. */
@@ -179,8 +201,8 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
             k++;
         if (k + 1 == curve.count)
             break; /* no layer */
-        double rise = curve.darkness[k + 1] - curve.darkness[k];
-        double part = rise > 0 ? (wanted - curve.darkness[k]) / rise : 0;
+        double from = covers_of(curve.darkness[k]), rise = covers_of(curve.darkness[k + 1]) - from;
+        double part = rise > 0 ? (covers_of(wanted) - from) / rise : 0;
         rptam->way[step] = curve.way[k] + part * (curve.way[k + 1] - curve.way[k]);
     }
     hatch_arena_rewind(scratch, mark);

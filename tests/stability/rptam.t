@@ -60,6 +60,10 @@ seedgen -n 64 --layers 8 --candidates 5 -o sets
 near "more layers than tones" 0.95 0.01 plain.obj $face --seeds sets --tone-range .05:.05
 near "no layers: paper" 1 0 plain.obj $face --seeds sets --seed-layers 0
 near "no layers and no light" 1 0 plain.obj $face --seeds sets --seed-layers 0 --tone-range 1:1
+for tile in 16 8; do
+    near "a tile of $tile pixels black with strokes: a light tone is light" 0.95 0.015 plain.obj $face --stroke 20x1.5 \
+        --seed-tile $tile --tone-range .05:.05
+done
 got=$(tone plain.obj $face --stroke 60x3 --seed-tile 40)
 ok "strokes larger than their tile" awk -v got="$got" 'BEGIN {exit !(got > 0.5 && got < 0.9)}'
 finish

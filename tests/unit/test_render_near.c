@@ -101,6 +101,69 @@ START_TEST(surfaces_may_move)
 }
 END_TEST
 
+/* Hangs the scene's mesh on two joints, which move as one; some vertices by the first, some by the second or both. */
+static void add_skin(struct hatch_mesh *mesh, struct hatch_scene *scene)
+{
+    static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static struct hatch_node nodes[3];
+    static uint32_t joints[2] = {1, 2};
+    static float inverse[32];
+    static struct hatch_skin skin = {2, joints, inverse};
+    float *ids, *weights;
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, mesh, "JOINTS_0", 4, &ids, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, mesh, "WEIGHTS_0", 4, &weights, &frame.err), &frame.err);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        ids[4 * v + 1] = 1;
+        weights[4 * v] = (float)(v % 3) / 2;
+        weights[4 * v + 1] = 1 - weights[4 * v];
+    }
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame.arena, scene, &frame.err), &frame.err);
+    for (int i = 0; i < 3; i++) {
+        nodes[i] = scene->nodes[0];
+        nodes[i].mesh_count = i == 0;
+    }
+    for (int i = 0; i < 2; i++)
+        memcpy(inverse + 16 * i, unmoved, sizeof unmoved);
+    nodes[0].skin = 0;
+    scene->nodes = nodes;
+    scene->node_count = 3;
+    scene->skins = &skin;
+    scene->skin_count = 1;
+    scene->meshes[0].joints_used = 2;
+}
+
+/* A plane on joints, which go away and take the eye with them, is the plane without, whose surface one knows at
+ * vertices: here both have one derivative everywhere. */
+START_TEST(skinned_surfaces_hold)
+{
+    static const double away[3] = {0.25, -0.5, 0.125};
+    const double distance = exp2(-11 - 10 * _i);
+    struct hatch_image plain, skinned;
+    begin();
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 700);
+    frame_begin(&plane, &frame_unit, NULL, &frame);
+    make_model();
+    struct view view = view_near(&plane, distance, nowhere);
+    frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &plain);
+    renderer_free(&frame.renderer);
+    scene_free(&frame.gpu);
+    context_close(&frame.context);
+    add_skin(&plane, &frame.scene);
+    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    make_model();
+    for (int moved = 0; moved < 3; moved++) {
+        for (int i = 0; i < 6; i++)
+            frame.scene.nodes[1 + i / 3].translation[i % 3] = moved == 1 ? (float)away[i % 3] : 0;
+        HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, moved, &frame.scratch, &frame.err), &frame.err);
+        view = view_near(&plane, distance, moved == 1 ? away : nowhere);
+        frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &skinned);
+        ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
+        ck_assert_double_le(worst_difference(&plain, &skinned), 0.02);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
 /* Memory ends at every size: a status, and a picture when there is enough again. */
 START_TEST(too_little_memory_is_a_status)
 {
@@ -132,6 +195,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("near");
     tcase_add_loop_test(tests, lapped_surfaces_hold, 0, 4);
     tcase_add_test(tests, surfaces_may_move);
+    tcase_add_loop_test(tests, skinned_surfaces_hold, 0, 4);
     tcase_add_test(tests, too_little_memory_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
