@@ -140,7 +140,7 @@ START_TEST(skinned_surfaces_hold)
     const double distance = exp2(-11 - 10 * _i);
     struct hatch_image plain, skinned;
     begin();
-    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 700);
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 700);
     frame_begin(&plane, &frame_unit, NULL, &frame);
     make_model();
     struct view view = view_near(&plane, distance, nowhere);
@@ -158,7 +158,7 @@ START_TEST(skinned_surfaces_hold)
         view = view_near(&plane, distance, moved == 1 ? away : nowhere);
         frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &skinned);
         ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
-        ck_assert_double_le(worst_difference(&plain, &skinned), 0.02);
+        ck_assert_double_le(frame_difference(&plain, &skinned), 0.02);
     }
     frame_end(&frame);
 }
