@@ -1,35 +1,32 @@
 #include "io/svg.h"
 
-#define XML_DTD /* or expat's header hides its limits on entities */
-#include <expat.h>
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "io/svg_parts.h"
+#include "io/svg_sheet.h"
+#include "io/svg_tree.h"
 
-#define DEPTH_MAX 256u
 #define PAGE_MAX 1e6
 #define NOT_SQUARE 1e-3
 #define TOLERANCE_PX 0.05
-#define GROWTH_MAX 4           /* of a file by its entities, */
-#define GROWTH_BYTES_MIN 65536 /* from that size on */
 #define WIDTH_SHARE_MAX 0.25 /* of the page */
 
-/* A drawing while expat reads it. */
+/* A drawing while its elements are drawn. */
 struct drawing {
-    XML_Parser parser;
     uint32_t size_px;
     struct hatch_arena *arena;
-    struct hatch_svg_look *looks; /* of the open groups */
-    uint32_t depth;               /* elements that are open */
-    uint32_t skip;                /* the depth of an element whose content draws nothing, or 0 */
+    struct hatch_svg_tree tree;
+    struct hatch_svg_sheet sheet;
+    struct hatch_svg_look *looks; /* of the elements that the drawing is in, by depth from 1 on */
+    uint32_t depth;
     double page;                  /* user units */
     struct hatch_svg_pen pen;
+    struct hatch_path_builder dash;
+    uint32_t dash_count;
     struct hatch_stroke_list strokes;
     struct hatch_svg_notes notes;
-    enum hatch_status status;
-    struct hatch_err *err;
+    bool told; /* where a fault lies is in its sentence */
 };
 
 bool hatch_svg_is(struct hatch_bytes file)
@@ -41,15 +38,6 @@ bool hatch_svg_is(struct hatch_bytes file)
     while (at < file.size && strchr(" \t\r\n", file.data[at]) && file.data[at])
         at++;
     return at < file.size && file.data[at] == '<';
-}
-
-/* Nothing that expat still says counts. */
-static void stop(struct drawing *d, enum hatch_status status)
-{
-    if (status == HATCH_OK || d->status != HATCH_OK)
-        return;
-    d->status = hatch_fail_at(d->err, "line %lu: ", (unsigned long)XML_GetCurrentLineNumber(d->parser));
-    XML_StopParser(d->parser, XML_FALSE);
 }
 
 static bool is_any(const char *name, const char *const *list)
@@ -77,13 +65,13 @@ static bool is_outside(const struct hatch_path_builder *line, double margin)
     return left || right || above || below;
 }
 
-/* One subpath has become a line of the tile. */
+/* A line of the tile becomes a stroke. */
 static enum hatch_status add_stroke(void *context, struct hatch_path_builder *line, struct hatch_err *err)
 {
     struct drawing *d = context;
     const struct hatch_svg_look *look = &d->looks[d->depth];
     double width = look->width * root_of_area(&look->matrix);
-    if (!(width > 0))
+    if (!(width > 0) || (line->count == 1 && !look->capped))
         return HATCH_OK;
     if (!(width <= WIDTH_SHARE_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a stroke %g of the page wide, want %g at most", width,
@@ -102,16 +90,29 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
     return hatch_stroke_list_add(&d->strokes, d->arena, &stroke, err);
 }
 
-/* The group's look, changed by the element's attributes and then by its style, which is stronger. */
-static enum hatch_status look_at(struct drawing *d, const char *const *attributes, struct hatch_err *err)
+/* A subpath becomes a stroke, or one for each of its dashes. */
+static enum hatch_status add_line(void *context, struct hatch_path_builder *line, struct hatch_err *err)
+{
+    struct drawing *d = context;
+    const struct hatch_svg_look *look = &d->looks[d->depth];
+    return hatch_svg_dash(line, look, d->page, root_of_area(&look->matrix), &d->dash, &d->dash_count, add_stroke, d,
+                          err);
+}
+
+/* The group's look, changed by the element's attributes, then by style sheets, then by its own style. */
+static enum hatch_status look_at(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     struct hatch_svg_look *look = &d->looks[d->depth];
+    const char *const *attributes = node->attributes;
     struct hatch_svg_matrix own;
     *look = d->looks[d->depth - 1];
+    look->own_opacity = 1;
     for (const char *const *a = attributes; *a; a += 2)
         HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])},
                                      (struct hatch_text){a[1], strlen(a[1])}, d->page, look, err));
+    HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, look, err));
     HATCH_TRY(hatch_svg_style(hatch_svg_attribute(attributes, "style"), d->page, look, err));
+    look->opacity *= look->own_opacity;
     struct hatch_text transform = hatch_svg_attribute(attributes, "transform");
     if (transform.length == 0)
         return HATCH_OK;
@@ -145,156 +146,167 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
         .width = 1,
         .stroke_opacity = 1,
         .opacity = 1,
+        .dashes = {"", 0},
         .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
     return HATCH_OK;
 }
 
 /* What is no shape and no group. */
-static enum hatch_status pass_over(struct drawing *d, const char *element, const char *const *attributes,
-                                   struct hatch_err *err)
+static void pass_over(struct drawing *d, const char *element)
 {
-    static const char *const silent[] = {"defs",   "symbol", "clipPath", "mask",  "marker",
+    static const char *const silent[] = {"defs",   "symbol", "clipPath", "mask",  "marker", "style",
                                          "pattern", "title",  "desc",     "metadata", "linearGradient",
                                          "radialGradient", "filter", "namedview", NULL};
     static const char *const texts[] = {"text", "tspan", "textPath", "foreignObject", NULL};
-    struct hatch_text href = hatch_svg_attribute(attributes, "href");
-    if (href.length == 0)
-        href = hatch_svg_attribute(attributes, "xlink:href");
-    if (strcmp(element, "use") == 0 && href.length && *href.at != '#')
-        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not opened",
-                          (int)(href.length < 60 ? href.length : 60), href.at);
-    d->skip = d->depth;
     if (is_any(element, texts))
         d->notes.texts++;
     else if (strcmp(element, "image") == 0)
         d->notes.images++;
     else if (!is_any(element, silent) && !strchr(element, ':'))
         d->notes.others++;
-    return HATCH_OK;
 }
 
 /* Draws the element if it is a shape that is stroked. */
-static enum hatch_status draw(struct drawing *d, const char *element, const char *const *attributes,
-                              struct hatch_err *err)
+static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const shapes[] = {"path",     "line",   "polyline", "polygon",
                                          "circle",   "ellipse", "rect",     NULL};
     const struct hatch_svg_look *look = &d->looks[d->depth];
     bool drawn;
-    if (!is_any(element, shapes))
-        return pass_over(d, element, attributes, err);
-    d->skip = d->depth; /* what may stand in a shape draws nothing */
+    if (!is_any(node->name, shapes)) {
+        pass_over(d, node->name);
+        return HATCH_OK;
+    }
     if (look->hidden)
         return HATCH_OK;
-    d->notes.fills += look->fill != HATCH_SVG_NONE && strcmp(element, "line") != 0;
+    d->notes.fills += look->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
     d->notes.gradients += look->stroke == HATCH_SVG_SERVER;
     if (look->stroke != HATCH_SVG_COLOR || !(look->stroke_opacity * look->opacity > 0))
         return HATCH_OK;
-    d->notes.others += look->dashed || look->masked;
+    d->notes.others += look->masked;
     d->pen.matrix = look->matrix;
     d->pen.x = d->pen.y = 0;
     d->pen.line.count = 0;
-    return hatch_svg_shape(element, attributes, d->page, &d->pen, &drawn, err);
+    return hatch_svg_shape(node->name, node->attributes, d->page, &d->pen, &drawn, err);
 }
 
-static enum hatch_status open_element(struct drawing *d, const char *element, const char *const *attributes,
-                                      struct hatch_err *err)
+static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err);
+
+static enum hatch_status draw_content(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    enum hatch_status status = HATCH_OK;
+    for (const struct hatch_svg_node *child = node->first; child && status == HATCH_OK; child = child->next)
+        status = draw_element(d, child, err);
+    return status;
+}
+
+/* A symbol's page, if it has one, becomes what the clone asks for, in the middle of it; else nothing changes. */
+static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_node *clone,
+                                    const struct hatch_svg_node *symbol, struct hatch_err *err)
+{
+    static const char *const sides[] = {"width", "height"};
+    struct hatch_text view = hatch_svg_attribute(symbol->attributes, "viewBox");
+    double box[4], size[2] = {d->page, d->page};
+    hatch_svg_skip(&view);
+    if (view.length == 0)
+        return HATCH_OK;
+    if (!hatch_svg_numbers(&view, 4, box) || !(box[2] > 0 && box[3] > 0))
+        return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers, and a size");
+    for (int axis = 0; axis < 2; axis++) {
+        struct hatch_text text = hatch_svg_attribute(clone->attributes, sides[axis]);
+        if (text.length == 0)
+            text = hatch_svg_attribute(symbol->attributes, sides[axis]);
+        if (text.length)
+            HATCH_TRY(hatch_svg_length(text, d->page, &size[axis], err));
+    }
+    double scale = fmin(size[0] / box[2], size[1] / box[3]);
+    struct hatch_svg_matrix fit = {scale, 0, 0, scale, size[0] / 2 - scale * (box[0] + box[2] / 2),
+                                   size[1] / 2 - scale * (box[1] + box[3] / 2)};
+    struct hatch_svg_look *look = &d->looks[d->depth];
+    look->matrix = hatch_svg_multiply(&look->matrix, &fit);
+    return HATCH_OK;
+}
+
+/* The element that a clone names, at the clone's place and in its look. The tree has no clones that never end. */
+static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    static const char *const axes[] = {"x", "y"};
+    struct hatch_text href = hatch_svg_href(node);
+    const struct hatch_svg_node *named = hatch_svg_find(&d->tree, href);
+    struct hatch_svg_look *look = &d->looks[d->depth];
+    double at[2] = {0, 0};
+    if (href.length && *href.at != '#')
+        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not opened",
+                          (int)(href.length < 60 ? href.length : 60), href.at);
+    d->notes.others += !named;
+    for (int axis = 0; axis < 2; axis++) {
+        struct hatch_text text = hatch_svg_attribute(node->attributes, axes[axis]);
+        if (text.length && hatch_svg_length(text, d->page, &at[axis], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", axes[axis]);
+    }
+    struct hatch_svg_matrix moved = {1, 0, 0, 1, at[0], at[1]};
+    look->matrix = hatch_svg_multiply(&look->matrix, &moved);
+    if (!named)
+        return HATCH_OK;
+    if (strcmp(named->name, "symbol") != 0)
+        return draw_element(d, named, err);
+    d->depth++;
+    HATCH_TRY(look_at(d, named, err));
+    HATCH_TRY(fit_symbol(d, node, named, err));
+    HATCH_TRY(draw_content(d, named, err));
+    d->depth--;
+    return HATCH_OK;
+}
+
+/* No deeper than HATCH_SVG_DEPTH_MAX: the tree says so. */
+static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const groups[] = {"g", "a", "switch", NULL};
-    if (d->depth == DEPTH_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "elements nested deeper than %u", DEPTH_MAX);
+    enum hatch_status status;
+    if (strchr(node->name, ':')) {
+        pass_over(d, node->name);
+        return HATCH_OK;
+    }
     d->depth++;
-    if (d->skip)
-        return HATCH_OK;
-    if (strncmp(element, "svg:", 4) == 0)
-        element += 4;
-    if (d->depth == 1 && strcmp(element, "svg") != 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "'%.40s' where <svg> must stand", element);
-    if (d->depth == 1)
-        HATCH_TRY(read_page(d, attributes, err));
-    if (strchr(element, ':'))
-        return pass_over(d, element, attributes, err);
-    HATCH_TRY(look_at(d, attributes, err));
-    if (d->depth == 1 || is_any(element, groups))
-        return HATCH_OK;
-    return draw(d, element, attributes, err);
-}
-
-static void on_start(void *context, const char *element, const char **attributes)
-{
-    struct drawing *d = context;
-    if (d->status == HATCH_OK)
-        stop(d, open_element(d, element, (const char *const *)attributes, d->err));
-}
-
-static void on_end(void *context, const char *element)
-{
-    struct drawing *d = context;
-    (void)element;
-    if (d->skip == d->depth)
-        d->skip = 0;
+    status = look_at(d, node, err);
+    if (status == HATCH_OK && (node == d->tree.root || is_any(node->name, groups)))
+        status = draw_content(d, node, err);
+    else if (status == HATCH_OK && strcmp(node->name, "use") == 0)
+        status = draw_clone(d, node, err);
+    else if (status == HATCH_OK)
+        status = draw(d, node, err);
     d->depth--;
+    if (status != HATCH_OK && !d->told) {
+        d->told = true;
+        return hatch_fail_at(err, "line %u: ", node->line);
+    }
+    return status;
 }
 
-static void on_entity(void *context, const char *name, int is_parameter, const char *value, int length,
-                      const char *base, const char *system, const char *public, const char *notation)
+static enum hatch_status read_drawing(struct drawing *d, struct hatch_bytes file, struct hatch_arena *scratch,
+                              struct hatch_err *err)
 {
-    struct drawing *d = context;
-    (void)base;
-    (void)system;
-    (void)public;
-    (void)notation;
-    if (!value)
-        stop(d, hatch_fail(d->err, HATCH_BAD_INPUT, "entity '%.40s' lies outside the file", name));
-    else if (is_parameter || memchr(value, '&', (size_t)length) || memchr(value, '%', (size_t)length))
-        stop(d, hatch_fail(d->err, HATCH_BAD_INPUT, "entity '%.40s' is made of entities", name));
-}
-
-static void on_instruction(void *context, const char *target, const char *data)
-{
-    struct drawing *d = context;
-    (void)data;
-    d->notes.others += strcmp(target, "xml-stylesheet") == 0;
-}
-
-static enum hatch_status parse(struct drawing *d, struct hatch_bytes file, struct hatch_err *err)
-{
-    XML_SetUserData(d->parser, d);
-    XML_SetBillionLaughsAttackProtectionMaximumAmplification(d->parser, GROWTH_MAX);
-    XML_SetBillionLaughsAttackProtectionActivationThreshold(d->parser, GROWTH_BYTES_MIN);
-    XML_SetElementHandler(d->parser, on_start, on_end);
-    XML_SetEntityDeclHandler(d->parser, on_entity);
-    XML_SetProcessingInstructionHandler(d->parser, on_instruction);
-    enum XML_Status ended = XML_Parse(d->parser, (const char *)file.data, (int)file.size, XML_TRUE);
-    if (d->status != HATCH_OK)
-        return d->status;
-    if (ended == XML_STATUS_OK)
-        return HATCH_OK;
-    enum XML_Error code = XML_GetErrorCode(d->parser);
-    return hatch_fail(err, code == XML_ERROR_NO_MEMORY ? HATCH_LIMIT : HATCH_BAD_INPUT, "line %lu: %s",
-                      (unsigned long)XML_GetCurrentLineNumber(d->parser), XML_ErrorString(code));
+    HATCH_TRY(hatch_svg_tree_read(file, scratch, &d->tree, err));
+    struct hatch_text sheet = {(const char *)d->tree.sheet.data, d->tree.sheet.size};
+    HATCH_TRY(hatch_svg_sheet_read(sheet, scratch, &d->sheet, err));
+    d->notes.others = d->tree.others + d->sheet.others;
+    d->looks = HATCH_NEW(scratch, struct hatch_svg_look, HATCH_SVG_DEPTH_MAX + 2, err);
+    if (!d->looks)
+        return HATCH_LIMIT;
+    if (read_page(d, d->tree.root->attributes, err) != HATCH_OK)
+        return hatch_fail_at(err, "line %u: ", d->tree.root->line);
+    return draw_element(d, d->tree.root, err);
 }
 
 enum hatch_status hatch_svg_read(struct hatch_bytes file, uint32_t size_px, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_stroke_list *strokes,
                                  struct hatch_svg_notes *notes, struct hatch_err *err)
 {
-    if (file.size > INT_MAX / 2)
-        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of drawing", file.size);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct drawing d = {.size_px = size_px, .arena = arena, .err = err};
-    d.pen = (struct hatch_svg_pen){.line = {.arena = scratch, .tolerance = TOLERANCE_PX / size_px},
-                                   .finish = add_stroke,
-                                   .context = &d};
-    d.looks = HATCH_NEW(scratch, struct hatch_svg_look, DEPTH_MAX + 1, err);
-    d.parser = d.looks ? XML_ParserCreate(NULL) : NULL;
-    enum hatch_status status = HATCH_LIMIT;
-    if (d.parser)
-        status = parse(&d, file, err);
-    else if (d.looks)
-        status = hatch_fail(err, HATCH_LIMIT, "no memory for a parser of XML");
-    if (d.parser)
-        XML_ParserFree(d.parser);
+    const struct hatch_path_builder line = {.arena = scratch, .tolerance = TOLERANCE_PX / size_px};
+    struct drawing d = {.size_px = size_px, .arena = arena, .dash = line};
+    d.pen = (struct hatch_svg_pen){.line = line, .finish = add_line, .context = &d};
+    enum hatch_status status = read_drawing(&d, file, scratch, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK) {
         *strokes = d.strokes;

@@ -111,6 +111,22 @@ enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double 
                       (int)(text.length < 40 ? text.length : 40), text.at);
 }
 
+enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t most, double *lengths,
+                                    uint32_t *count, struct hatch_err *err)
+{
+    *count = 0;
+    for (hatch_svg_skip(&text); text.length; hatch_svg_skip(&text)) {
+        struct hatch_text one = {text.at, 0};
+        for (; text.length && !is_blank(*text.at) && *text.at != ','; advance(&text, 1))
+            one.length++;
+        if (*count == most)
+            return hatch_fail(err, HATCH_BAD_INPUT, "more than %u lengths", most);
+        HATCH_TRY(hatch_svg_length(one, whole, &lengths[*count], err));
+        ++*count;
+    }
+    return HATCH_OK;
+}
+
 void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double place[2])
 {
     place[0] = m->a * x + m->c * y + m->e;

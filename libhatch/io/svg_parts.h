@@ -38,6 +38,10 @@ bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers)
 enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* The same for count at most, separated by blanks or commas; *count is how many there are. */
+enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t most, double *lengths,
+                                    uint32_t *count, struct hatch_err *err) HATCH_MUST_USE;
+
 enum hatch_svg_paint { HATCH_SVG_NONE, HATCH_SVG_COLOR, HATCH_SVG_SERVER };
 
 /* What elements inherit, and what they are drawn in: the computed style. */
@@ -45,8 +49,12 @@ struct hatch_svg_look {
     enum hatch_svg_paint stroke, fill;
     float stroke_rgb[3], color_rgb[3]; /* linear; the second is what currentColor means */
     double width;                      /* user units */
-    double stroke_opacity, opacity;    /* opacity: of the element and of all its groups */
-    bool dashed, hidden;               /* hidden: display none or visibility hidden */
+    double stroke_opacity, opacity;    /* opacity: of all its groups */
+    double own_opacity;                /* the element's, which the groups' is multiplied by at last */
+    struct hatch_text dashes;          /* stroke-dasharray; empty: none */
+    double dash_offset;                /* user units */
+    bool capped;                       /* lines have ends of their own: dots are seen */
+    bool hidden;                       /* display none or visibility hidden */
     bool masked;                       /* by a filter, a mask or a clip */
     struct hatch_svg_matrix matrix;    /* to the page */
 };
@@ -59,6 +67,17 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
 /* The same for a style attribute: "stroke:#000; stroke-width:2". */
 enum hatch_status hatch_svg_style(struct hatch_text declarations, double page, struct hatch_svg_look *look,
                                   struct hatch_err *err) HATCH_MUST_USE;
+
+#define HATCH_SVG_DASHES_MAX 1000000u /* of a drawing */
+
+/* Cuts a line into its dashes, each of which goes to `finish`; a line without dashes goes there whole. scale: from
+ * user units to those of the line; dash: a builder that is used for nothing else; *made counts them.
+ * HATCH_BAD_INPUT for what is no list of lengths, HATCH_LIMIT beyond HATCH_SVG_DASHES_MAX. */
+enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look,
+                                 double page, double scale, struct hatch_path_builder *dash, uint32_t *made,
+                                 enum hatch_status (*finish)(void *context, struct hatch_path_builder *line,
+                                                             struct hatch_err *err),
+                                 void *context, struct hatch_err *err) HATCH_MUST_USE;
 
 /* "#rgb", "#rrggbb", "rgb(1, 2, 3)", "rgb(1% 2% 3%)" or a name of CSS, as linear. */
 bool hatch_svg_color(struct hatch_text text, float rgb[3]);

@@ -71,7 +71,6 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
                                      struct hatch_svg_look *look, struct hatch_err *err)
 {
     float ignored[3];
-    double share;
     value = trimmed(value);
     if (value.length > 10 && memcmp(value.at + value.length - 10, "!important", 10) == 0)
         value = trimmed((struct hatch_text){value.at, value.length - 10});
@@ -87,12 +86,14 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
         return read_width(value, page, look, err);
     if (hatch_text_is(name, "stroke-opacity"))
         return read_share(name, value, &look->stroke_opacity, err);
-    if (hatch_text_is(name, "opacity")) {
-        HATCH_TRY(read_share(name, value, &share, err));
-        look->opacity *= share;
-    }
+    if (hatch_text_is(name, "opacity"))
+        return read_share(name, value, &look->own_opacity, err);
     if (hatch_text_is(name, "stroke-dasharray"))
-        look->dashed = !is_none(value);
+        look->dashes = is_none(value) ? (struct hatch_text){"", 0} : value;
+    if (hatch_text_is(name, "stroke-dashoffset"))
+        return hatch_svg_length(value, page, &look->dash_offset, err);
+    if (hatch_text_is(name, "stroke-linecap"))
+        look->capped = !hatch_text_is(value, "butt");
     if (hatch_text_is(name, "display"))
         look->hidden |= is_none(value);
     if (hatch_text_is(name, "visibility"))

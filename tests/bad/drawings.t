@@ -30,6 +30,15 @@ echo "$svg<path d=\"M0 0hNaN\" stroke=\"red\"/></svg>" >nan.svg
 echo "$svg<path d=\"M0 0h9\" stroke=\"red\"/>" >cut.svg
 printf '<svg viewBox="0 0 9 9">\0</svg>' >zero-byte.svg
 head -c 20000 "$TOP/tests/drawings/hatching.svg" >half.svg
+(echo "$svg<path id=\"a0\" stroke=\"red\" d=\"M0 0h9\"/>" && awk 'BEGIN {for (i = 1; i < 30; i++) {
+    printf "<g id=\"a%d\">", i; for (k = 0; k < 10; k++) printf "<use href=\"#a%d\"/>", i - 1; print "</g>"}}' &&
+    echo '</svg>') >clones.svg
+echo "$svg<g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g></svg>" >clone-cycle.svg
+(echo "$svg" && awk 'BEGIN {for (i = 0; i < 100000; i++) printf "<g id=\"a%d\"><use href=\"#a%d\"/></g>\n", i, i + 1}' &&
+    echo '</svg>') >clone-chain.svg
+echo "$svg<path stroke-dasharray=\"1e-9\" d=\"M0 0h9\" stroke=\"red\"/></svg>" >dashes.svg
+(echo "$svg<style>" && awk 'BEGIN {for (i = 0; i < 100000; i++) printf ".a%d{stroke:red}", i}' && echo '</style></svg>') \
+    >rules.svg
 echo "$svg<text>a</text></svg>" >no-strokes.svg
 : >empty.svg
 printf 'x\ty\tlength\tangle\twidth\ttone\tr\tg\tb\tpath\n0\t0\t0\t0\t.1\t1\t0\t0\t0\t0,0 1e9,0\n' >far.tsv
@@ -37,17 +46,18 @@ printf 'x\ty\tlength\tangle\twidth\ttone\tr\tg\tb\tbend\n0\t0\t9\t0\t.1\t1\t0\t0
 
 for file in *.svg *.tsv; do
     try tamgen --size 64 --replay "$file" -o map.exr
-    refused "$file" "$(case $file in gigabytes.svg) echo 5 ;; *) echo 3 ;; esac)" 1
+    refused "$file" "$(case $file in gigabytes.svg | clones.svg | dashes.svg | rules.svg) echo 5 ;; *) echo 3 ;; esac)" 1
     ok "$file is named" grep -q "$file: " .err
 done
 ok "nothing is left" test ! -e map.exr
 if [ -z "$SANITIZE" ]; then
-    for file in nested.svg nested-unknown.svg laughs.svg quadratic.svg gigabytes.svg far.svg wide-curve.svg; do
+    for file in nested.svg nested-unknown.svg laughs.svg quadratic.svg gigabytes.svg far.svg wide-curve.svg \
+        clones.svg clone-cycle.svg dashes.svg; do
         lie "$PWD/$file" tamgen -j1 -o map.exr --replay
     done
 fi
 
-echo "$svg<image href=\"file:///etc/passwd\"/><image href=\"http://example.org/a.png\"/>
+echo "$svg<style>@import 'file:///etc/passwd';.a{stroke:url(http://example.org/a)}</style><image href=\"file:///etc/passwd\"/><image href=\"http://example.org/a.png\"/>
     <path d=\"M0 3h9\" stroke=\"red\"/></svg>" >references.svg
 if command -v strace >/dev/null; then
     strace -f -o trace tamgen --size 64 --replay references.svg -o map.exr 2>/dev/null

@@ -52,6 +52,13 @@ static void check_point(uint32_t stroke, int i, double x, double y)
     ck_assert_double_eq_tol(remainder(xy[1] - y, 100), 0, 1e-3);
 }
 
+static void check_dot(uint32_t stroke, double x, double y)
+{
+    ck_assert_ptr_null(list.items[stroke].path);
+    ck_assert_double_eq_tol(100 * (double)list.items[stroke].x, x, 1e-3);
+    ck_assert_double_eq_tol(100 * (double)list.items[stroke].y, y, 1e-3);
+}
+
 /* One stroke each, from (10, 20) to (50, 60), whatever its grammar. */
 static const char *const same_ends[] = {
     "<path stroke='black' d='M10 20L50 60'/>",
@@ -153,6 +160,32 @@ static const struct {
     {"<g color='blue' stroke='currentColor'><path d='M0 0 9 9' stroke-width='3pt'/></g>", {0, 0, 1}, 4, 1},
     {"<g stroke='#000' stroke-width='2' transform='scale(3 .75)'><path d='M0 0 9 9'/></g>", {0, 0, 0}, 3, 1},
     {"<path d='M0 0 9 9' stroke='black' stroke-width='5%'/>", {0, 0, 0}, 5, 1},
+    /* style sheets: stronger than attributes, weaker than style; ids over classes over elements, then the later */
+    {"<defs><style>.cls-1{fill:none;stroke:lime;stroke-width:3px;}</style></defs><path class='cls-1' d='M0 0 9 9'/>",
+     {0, 1, 0}, 3, 1},
+    {"<path class='a b' stroke='red' d='M0 0 9 9'/><style type='text/css'>"
+     "<![CDATA[\n.a, .c { stroke : lime }\n]]></style>",
+     {0, 1, 0}, 1, 1},
+    {"<style>#p{stroke:blue} .a{stroke:red} path{stroke:lime;stroke-width:2}</style>"
+     "<path id='p' class='a' d='M0 0 9 9'/>",
+     {0, 0, 1}, 2, 1},
+    {"<style>.a{stroke:red}.a{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>path.a{stroke:lime}.a{stroke:red}path.b{stroke:blue}</style>"
+     "<path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>.a{stroke:red}</style><path class='a' style='stroke:lime' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>/* .a{stroke:red} */ .a{/**/stroke:lime;/*;*/stroke-width/*x*/:4}</style><path class='a' d='M0 0 9 9'/>",
+     {0, 1, 0}, 4, 1},
+    {"<style>*{stroke-width:3}.a{stroke:lime;opacity:.5}</style><g class='a' opacity='.1'><path d='M0 0 9 9'/></g>",
+     {0, 1, 0}, 3, .5f},
+    {"<style>@import url(http://example.org/a.css);@media print{.a{stroke:red}}.b .a{stroke:red}.a{stroke:lime}</style>"
+     "<path class='a' d='M0 0 9 9'/>",
+     {0, 1, 0}, 1, 1},
+    {"<style>.a{stroke:lime</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    /* clones: in the clone's look where they have none */
+    {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' stroke-width='2'/>", {0, 1, 0}, 2, 1},
+    {"<use xlink:href='#p' xmlns:xlink='x' stroke='red'/><defs><g id='p' stroke='lime'><path d='M0 0 9 9'/></g></defs>",
+     {0, 1, 0}, 1, 1},
+    {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' transform='scale(2)'/>", {0, 1, 0}, 2, 1},
 };
 
 START_TEST(a_stroke_has_its_look)
@@ -176,7 +209,8 @@ START_TEST(the_rest_is_counted)
               "<image href='http://example.org/a.png'/><path stroke='url(#g)' fill='none' d='M0 0 9 9'/>"
               "<use href='#a'/><g display='none'><path stroke='red' d='M0 0 9 9'/></g>"
               "<path stroke='red' fill='none' d='M200 0 290 9'/><path stroke='red' fill='none' d='M1 1'/>"
-              "<path stroke='red' fill='none' stroke-dasharray='1 2' d='M1 1z'/>"
+              "<path stroke='red' fill='none' stroke-linecap='round' d='M1 1z'/>"
+              "<path stroke='red' fill='none' d='M1 1z'/><path mask='url(#m)' fill='none' stroke='red' d='M2 2z'/>"
               "<x:thing xmlns:x='y'><path stroke='red' d='M0 0 9 9'/></x:thing>");
     ck_assert_uint_eq(list.count, 1);
     ck_assert_ptr_null(list.items[0].path);
@@ -187,6 +221,91 @@ START_TEST(the_rest_is_counted)
     ck_assert_uint_eq(notes.gradients, 1);
     ck_assert_uint_eq(notes.others, 2);
     ck_assert_uint_eq(notes.outside, 1);
+}
+END_TEST
+
+static void check_ends(uint32_t stroke, double x0, double y0, double x1, double y1)
+{
+    check_point(stroke, 0, x0, y0);
+    check_point(stroke, -1, x1, y1);
+}
+
+START_TEST(clones_stand_where_they_are_put)
+{
+    read_page("<g id='g' stroke='red'><path id='p' d='M10 20 14 20'/></g><use href='#g' x='5' y='6'/>"
+              "<use href='#p' x='5' transform='scale(2)' stroke='red'/>"
+              "<symbol id='s' viewBox='0 0 10 20'><path stroke='red' d='M0 0 10 20'/></symbol>"
+              "<use href='#s' x='30' y='40' width='20' height='20'/><symbol id='t'><path stroke='red' d='M1 1 2 2'/>"
+              "</symbol><use href='#t'/><use href='#nobody'/><use/>");
+    ck_assert_uint_eq(list.count, 5);
+    check_ends(0, 10, 20, 14, 20);
+    check_ends(1, 15, 26, 19, 26);
+    check_ends(2, 30, 40, 38, 40);
+    check_ends(3, 35, 40, 45, 60);
+    check_ends(4, 1, 1, 2, 2);
+    ck_assert_uint_eq(notes.others, 2);
+}
+END_TEST
+
+START_TEST(dashes_are_strokes)
+{
+    read_page("<path stroke='red' stroke-dasharray='4,2' d='M10 10H17V13'/>");
+    ck_assert_uint_eq(list.count, 2);
+    check_ends(0, 10, 10, 14, 10);
+    check_ends(1, 16, 10, 17, 13); /* around the corner */
+    read_page("<path stroke='red' stroke-dasharray='3' stroke-dashoffset='4' d='M10 10H20'/>");
+    ck_assert_uint_eq(list.count, 2);
+    check_ends(0, 12, 10, 15, 10);
+    check_ends(1, 18, 10, 20, 10);
+    read_page(""
+              "<path stroke='red' style='stroke-dasharray:1 1 2; stroke-dashoffset:-1' transform='scale(2)' d='M5 5H10'/>");
+    ck_assert_uint_eq(list.count, 2); /* 1 on, 1 off, 2 on, 1 off, 1 on, 2 off; from its last unit on */
+    check_ends(0, 12, 10, 14, 10);
+    check_ends(1, 16, 10, 20, 10);
+    read_page("<g stroke-dasharray='0 5'><path stroke='red' d='M0 10H10'/>"
+              "<path stroke='red' stroke-linecap='round' d='M0 10H14'/></g>");
+    ck_assert_uint_eq(list.count, 3); /* dots, which only caps show */
+    for (uint32_t i = 0; i < 3; i++)
+        check_dot(i, 5 * i, 10);
+    read_page("<g stroke-dasharray='2'><path stroke='red' stroke-dasharray='none' d='M0 10H10'/>"
+              "<path stroke='red' stroke-dasharray='0 0' d='M0 10H10'/></g>");
+    ck_assert_uint_eq(list.count, 2);
+}
+END_TEST
+
+START_TEST(clones_without_an_end_are_refused)
+{
+    static char text[200000];
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><g id='a0'><path d='M0 0 1 1'/></g>");
+    for (int i = 1; i < 12; i++) {
+        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'>", i);
+        for (int k = 0; k < 10; k++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<use href='#a%d'/>", i - 1);
+        at += (size_t)snprintf(text + at, sizeof text - at, "</g>");
+    }
+    snprintf(text + at, sizeof text - at, "</svg>");
+    ck_assert_int_eq(read_text(text), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: clones of more than 1000000 elements");
+    at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
+    for (int i = 0; i < 1000; i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
+    snprintf(text + at, sizeof text - at, "</svg>");
+    ck_assert_int_eq(read_text(text), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "line 1: elements nested deeper than 256");
+}
+END_TEST
+
+START_TEST(dashes_and_rules_have_a_limit)
+{
+    static char text[200000];
+    ck_assert_int_eq(read_text(page("<path stroke='red' stroke-dasharray='1e-5' d='M0 0H90'/>")), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: more than 1000000 dashes");
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><style>");
+    for (int i = 0; i < 4097; i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, ".a%d{stroke:red}", i);
+    snprintf(text + at, sizeof text - at, "</style></svg>");
+    ck_assert_int_eq(read_text(text), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "more than 4096 rules of style");
 }
 END_TEST
 
@@ -219,6 +338,17 @@ static const struct {
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e6 2'/></svg>", "line 1: a line that reaches over 64 tiles"},
     {"<svg viewBox='0 0 9 9'><use href='other.svg#a'/></svg>",
      "line 1: a clone of 'other.svg#a': other files are not opened"},
+    {"<svg viewBox='0 0 9 9'>\n<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g></svg>",
+     "line 2: a clone of 'a' in itself"},
+    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: a clone of 'u' in itself"},
+    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: a clone of 'all' in itself"},
+    {"<svg viewBox='0 0 9 9'><use x='far' href='#a'/></svg>", "line 1: x: 'far' is not a length"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 -2' d='M0 0 9 9'/></svg>",
+     "line 1: stroke-dasharray: -2 is negative"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 b' d='M0 0 9 9'/></svg>",
+     "line 1: 'b' is not a length"},
+    {"<svg viewBox='0 0 9 9'><style>.a{stroke:reddish}</style>\n<g class='a'/></svg>",
+     "line 2: stroke 'reddish' is not understood"},
     {"<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg viewBox='0 0 9 9'>&a;</svg>",
      "line 1: entity 'a' lies outside the file"},
     {"<!DOCTYPE svg [<!ENTITY a 'ha'>\n<!ENTITY b '&a;&a;'>]><svg viewBox='0 0 9 9'>&b;</svg>",
@@ -276,7 +406,9 @@ END_TEST
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work,
                               struct hatch_err *said)
 {
-    const char *text = page("<g stroke='red'><circle cx='9' cy='9' r='5'/><path d='M0 0 9 9'/></g>");
+    const char *text = page("<style>.a{stroke-dasharray:3 4}</style><g id='g' stroke='red'>"
+                            "<circle cx='9' cy='9' r='5'/>"
+                            "<path class='a' d='M0 0 9 9'/></g><use href='#g'/>");
     (void)context;
     return hatch_svg_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, SIZE, to, work, &list, &notes,
                           said);
@@ -303,6 +435,10 @@ static Suite *suite(void)
     tcase_add_test(tests, a_page_of_gigabytes_is_a_limit);
     tcase_add_test(tests, plain_entities_and_units_of_the_page_are_read);
     tcase_add_test(tests, deep_groups_are_refused);
+    tcase_add_test(tests, clones_stand_where_they_are_put);
+    tcase_add_test(tests, clones_without_an_end_are_refused);
+    tcase_add_test(tests, dashes_are_strokes);
+    tcase_add_test(tests, dashes_and_rules_have_a_limit);
     tcase_add_test(tests, drawings_are_told_from_tables);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
