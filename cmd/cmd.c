@@ -94,6 +94,8 @@ noreturn void cmd_die(const char *file, const struct hatch_err *err)
 {
     cmd_discard_outputs();
     say(file, "", err->text);
+    if (err->status == HATCH_USAGE)
+        fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
     exit((int)err->status);
 }
 
@@ -112,13 +114,12 @@ static void say_formatted(const char *file, const char *kind, const char *format
 
 noreturn void cmd_usage(const char *format, ...)
 {
+    struct hatch_err sentence = {.status = HATCH_USAGE};
     va_list args;
-    cmd_discard_outputs();
     va_start(args, format);
-    say_formatted(NULL, "", format, args);
+    vsnprintf(sentence.text, sizeof sentence.text, format, args);
     va_end(args);
-    fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
-    exit(HATCH_USAGE);
+    cmd_die(NULL, &sentence);
 }
 
 void cmd_warn(const char *file, const char *format, ...)

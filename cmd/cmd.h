@@ -137,7 +137,7 @@ void cmd_write(struct cmd_output *output, const void *data, size_t size);
 int cmd_end(struct cmd_args *args, enum hatch_status status);
 
 /* "tamgen: FILE: sentence" on standard error, and exit with err's status; unfinished outputs go. file
- * may be NULL. */
+ * may be NULL. Wrong usage has a second line, "try --help". */
 noreturn void cmd_die(const char *file, const struct hatch_err *err);
 
 /* Dies when status is not HATCH_OK: cmd_check(f(..., &err), path, &err). */
@@ -151,6 +151,12 @@ void cmd_warn(const char *file, const char *format, ...) HATCH_PRINTF(2, 3);
 
 /* "tamgen: sentence", only with --verbose. */
 void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);
+
+/* The noun that goes with a count: "1 patch", "2 patches". */
+static inline const char *cmd_noun(uint64_t count, const char *one, const char *many)
+{
+    return count == 1 ? one : many;
+}
 
 /* "render-gl: sentence": what somebody in front of a window asked for. */
 void cmd_say(const char *format, ...) HATCH_PRINTF(1, 2);

@@ -412,7 +412,7 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
     if (common.options_table)
         print_table(&table);
     if (args->operand_count < program->operands_min)
-        cmd_usage("too few operands");
+        cmd_usage("too few operands, want %s", program->operands);
     if (program->operands_max >= 0 && args->operand_count > program->operands_max)
         cmd_usage("one operand too many: %s", args->operands[program->operands_max]);
     args->output = common.output;

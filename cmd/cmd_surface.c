@@ -105,6 +105,6 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
         add(&sum, &notes);
     }
     warn(name, &sum, empty);
-    cmd_note("%u surface%s", sum.components, sum.components == 1 ? "" : "s");
+    cmd_note("%u %s", sum.components, cmd_noun(sum.components, "surface", "surfaces"));
     return surfaces;
 }

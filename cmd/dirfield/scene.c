@@ -79,7 +79,8 @@ static void say(const struct run *run)
                  "%.3g %% of the faces lie on parts that have no direction of their own, as planes and spheres: "
                  "their lines only lie across the longest side",
                  100 * run->undirected / run->faces);
-    cmd_note("%llu singularities", (unsigned long long)run->singularities);
+    cmd_note("%llu %s", (unsigned long long)run->singularities,
+             cmd_noun(run->singularities, "singularity", "singularities"));
 }
 
 static void set_content(struct cmd_file *file, struct hatch_bytes bytes)

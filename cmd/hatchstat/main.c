@@ -35,17 +35,18 @@ static const struct {
     const char *name;
     int files_min, files_max; /* max -1: any number */
     const char *want;         /* the same in words */
+    bool checks;              /* --check has a bar there */
     stat_measure measure;
 } subjects[] = {
-    {"diff", 2, 2, "2", stat_diff},
-    {"field", 0, -1, "any number", stat_field},
-    {"frames", 2, -1, "2 or more", stat_frames},
-    {"ink", 1, -1, "1 or more", stat_ink},
-    {"lapped", 0, 1, "1 at most", stat_lapped},
-    {"mesh", 0, -1, "any number", stat_mesh},
-    {"seeds", 0, 1, "1 at most", stat_seeds},
-    {"tam", 0, 1, "1 at most", stat_tam},
-    {"tones", 0, 1, "1 at most", stat_tones},
+    {"diff", 2, 2, "2", false, stat_diff},
+    {"field", 0, -1, "any number", false, stat_field},
+    {"frames", 2, -1, "2 or more", false, stat_frames},
+    {"ink", 1, -1, "1 or more", false, stat_ink},
+    {"lapped", 0, 1, "1 at most", true, stat_lapped},
+    {"mesh", 0, -1, "any number", false, stat_mesh},
+    {"seeds", 0, 1, "1 at most", true, stat_seeds},
+    {"tam", 0, 1, "1 at most", true, stat_tam},
+    {"tones", 0, 1, "1 at most", false, stat_tones},
 };
 
 static const char *const examples[] = {
@@ -80,8 +81,13 @@ int main(int argc, char **argv)
             continue;
         if (files < subjects[i].files_min ||
             (subjects[i].files_max >= 0 && files > subjects[i].files_max))
-            cmd_usage("%s: %d file%s, want %s", subjects[i].name, files, files == 1 ? "" : "s",
+            cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_noun((uint64_t)files, "file", "files"),
                       subjects[i].want);
+        /* What asks for an exit status must not be passed over. */
+        if (values.check && !subjects[i].checks)
+            cmd_usage("%s: --check is for tam, lapped and seeds", subjects[i].name);
+        if (values.max_difference >= 0 && subjects[i].measure != stat_diff)
+            cmd_usage("%s: --max-difference is for diff", subjects[i].name);
         struct cmd_output *output = cmd_open_output(args.output, false);
         return cmd_end(&args, subjects[i].measure(&args, &values, output));
     }

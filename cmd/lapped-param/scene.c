@@ -38,8 +38,8 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
     }
     scene->texture_count = 0;
     if (count > 0)
-        cmd_warn(name, "%u texture%s left out: the texture coordinates are the hatching's now", count,
-                 count == 1 ? "" : "s");
+        cmd_warn(name, "%u %s left out: the texture coordinates are the hatching's now", count,
+                 cmd_noun(count, "texture", "textures"));
 }
 
 void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene,

@@ -111,8 +111,9 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
         cmd_write(files[i].output, files[i].bytes.data, files[i].bytes.size);
         hatch_arena_free(&files[i].arena);
     }
-    cmd_note("%u tones, %u levels; files: %u", job->tam.tones, job->tam.columns[0].level_count,
-             count);
+    cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_noun(job->tam.tones, "tone", "tones"),
+             job->tam.columns[0].level_count, cmd_noun(job->tam.columns[0].level_count, "level", "levels"), count,
+             cmd_noun(count, "file", "files"));
 }
 
 int main(int argc, char **argv)

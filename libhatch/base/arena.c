@@ -114,7 +114,7 @@ void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, st
     if (count <= SIZE_MAX / size)
         at = take(arena, count * size);
     if (!at)
-        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes over %zu used, limit %zu",
+        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes beside %zu bytes in use, limit %zu",
                    count, size, arena->used_bytes, arena->limit_bytes);
     return at;
 }
