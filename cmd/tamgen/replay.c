@@ -52,7 +52,8 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
                  (double)result->darkest, result->short_columns, job->tones);
     if (result->exhausted)
         cmd_warn(name, "%u %s lighter than wanted, by up to %.4f: the finer ones have no more strokes",
-                 result->exhausted, cmd_noun(result->exhausted, "image stays", "images stay"), (double)result->tone_error);
+                 result->exhausted, cmd_noun(result->exhausted, "image stays", "images stay"),
+                 (double)result->tone_error);
 }
 
 /* --fit is asked for its figures; of the others they are worth knowing. */
