@@ -5,6 +5,8 @@
 
 /* How often a triangle is cut in four before it counts as bare: the gap is then below 1/64 of it. */
 #define CUTS_MAX 6
+/* And before it counts as shown. */
+#define SHOW_CUTS_MAX 4
 
 enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count,
                                    struct hatch_arena *arena, struct hatch_cover *cover, struct hatch_err *err)
@@ -31,24 +33,29 @@ static double distance(const double a[2], const double b[2])
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
 }
 
-/* Whether one core holds a part of a triangle whole; *touched: whether it holds the part's middle. */
-static bool holds_part(const struct hatch_outline *outline, const double mask[3][2], const double part[3][3],
-                       bool *touched)
+/* The middle of a part of a triangle, and how far its corners are from there. */
+static double reach_of(const double mask[3][2], const double part[3][3], double middle[2])
 {
-    double middle[2], bary[3], reach = 0;
+    double bary[3], reach = 0;
     for (int i = 0; i < 3; i++)
         bary[i] = (part[0][i] + part[1][i] + part[2][i]) / 3;
     place_in(mask, bary, middle);
-    double depth = hatch_outline_depth(outline, middle);
-    *touched = *touched || depth > 0;
-    if (depth <= 0)
-        return false;
     for (int c = 0; c < 3; c++) {
         double corner[2];
         place_in(mask, part[c], corner);
         reach = fmax(reach, distance(corner, middle));
     }
-    return depth >= reach;
+    return reach;
+}
+
+/* Whether one core holds a part of a triangle whole; *touched: whether it holds the part's middle. */
+static bool holds_part(const struct hatch_outline *outline, const double mask[3][2], const double part[3][3],
+                       bool *touched)
+{
+    double middle[2], reach = reach_of(mask, part, middle);
+    double depth = hatch_outline_depth(outline, middle);
+    *touched = *touched || depth > 0;
+    return depth > 0 && depth >= reach;
 }
 
 /* Part `which` of a part cut in four. */
@@ -107,28 +114,24 @@ bool hatch_cover_holds(const struct hatch_outline *outline, const double mask[3]
     return corners_held(&of) && union_holds(&of, WHOLE, 0);
 }
 
-/* Whether opacity over 0 may be found in a triangle. Never false where it does. */
-static bool support_touches(const struct hatch_outline *outline, const double mask[3][2], const double part[3][3],
-                         int cuts)
+/* Whether opacity over 0 may be found in a part of a triangle where no earlier core lies over it. Never
+ * false where it is. */
+static bool may_show(const struct union_of *of, const double mask[3][2], const double part[3][3], int cuts)
 {
-    double bary[3], middle[2], reach = 0;
-    for (int i = 0; i < 3; i++)
-        bary[i] = (part[0][i] + part[1][i] + part[2][i]) / 3;
-    place_in(mask, bary, middle);
-    for (int c = 0; c < 3; c++) {
-        double corner[2];
-        place_in(mask, part[c], corner);
-        reach = fmax(reach, distance(corner, middle));
-    }
-    double gap = hatch_outline_distance(outline, middle);
+    double middle[2], reach = reach_of(mask, part, middle);
+    double gap = hatch_outline_distance(of->outline, middle);
+    bool hidden = false;
     if (gap > reach)
         return false;
-    if (gap <= 0 || cuts == 3)
+    for (uint32_t e = of->head; e != UINT32_MAX; e = of->entries[e].next)
+        if (holds_part(of->outline, of->entries[e].mask, part, &hidden))
+            return false;
+    if ((gap <= 0 && !hidden) || cuts == SHOW_CUTS_MAX)
         return true;
     for (int which = 0; which < 4; which++) {
         double smaller[3][3];
         quarter(part, which, smaller);
-        if (support_touches(outline, mask, (const double(*)[3])smaller, cuts + 1))
+        if (may_show(of, mask, (const double(*)[3])smaller, cuts + 1))
             return true;
     }
     return false;
@@ -137,7 +140,8 @@ static bool support_touches(const struct hatch_outline *outline, const double ma
 enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2], bool *shows,
                                   struct hatch_err *err)
 {
-    *shows = !cover->covered[face] && support_touches(cover->outline, mask, WHOLE, 0);
+    struct union_of of = {cover->outline, cover->entries, cover->head[face]};
+    *shows = !cover->covered[face] && may_show(&of, mask, WHOLE, 0);
     if (!*shows)
         return HATCH_OK;
     void *entries = cover->entries;
@@ -148,7 +152,7 @@ enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, cons
     entry->next = cover->head[face];
     memcpy(entry->mask, mask, sizeof entry->mask);
     cover->head[face] = cover->entry_count;
-    struct union_of of = {cover->outline, cover->entries, cover->entry_count};
+    of = (struct union_of){cover->outline, cover->entries, cover->entry_count};
     cover->covered[face] = corners_held(&of) && union_holds(&of, WHOLE, 0);
     /* A face that is covered needs no entries. */
     if (!cover->covered[face])

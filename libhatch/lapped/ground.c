@@ -27,6 +27,9 @@
 #define CURVED_GAIN 1.0
 #define CURVED_MIN 0.25
 
+/* Cosine of the angle by which the field may turn across an edge inside a patch. */
+#define COHERENT 0.5
+
 /* Of an equilateral triangle: the square of its side over its area. */
 #define EDGE_SQUARED 2.3094010767585034
 
@@ -111,6 +114,39 @@ static void measure_slice(void *context, uint32_t slice)
         measure_face(of, f);
 }
 
+/* A side in its face's frame. */
+static void side_vector(const struct hatch_ground *ground, uint32_t side, double vector[2])
+{
+    double from[2], to[2];
+    hatch_ground_corner(ground, side / 3, side % 3, from);
+    hatch_ground_corner(ground, side / 3, hatch_side_end(side) % 3, to);
+    vector[0] = to[0] - from[0];
+    vector[1] = to[1] - from[1];
+}
+
+/* See struct hatch_ground: from the lines of the two faces along their edge, unfolded. */
+static int8_t bend_at(const struct hatch_ground *ground, uint32_t side)
+{
+    const struct hatch_surface *surface = ground->surface;
+    uint32_t other = surface->opposite[side];
+    if (other == HATCH_NO_SIDE || surface->corners[side] == surface->corners[other])
+        return 0;
+    double a[2], b[2];
+    side_vector(ground, other, a);
+    side_vector(ground, side, b);
+    double cosine = -(a[0] * b[0] + a[1] * b[1]) / (a[0] * a[0] + a[1] * a[1]);
+    int8_t size = fabs(cosine) < COHERENT ? 1 : 2;
+    return cosine < 0 ? (int8_t)-size : size;
+}
+
+static void join_slice(void *context, uint32_t slice)
+{
+    const struct measure *of = context;
+    uint32_t count = 3 * of->ground->surface->face_count, first = 3 * slice * SLICE;
+    for (uint32_t i = first; i < count && i < first + 3 * SLICE; i++)
+        of->ground->bend[i] = bend_at(of->ground, i);
+}
+
 /* Shares values among the faces around each point, weighed by area. sum: two a point. */
 static void blur(const struct hatch_surface *surface, const double *area, double *value, double *sum)
 {
@@ -180,19 +216,21 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
     uint32_t count = surface->face_count;
     struct hatch_ground made = {.surface = surface};
     made.faces_max = options->size > 0 ? FACES_GIVEN_MAX : FACES_CHOSEN_MAX;
-    made.flat = HATCH_NEW(arena, double, (size_t)count * 4, err);
-    made.rough = made.flat ? HATCH_NEW(arena, double, count, err) : NULL;
-    made.wish = made.rough ? HATCH_NEW(arena, double, count, err) : NULL;
-    made.grain = made.wish ? HATCH_NEW(arena, double, count, err) : NULL;
-    made.singular = made.grain ? HATCH_NEW(arena, uint8_t, count, err) : NULL;
-    if (!made.singular)
+    made.flat = HATCH_NEW_UNSET(arena, double, (size_t)count * 4, err);
+    made.rough = made.flat ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    made.wish = made.rough ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    made.grain = made.wish ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    made.singular = made.grain ? HATCH_NEW_UNSET(arena, uint8_t, count, err) : NULL;
+    made.bend = made.singular ? HATCH_NEW_UNSET(arena, int8_t, (size_t)count * 3, err) : NULL;
+    if (!made.bend)
         return HATCH_LIMIT;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *area = HATCH_NEW(scratch, double, count, err);
-    double *sum = area ? HATCH_NEW(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
+    double *area = HATCH_NEW_UNSET(scratch, double, count, err);
+    double *sum = area ? HATCH_NEW_UNSET(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
     if (sum) {
         struct measure of = {&made, frames, direction, area};
         hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, measure_slice, &of);
+        hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, join_slice, &of);
         double *wide = made.wish;
         memcpy(wide, area, count * sizeof *area);
         for (int i = 0; i < BLUR_ROUNDS; i++) {

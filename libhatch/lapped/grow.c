@@ -4,8 +4,6 @@
 #include "lapped/work.h"
 #include "mesh/edges.h"
 
-/* Cosine of the angle by which the field may turn across an edge inside a patch. */
-#define COHERENT 0.5
 /* How many faces deep a patch grows into covered ground. */
 #define STEPS_MAX 1
 
@@ -17,14 +15,11 @@ enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const str
     struct hatch_growth made = {.covered = covered, .ground = ground, .outline = outline, .arena = arena,
                                 .heap = {.arena = arena},
                                 .obstacles = {.arena = arena}};
-    made.face_round = HATCH_NEW(arena, uint32_t, surface->face_count, err);
-    made.face_local = made.face_round ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    made.barred = made.face_local ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    made.point_round = made.barred ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
-    made.point_local = made.point_round ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
-    made.place_number = made.point_local ? HATCH_NEW(arena, uint32_t, surface->point_count, err) : NULL;
-    made.known = made.place_number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 2, err) : NULL;
-    made.budget = made.known ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    made.face = HATCH_NEW(arena, struct hatch_stamp, surface->face_count, err);
+    made.barred = made.face ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    made.point = made.barred ? HATCH_NEW(arena, struct hatch_stamp, surface->point_count, err) : NULL;
+    made.known = made.point ? HATCH_NEW(arena, struct hatch_known, surface->point_count, err) : NULL;
+    made.budget = made.known ? HATCH_NEW_UNSET(arena, uint32_t, surface->face_count, err) : NULL;
     if (!made.budget)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++)
@@ -38,42 +33,14 @@ static uint32_t side_of(uint32_t face, uint32_t corner)
     return face * 3 + corner;
 }
 
-/* The side across, when going there keeps the faces' sides alike; else HATCH_NO_SIDE. */
-static uint32_t across(const struct hatch_surface *surface, uint32_t side)
-{
-    uint32_t other = surface->opposite[side];
-    if (other == HATCH_NO_SIDE || surface->corners[side] == surface->corners[other])
-        return HATCH_NO_SIDE;
-    return other;
-}
-
 static bool holds_face(const struct hatch_growth *growth, uint32_t face)
 {
-    return growth->face_round[face] == growth->round;
+    return growth->face[face].round == growth->round;
 }
 
 static bool holds_point(const struct hatch_growth *growth, uint32_t point)
 {
-    return growth->point_round[point] == growth->round;
-}
-
-/* A side in its face's frame. */
-static void side_vector(const struct hatch_ground *ground, uint32_t side, double vector[2])
-{
-    double from[2], to[2];
-    hatch_ground_corner(ground, side / 3, side % 3, from);
-    hatch_ground_corner(ground, side / 3, hatch_side_end(side) % 3, to);
-    vector[0] = to[0] - from[0];
-    vector[1] = to[1] - from[1];
-}
-
-/* Cosine between the lines of the two faces along an edge, unfolded. */
-static double cosine_across(const struct hatch_ground *ground, uint32_t side, uint32_t other)
-{
-    double a[2], b[2];
-    side_vector(ground, side, a);
-    side_vector(ground, other, b);
-    return -(a[0] * b[0] + a[1] * b[1]) / (a[0] * a[0] + a[1] * a[1]);
+    return growth->point[point].round == growth->round;
 }
 
 enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t side)
@@ -81,7 +48,7 @@ enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t si
     uint32_t other = growth->ground->surface->opposite[side];
     if (other == HATCH_NO_SIDE)
         return HATCH_SIDE_BORDER;
-    return across(growth->ground->surface, side) != HATCH_NO_SIDE && holds_face(growth, other / 3)
+    return growth->ground->bend[side] != 0 && holds_face(growth, other / 3)
                ? HATCH_SIDE_INSIDE
                : HATCH_SIDE_OPEN;
 }
@@ -95,51 +62,39 @@ static int sides_inside(const struct hatch_growth *growth, uint32_t face)
     return count;
 }
 
-/* The sign of a face's line that agrees with the patch around it; 0 where none does, or where it is
- * only reached through a face with an index. */
-static int8_t agree(const struct hatch_growth *growth, uint32_t face)
+/* The sign with which the patch may have this face: its line then agrees with those around, it is not only
+ * reached through a face with an index, and the patch stays a disk that encloses no index; else 0. */
+static int8_t admit(const struct hatch_growth *growth, uint32_t face)
 {
     const struct hatch_ground *ground = growth->ground;
+    const uint32_t *opposite = &ground->surface->opposite[(size_t)face * 3];
     int8_t sign = 0, through = 0;
+    uint32_t shared = 0, last = 0;
+    if (growth->barred[face] == growth->number)
+        return 0;
     for (uint32_t c = 0; c < 3; c++) {
-        uint32_t side = side_of(face, c);
-        if (hatch_growth_side(growth, side) != HATCH_SIDE_INSIDE)
+        int8_t bend = ground->bend[side_of(face, c)];
+        uint32_t neighbour = opposite[c] / 3;
+        if (bend == 0 || !holds_face(growth, neighbour))
             continue;
-        uint32_t other = ground->surface->opposite[side], neighbour = other / 3;
-        double cosine = cosine_across(ground, other, side);
-        int8_t own = (int8_t)((cosine < 0 ? -1 : 1) * growth->patch.sign[growth->face_local[neighbour]]);
-        if (ground->singular[face] || (ground->singular[neighbour] && growth->patch.face_count == 1)) {
+        bool index = ground->singular[neighbour];
+        if (index && sides_inside(growth, neighbour) > 1)
+            return 0;
+        shared++;
+        last = c;
+        int8_t own = (int8_t)((bend < 0 ? -1 : 1) * growth->patch.sign[growth->face[neighbour].local]);
+        if (ground->singular[face] || (index && growth->patch.face_count == 1)) {
             through = own;
-        } else if (!ground->singular[neighbour]) {
-            if (fabs(cosine) < COHERENT || (sign && sign != own))
+        } else if (!index) {
+            if (bend == 1 || bend == -1 || sign == -own)
                 return 0;
             sign = own;
         }
     }
+    if (shared == 0 || shared == 3 ||
+        (shared == 1 && holds_point(growth, ground->surface->corners[side_of(face, (last + 2) % 3)])))
+        return 0;
     return sign ? sign : through;
-}
-
-/* Whether the patch may have this face, and stays a disk that encloses no index. */
-static bool stays_disk(const struct hatch_growth *growth, uint32_t face)
-{
-    const struct hatch_surface *surface = growth->ground->surface;
-    int shared = 0;
-    uint32_t last = 0;
-    if (growth->barred[face] == growth->number)
-        return false;
-    for (uint32_t c = 0; c < 3; c++) {
-        uint32_t side = side_of(face, c);
-        if (hatch_growth_side(growth, side) != HATCH_SIDE_INSIDE)
-            continue;
-        uint32_t neighbour = surface->opposite[side] / 3;
-        if (growth->ground->singular[neighbour] && sides_inside(growth, neighbour) > 1)
-            return false;
-        shared++;
-        last = c;
-    }
-    if (shared == 1)
-        return !holds_point(growth, surface->corners[side_of(face, (last + 2) % 3)]);
-    return shared == 2;
 }
 
 /* Where a corner of a face comes to lie, seen from another corner that has its place. */
@@ -153,27 +108,45 @@ static void unfold(const struct hatch_ground *ground, uint32_t face, int8_t sign
         sum[i] += place[i] + sign * (b[i] - a[i]);
 }
 
-static enum hatch_status add_vertex(struct hatch_growth *growth, uint32_t point, const double place[2],
-                                    struct hatch_err *err)
+/* Room for one more in arrays that have the same room; sizes: of what each has for one. */
+static enum hatch_status widen(struct hatch_arena *arena, void *const *arrays, const size_t *sizes, size_t count,
+                               uint32_t *room, uint32_t want, struct hatch_err *err)
+{
+    uint32_t wider = *room;
+    for (size_t i = 0; i < count && want > *room; i++) {
+        void *array;
+        wider = *room;
+        memcpy(&array, arrays[i], sizeof array);
+        HATCH_TRY(hatch_heap_reserve(arena, &array, &wider, want, sizes[i], err));
+        memcpy(arrays[i], &array, sizeof array);
+    }
+    *room = wider;
+    return HATCH_OK;
+}
+
+/* Room for one face and one vertex more. */
+static enum hatch_status make_room(struct hatch_growth *growth, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
-    uint32_t local = patch->vertex_count;
-    void *points = patch->points, *places = patch->place;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &points, &patch->point_room, local + 1, sizeof *patch->points,
-                                 err));
-    patch->points = points;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &places, &patch->place_room, 2 * local + 2,
-                                 sizeof *patch->place, err));
-    patch->place = places;
-    patch->vertex_count++;
+    void *const of_faces[] = {&patch->faces, &patch->sign, &patch->past, &patch->steps, &patch->corners};
+    static const size_t face_sizes[] = {sizeof *patch->faces, sizeof *patch->sign, sizeof *patch->past,
+                                        sizeof *patch->steps, 3 * sizeof *patch->corners};
+    void *const of_points[] = {&patch->points, &patch->place};
+    static const size_t point_sizes[] = {sizeof *patch->points, 2 * sizeof *patch->place};
+    HATCH_TRY(widen(growth->arena, of_faces, face_sizes, 5, &patch->face_room, patch->face_count + 1, err));
+    return widen(growth->arena, of_points, point_sizes, 2, &patch->point_room, patch->vertex_count + 1, err);
+}
+
+static void add_vertex(struct hatch_growth *growth, uint32_t point, const double place[2])
+{
+    struct hatch_patch *patch = &growth->patch;
+    const struct hatch_known *known = &growth->known[point];
+    uint32_t local = patch->vertex_count++;
+    bool solved = known->number == growth->number;
     patch->points[local] = point;
-    growth->point_round[point] = growth->round;
-    growth->point_local[point] = local;
-    bool solved = growth->place_number[point] == growth->number;
+    growth->point[point] = (struct hatch_stamp){growth->round, local};
     growth->unfolded += !solved;
-    memcpy(&patch->place[(size_t)local * 2], solved ? &growth->known[(size_t)point * 2] : place,
-           2 * sizeof *place);
-    return HATCH_OK;
+    memcpy(&patch->place[(size_t)local * 2], solved ? known->place : place, 2 * sizeof *place);
 }
 
 static double distance_to_side(const double center[2], const double a[2], const double b[2])
@@ -188,26 +161,21 @@ static double distance_to_side(const double center[2], const double a[2], const 
 static void side_places(const struct hatch_growth *growth, uint32_t side, const double *ends[2])
 {
     const uint32_t *corners = growth->ground->surface->corners;
-    ends[0] = &growth->patch.place[2 * growth->point_local[corners[side]]];
-    ends[1] = &growth->patch.place[2 * growth->point_local[corners[hatch_side_end(side)]]];
+    ends[0] = &growth->patch.place[2 * growth->point[corners[side]].local];
+    ends[1] = &growth->patch.place[2 * growth->point[corners[hatch_side_end(side)]].local];
 }
 
-static enum hatch_status push_sides(struct hatch_growth *growth, uint32_t face, struct hatch_err *err)
+/* Queues a side if the outline touches it. */
+static enum hatch_status push_side(struct hatch_growth *growth, uint32_t side, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &growth->patch;
     double inner = 2 * patch->radius * growth->outline->core_min;
     double outer = 2 * patch->radius * growth->outline->reach_max;
-    for (uint32_t c = 0; c < 3; c++) {
-        uint32_t side = side_of(face, c);
-        if (hatch_growth_side(growth, side) != HATCH_SIDE_OPEN ||
-            across(growth->ground->surface, side) == HATCH_NO_SIDE)
-            continue;
-        const double *ends[2];
-        side_places(growth, side, ends);
-        double away = distance_to_side(patch->center, ends[0], ends[1]);
-        if (away < inner || (away < outer && hatch_patch_touches(patch, growth->outline, ends[0], ends[1])))
-            HATCH_TRY(hatch_heap_push(&growth->heap, away, side, err));
-    }
+    const double *ends[2];
+    side_places(growth, side, ends);
+    double away = distance_to_side(patch->center, ends[0], ends[1]);
+    if (away < inner || (away < outer && hatch_patch_touches(patch, growth->outline, ends[0], ends[1])))
+        return hatch_heap_push(&growth->heap, away, side, err);
     return HATCH_OK;
 }
 
@@ -217,55 +185,38 @@ static enum hatch_status add_face(struct hatch_growth *growth, uint32_t face, in
 {
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *corner = &growth->ground->surface->corners[(size_t)face * 3];
-    uint32_t local = patch->face_count;
-    void *array, *faces = patch->faces, *signs = patch->sign, *corners = patch->corners;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &faces, &patch->face_room, local + 1, sizeof *patch->faces, err));
-    patch->faces = faces;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &signs, &patch->sign_room, local + 1, sizeof *patch->sign, err));
-    patch->sign = signs;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &corners, &patch->corner_room, 3 * local + 3,
-                                 sizeof *patch->corners, err));
-    patch->corners = corners;
-    array = patch->steps;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &array, &patch->steps_room, local + 1, sizeof *patch->steps, err));
-    patch->steps = array;
-    patch->steps[local] = steps;
+    const uint32_t *opposite = &growth->ground->surface->opposite[(size_t)face * 3];
+    uint32_t local = patch->face_count++;
     if (fresh < 3) {
         double place[2] = {0, 0};
         for (uint32_t c = 1; c < 3; c++) {
             uint32_t from = (fresh + c) % 3;
-            const double *at = &patch->place[2 * growth->point_local[corner[from]]];
+            const double *at = &patch->place[2 * growth->point[corner[from]].local];
             unfold(growth->ground, face, sign, fresh, from, at, place);
         }
         place[0] /= 2;
         place[1] /= 2;
-        HATCH_TRY(add_vertex(growth, corner[fresh], place, err));
+        add_vertex(growth, corner[fresh], place);
     }
-    patch->face_count++;
     patch->faces[local] = face;
     patch->sign[local] = sign;
-    for (uint32_t c = 0; c < 3; c++)
-        patch->corners[3 * local + c] = growth->point_local[corner[c]];
-    growth->face_round[face] = growth->round;
-    growth->face_local[face] = local;
-    return push_sides(growth, face, err);
-}
-
-bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side)
-{
-    uint32_t other = across(growth->ground->surface, side);
-    return other != HATCH_NO_SIDE && !holds_face(growth, other / 3) &&
-           growth->patch.face_count < growth->patch.faces_max && stays_disk(growth, other / 3) &&
-           agree(growth, other / 3) != 0;
+    patch->steps[local] = steps;
+    growth->face[face] = (struct hatch_stamp){growth->round, local};
+    for (uint32_t c = 0; c < 3; c++) {
+        patch->corners[3 * local + c] = growth->point[corner[c]].local;
+        if (growth->ground->bend[side_of(face, c)] != 0 && !holds_face(growth, opposite[c] / 3))
+            HATCH_TRY(push_side(growth, side_of(face, c), err));
+    }
+    return HATCH_OK;
 }
 
 void hatch_growth_keep(struct hatch_growth *growth)
 {
     const struct hatch_patch *patch = &growth->patch;
     for (uint32_t v = 0; v < patch->vertex_count; v++) {
-        growth->place_number[patch->points[v]] = growth->number;
-        memcpy(&growth->known[(size_t)patch->points[v] * 2], &patch->place[(size_t)v * 2],
-               2 * sizeof *patch->place);
+        struct hatch_known *known = &growth->known[patch->points[v]];
+        known->number = growth->number;
+        memcpy(known->place, &patch->place[(size_t)v * 2], sizeof known->place);
     }
     growth->unfolded = 0;
 }
@@ -285,35 +236,85 @@ static enum hatch_status plant(struct hatch_growth *growth, struct hatch_err *er
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *corner = &growth->ground->surface->corners[(size_t)patch->seed * 3];
     patch->face_count = patch->vertex_count = growth->heap.count = growth->unfolded = 0;
+    patch->measured = patch->past_count = 0;
     growth->round++;
     for (uint32_t c = 0; c < 3; c++) {
         double place[2];
         hatch_ground_corner(growth->ground, patch->seed, c, place);
-        HATCH_TRY(add_vertex(growth, corner[c], place, err));
+        HATCH_TRY(make_room(growth, err));
+        add_vertex(growth, corner[c], place);
     }
     return add_face(growth, patch->seed, 1, 0, 3, err);
 }
 
-enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err)
+/* Of a face behind a side of the patch, how far in it lies. */
+static uint8_t steps_behind(const struct hatch_growth *growth, uint32_t side, uint32_t face)
+{
+    return growth->covered[face] ? (uint8_t)(growth->patch.steps[growth->face[side / 3].local] + 1) : 0;
+}
+
+static enum hatch_status find_rim(struct hatch_growth *growth, struct hatch_err *err)
+{
+    struct hatch_patch *patch = &growth->patch;
+    const uint32_t *opposite = growth->ground->surface->opposite;
+    void *rim = patch->rim;
+    HATCH_TRY(hatch_heap_reserve(growth->arena, &rim, &patch->rim_room, patch->face_count + 2, sizeof *patch->rim,
+                                 err));
+    patch->rim = rim;
+    patch->rim_count = 0;
+    for (uint32_t f = 0; f < patch->face_count; f++) {
+        for (uint32_t c = 0; c < 3; c++) {
+            uint32_t side = side_of(patch->faces[f], c), behind = opposite[side];
+            if (behind == HATCH_NO_SIDE || (growth->ground->bend[side] != 0 && holds_face(growth, behind / 3)))
+                continue;
+            patch->rim[patch->rim_count++] = (struct hatch_rim){
+                .side = side,
+                .ends = {patch->corners[3 * f + c], patch->corners[3 * f + (c + 1) % 3]},
+                .covered = growth->covered[behind / 3],
+                .may = growth->ground->bend[side] != 0 && steps_behind(growth, side, behind / 3) <= STEPS_MAX &&
+                       admit(growth, behind / 3) != 0,
+            };
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Takes what is queued, nearest first. */
+static enum hatch_status spread(struct hatch_growth *growth, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
     const struct hatch_surface *surface = growth->ground->surface;
-    HATCH_TRY(plant(growth, err));
     struct hatch_heap_item item;
     while (patch->face_count < patch->faces_max && hatch_heap_pop(&growth->heap, &item)) {
-        uint32_t side = surface->opposite[item.id], face = side / 3;
-        uint8_t steps = growth->covered[face]
-                            ? (uint8_t)(patch->steps[growth->face_local[item.id / 3]] + 1) : 0;
-        if (holds_face(growth, face) || steps > STEPS_MAX || !stays_disk(growth, face))
+        uint32_t face = surface->opposite[item.id] / 3;
+        if (holds_face(growth, face))
             continue;
-        int8_t sign = agree(growth, face);
+        uint8_t steps = steps_behind(growth, item.id, face);
+        int8_t sign = steps > STEPS_MAX ? 0 : admit(growth, face);
         if (!sign)
             continue;
         uint32_t fresh = 3;
         for (uint32_t c = 0; c < 3; c++)
             if (!holds_point(growth, surface->corners[side_of(face, c)]))
                 fresh = c;
+        HATCH_TRY(make_room(growth, err));
         HATCH_TRY(add_face(growth, face, sign, steps, fresh, err));
     }
-    return HATCH_OK;
+    return find_rim(growth, err);
+}
+
+enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err)
+{
+    HATCH_TRY(plant(growth, err));
+    return spread(growth, err);
+}
+
+enum hatch_status hatch_growth_extend(struct hatch_growth *growth, struct hatch_err *err)
+{
+    const struct hatch_patch *patch = &growth->patch;
+    growth->heap.count = 0;
+    for (uint32_t i = 0; i < patch->rim_count; i++)
+        if (patch->rim[i].may)
+            HATCH_TRY(push_side(growth, patch->rim[i].side, err));
+    return growth->heap.count > 0 && patch->face_count < patch->faces_max ? spread(growth, err) : HATCH_OK;
 }

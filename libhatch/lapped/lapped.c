@@ -60,6 +60,9 @@ static enum hatch_status lay(struct making *of, struct hatch_err *err)
     of->shown_count = of->fresh_count = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double mask[3][2];
+        /* Outside the outline faces may be past the limits. */
+        if (patch->past[f])
+            continue;
         for (uint32_t c = 0; c < 3; c++)
             hatch_patch_mask(patch, &patch->place[2 * patch->corners[3 * f + c]], mask[c]);
         bool shows;

@@ -18,7 +18,7 @@
 #define SHRINK 0.97
 /* The least that is left of it. */
 #define STEP_MIN 0.7
-/* One part in so many vertices may be added without placing all anew, and how small a share of the faces
+/* One part in so many vertices may be added without placing all anew, and how small a share of the outline
  * for which places were found may be left. */
 #define FEW 12
 #define LEFT_MIN 0.8
@@ -110,27 +110,27 @@ struct verdict {
 /* How a patch comes about. */
 struct trial {
     struct verdict verdict;
-    uint32_t solved;    /* faces that places were last found for */
+    double solved;      /* the radius that places were last found for */
     uint64_t placed_faces; /* over all times */
     bool due, placed;   /* places must be found; were found this time */
+    bool anew;          /* faces must be left out */
     bool shrinking;     /* it will not be asked to become larger */
     bool halved;        /* its first face was wrong */
 };
 
-static enum hatch_status judge_sides(const struct hatch_growth *growth, uint32_t local,
-                                     struct hatch_obstacles *obstacles, struct verdict *verdict,
-                                     struct hatch_err *err)
+/* Sides behind which growth cannot go on are in the outline's way. */
+static enum hatch_status judge_rim(const struct hatch_growth *growth, struct hatch_obstacles *obstacles,
+                                   struct verdict *verdict, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &growth->patch;
-    for (uint32_t c = 0; c < 3; c++) {
-        uint32_t side = patch->faces[local] * 3 + c;
-        if (hatch_growth_side(growth, side) != HATCH_SIDE_OPEN ||
-            growth->covered[growth->ground->surface->opposite[side] / 3])
+    bool full = patch->face_count >= patch->faces_max;
+    for (uint32_t i = 0; i < patch->rim_count; i++) {
+        const struct hatch_rim *rim = &patch->rim[i];
+        if (rim->covered)
             continue;
-        const double *a = &patch->place[2 * patch->corners[3 * local + c]];
-        const double *b = &patch->place[2 * patch->corners[3 * local + (c + 1) % 3]];
+        const double *a = &patch->place[2 * rim->ends[0]], *b = &patch->place[2 * rim->ends[1]];
         bool touched = hatch_patch_touches(patch, growth->outline, a, b);
-        if (hatch_growth_may(growth, side)) {
+        if (rim->may && !full) {
             verdict->more = verdict->more || touched;
             continue;
         }
@@ -154,24 +154,45 @@ static bool past_limits(const struct hatch_growth *growth, const struct hatch_la
            (!growth->ground->singular[face] && !(fit.turn <= tan(options->turn_max_rad)));
 }
 
-static enum hatch_status judge(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
-                               struct hatch_obstacles *obstacles,
+/* Finds which faces are past a limit, where that is not known yet. */
+static void measure_faces(struct hatch_growth *growth, const struct hatch_lapped_options *options)
+{
+    struct hatch_patch *patch = &growth->patch;
+    for (; patch->measured < patch->face_count; patch->measured++) {
+        patch->past[patch->measured] = past_limits(growth, options, patch->measured);
+        patch->past_count += patch->past[patch->measured];
+    }
+}
+
+/* The first face is; another one only where its sides are. */
+static bool face_touched(const struct hatch_growth *growth, uint32_t local)
+{
+    const struct hatch_patch *patch = &growth->patch;
+    bool touched = local == 0;
+    for (uint32_t c = 0; c < 3 && !touched; c++)
+        touched = hatch_patch_touches(patch, growth->outline, &patch->place[2 * patch->corners[3 * local + c]],
+                                      &patch->place[2 * patch->corners[3 * local + (c + 1) % 3]]);
+    return touched;
+}
+
+static enum hatch_status judge(struct hatch_growth *growth, const struct hatch_lapped_options *options,
                                struct verdict *verdict, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &growth->patch;
+    struct hatch_obstacles *obstacles = &growth->obstacles;
     *verdict = (struct verdict){.bad = UINT32_MAX};
     obstacles->count = 0;
-    for (uint32_t f = 0; f < patch->face_count; f++) {
-        HATCH_TRY(judge_sides(growth, f, obstacles, verdict, err));
-        if (!past_limits(growth, options, f))
+    measure_faces(growth, options);
+    HATCH_TRY(judge_rim(growth, obstacles, verdict, err));
+    for (uint32_t f = 0, left = patch->past_count; left > 0; f++) {
+        if (!patch->past[f])
             continue;
-        if (verdict->bad == UINT32_MAX)
+        left--;
+        if (verdict->bad == UINT32_MAX && face_touched(growth, f))
             verdict->bad = f;
-        for (uint32_t c = 0; c < 3; c++) {
-            const double *a = &patch->place[2 * patch->corners[3 * f + c]];
-            const double *b = &patch->place[2 * patch->corners[3 * f + (c + 1) % 3]];
-            HATCH_TRY(hatch_obstacles_add(obstacles, a, b, err));
-        }
+        for (uint32_t c = 0; c < 3; c++)
+            HATCH_TRY(hatch_obstacles_add(obstacles, &patch->place[2 * patch->corners[3 * f + c]],
+                                          &patch->place[2 * patch->corners[3 * f + (c + 1) % 3]], err));
     }
     return HATCH_OK;
 }
@@ -192,8 +213,7 @@ static void turn_at_random(struct hatch_patch *patch, uint64_t seed)
 
 /* Slides and shrinks the outline so that it leaves out what was wrong. Where it is as small as it may
  * be, bars the faces that were; false when there is nothing more to be done. */
-static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *obstacles,
-                    const struct hatch_lapped_options *options, struct trial *trial)
+static bool retreat(struct hatch_growth *growth, struct trial *trial)
 {
     const struct verdict *verdict = &trial->verdict;
     struct hatch_patch *patch = &growth->patch;
@@ -204,7 +224,7 @@ static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *o
     if (!small) {
         double large = verdict->bad == UINT32_MAX ? 0 : STEP_MIN * patch->radius;
         patch->radius *= SHRINK;
-        hatch_patch_slide(patch, growth->outline, obstacles, fmax(large, floor));
+        hatch_patch_slide(patch, growth->outline, &growth->obstacles, fmax(large, floor));
         for (int i = 0; i < 2; i++)
             patch->center[i] = middle[i] + patch->offset[i];
         return true;
@@ -213,19 +233,21 @@ static bool retreat(struct hatch_growth *growth, const struct hatch_obstacles *o
         patch->faces_max = (patch->face_count + 1) / 2;
         trial->halved = true;
     }
-    for (uint32_t f = verdict->bad; f < patch->face_count; f++)
-        if (past_limits(growth, options, f))
+    for (uint32_t f = 0; f < patch->face_count; f++)
+        if (patch->past[f])
             growth->barred[patch->faces[f]] = growth->number;
+    trial->anew = true;
     return verdict->bad != UINT32_MAX;
 }
 
 /* Nothing but the first face, which can always be placed. */
-static void cut_back(struct hatch_growth *growth)
+static void cut_back(struct hatch_growth *growth, struct trial *trial)
 {
     struct hatch_patch *patch = &growth->patch;
     patch->faces_max = 1;
     patch->offset[0] = patch->offset[1] = patch->radius = 0;
     center_on_seed(growth);
+    trial->due = true;
 }
 
 static void begin(struct hatch_growth *growth, const struct hatch_lapped_options *options, uint32_t seed,
@@ -268,11 +290,14 @@ static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solve
                                  struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
-    trial->placed = trial->due || trial->solved == 0;
+    trial->placed = trial->due || patch->radius * patch->radius < LEFT_MIN * trial->solved * trial->solved ||
+                    trial->solved == 0;
     if (!trial->placed) {
-        HATCH_TRY(hatch_growth_grow(growth, err));
-        trial->placed = growth->unfolded * FEW > patch->vertex_count || patch->face_count < LEFT_MIN * trial->solved;
+        double enough = LEFT_MIN * patch->face_count;
+        HATCH_TRY(trial->anew ? hatch_growth_grow(growth, err) : hatch_growth_extend(growth, err));
+        trial->placed = growth->unfolded * FEW > patch->vertex_count || patch->face_count < enough;
     }
+    trial->anew = false;
     if (trial->placed) {
         patch->radius *= ROOM;
         HATCH_TRY(hatch_growth_grow(growth, err));
@@ -281,14 +306,14 @@ static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solve
         hatch_growth_keep(growth);
         center_on_seed(growth);
         trial->placed_faces += patch->face_count;
-        HATCH_TRY(hatch_growth_grow(growth, err));
-        trial->solved = patch->face_count;
+        HATCH_TRY(hatch_growth_extend(growth, err));
+        trial->solved = patch->radius;
     }
-    return judge(growth, options, &growth->obstacles, &trial->verdict, err);
+    return judge(growth, options, &trial->verdict, err);
 }
 
 /* What to do about it; false when nothing is left to be done. */
-static bool go_on(struct hatch_growth *growth, const struct hatch_lapped_options *options, struct trial *trial)
+static bool go_on(struct hatch_growth *growth, struct trial *trial)
 {
     struct hatch_patch *patch = &growth->patch;
     const struct verdict *verdict = &trial->verdict;
@@ -309,7 +334,7 @@ static bool go_on(struct hatch_growth *growth, const struct hatch_lapped_options
         return true;
     }
     trial->shrinking = true;
-    return retreat(growth, &growth->obstacles, options, trial);
+    return retreat(growth, trial);
 }
 
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
@@ -321,11 +346,11 @@ enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_sol
     begin(growth, options, seed, notes);
     for (int round = 0; round <= ROUNDS_MAX && !notes->given_up; round++) {
         if (round == ROUNDS_MAX)
-            cut_back(growth);
+            cut_back(growth, &trial);
         HATCH_TRY(attempt(growth, solver, options, &trial, err));
         if (round == 0)
             HATCH_TRY(note_tried(growth, err));
-        if (!go_on(growth, options, &trial))
+        if (!go_on(growth, &trial))
             break;
         notes->given_up = patch->radius < least || (least > 0 && trial.halved);
     }

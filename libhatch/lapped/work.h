@@ -16,6 +16,8 @@ struct hatch_ground {
     double *wish;       /* per face: radius wanted of a patch that begins there */
     double *grain;      /* per face: the length of an edge around it */
     uint8_t *singular;  /* per face: the field has an index */
+    int8_t *bend;       /* per side: the sign with which the line of the face behind goes on in this one; doubled
+                           where the two are coherent; 0 where no patch goes on */
     uint32_t faces_max; /* of a patch */
 };
 
@@ -34,6 +36,14 @@ static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32
     at[1] = corner == 0 ? 0 : flat[2 * corner - 1];
 }
 
+/* A side of the patch behind which it has no face but there is one. */
+struct hatch_rim {
+    uint32_t side;      /* the surface's */
+    uint32_t ends[2];   /* local vertices */
+    bool covered;       /* the face behind is */
+    bool may;           /* growth may take it */
+};
+
 /* The patch that grows. Local faces and vertices are numbered in order of growth: any first part of
  * the faces is a disk too. */
 struct hatch_patch {
@@ -48,7 +58,12 @@ struct hatch_patch {
     uint32_t *points;  /* surface's points of local vertices */
     double *place;     /* 2 a vertex: in the plane */
     uint8_t *steps;    /* per face: how far it lies inside covered ground, in faces from one that is bare */
-    uint32_t face_room, steps_room, sign_room, corner_room, point_room, place_room;
+    uint8_t *past;     /* per face: past a limit */
+    struct hatch_rim *rim;
+    uint32_t rim_count;
+    uint32_t measured; /* faces at the beginning of which it is known whether they are past a limit */
+    uint32_t past_count; /* of them */
+    uint32_t face_room, point_room, rim_room; /* of what there is per face, per vertex, per side of the rim */
     uint32_t faces_max;  /* growth ends at so many */
 };
 
@@ -57,6 +72,17 @@ struct hatch_obstacles {
     struct hatch_arena *arena;
     double *at;         /* 2 each */
     uint32_t count, room;
+};
+
+/* Where a face or point stands in the patch that had this round. */
+struct hatch_stamp {
+    uint32_t round, local;
+};
+
+/* Where a solution last placed a point, and for which patch. */
+struct hatch_known {
+    double place[2];
+    uint32_t number;
 };
 
 /* A growth's view of the whole surface: which faces and points are in the patch, by stamps. */
@@ -69,11 +95,9 @@ struct hatch_growth {
     struct hatch_heap heap;
     struct hatch_obstacles obstacles;
     uint32_t round, number;               /* of this growth, of this patch */
-    uint32_t *face_round, *face_local;    /* per face */
+    struct hatch_stamp *face, *point;     /* per face, per point */
     uint32_t *barred;                     /* per face: the patch that must not hold it */
-    uint32_t *point_round, *point_local;  /* per point */
-    uint32_t *place_number;               /* per point: the patch that a solution last placed it for */
-    double *known;                        /* 2 a point: where that was */
+    struct hatch_known *known;            /* per point */
     uint32_t unfolded;                    /* vertices of the patch that no solution has placed */
     uint32_t *budget;                     /* per face: faces that a patch that begins here begins with */
     uint32_t *tried, tried_count, tried_room; /* faces of the patch as it first was */
@@ -89,6 +113,9 @@ void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed);
 /* Grows anew from the seed over all faces that the outline touches, as far as the patch stays what
  * lapped.h promises; points that a solution placed keep their places, others are unfolded. */
 enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Goes on from the faces that the patch has, where the outline has come over its rim. */
+enum hatch_status hatch_growth_extend(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
 
 /* A place of the patch's plane in mask coordinates. */
 void hatch_patch_mask(const struct hatch_patch *patch, const double place[2], double mask[2]);
@@ -125,9 +152,6 @@ struct hatch_fit {
 };
 void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
                      struct hatch_fit *fit);
-
-/* Whether growth may take the face behind a side of the patch. */
-bool hatch_growth_may(const struct hatch_growth *growth, uint32_t side);
 
 /* Remembers the places that the vertices have now. */
 void hatch_growth_keep(struct hatch_growth *growth);
