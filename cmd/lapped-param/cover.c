@@ -36,16 +36,28 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
     part->mesh->mesh = mesh;
 }
 
+/* Whether two meshes have the same surface: the same faces with the same corners. */
+static bool same_surface(const struct hatch_mesh *a, const struct hatch_mesh *b)
+{
+    return a->vertex_count == b->vertex_count && a->face_count == b->face_count &&
+           memcmp(a->indices, b->indices, (size_t)a->face_count * 3 * sizeof *a->indices) == 0 &&
+           memcmp(a->attributes[0].data, b->attributes[0].data,
+                  (size_t)a->vertex_count * 3 * sizeof *a->attributes[0].data) == 0;
+}
+
 static enum hatch_status make_patches(struct cmd_args *args, const struct lapped_param_options *options,
                                       const struct hatch_outline *outline,
-                                      const struct lapped_param_part *part, struct work *work,
-                                      struct hatch_err *err)
+                                      const struct lapped_param_part *part, const struct hatch_mesh *source,
+                                      struct work *work, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &part->mesh->mesh;
     struct hatch_surface_notes notes;
     struct hatch_lapped_options how = options->lapped;
     how.size = part->size;
-    HATCH_TRY(hatch_surface_make(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
+    if (same_surface(source, mesh))
+        work->surface = *part->surface;
+    else
+        HATCH_TRY(hatch_surface_make(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
     HATCH_TRY(hatch_frames_make(&work->surface, &work->arena, &args->scratch, &work->frames, err));
     size_t points = work->surface.point_count;
     work->direction = HATCH_NEW(&work->arena, double, 3 * points, err);
@@ -145,9 +157,10 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
 {
     struct work work = {.direction = NULL};
     struct hatch_err err;
+    const struct hatch_mesh source = part->mesh->mesh;
     hatch_arena_init(&work.arena, args->max_memory);
     prepare(args, part);
-    cmd_check(make_patches(args, options, outline, part, &work, &err), part->name, &err);
+    cmd_check(make_patches(args, options, outline, part, &source, &work, &err), part->name, &err);
     cmd_check(options->atlas ? make_atlas(args, outline, &work, part, &err)
                              : make_meshes(args, &work, part, &err),
               part->name, &err);

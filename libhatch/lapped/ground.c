@@ -19,7 +19,7 @@
 #define SIZE_MOST 8.0
 /* Where growth ends for the size that is chosen and for one that is given: a patch that comes from
  * large faces into small ones would take them all, and time and memory of its matrix with them. */
-#define FACES_CHOSEN_MAX 4000u
+#define FACES_CHOSEN_MAX 2000u
 #define FACES_GIVEN_MAX 20000u
 /* The disk that a patch shows, over its square's radius. */
 #define SHOWN 0.75

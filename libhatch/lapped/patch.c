@@ -21,13 +21,18 @@
 /* One part in so many vertices may be added without placing all anew, and how small a share of the outline
  * for which places were found may be left. */
 #define FEW 12
-#define LEFT_MIN 0.8
+#define LEFT_MIN 0.7
 /* Places are found for what an outline so much larger would touch: faces move when they are placed. */
 #define ROOM 1.03
 /* After a patch of so many faces the next one around begins with so many times as many, but no fewer
  * than these, and goes on so as long as all is right. */
 #define BUDGET_MORE 4
 #define BUDGET_MIN 16u
+/* It does not begin with more than so many times the faces that would be within its outline if all were like the
+ * first one: where a patch comes from large faces into small ones it would take many in vain. */
+#define BUDGET_EXPECTED 2.0
+/* Of an equilateral triangle with the side 1: faces in a circle with the radius 1. */
+#define FACES_IN_CIRCLE 7.26
 /* An outline does not shrink below this many edges: what it then cannot leave outside is cut. */
 #define FLOOR_GRAINS 5.0
 /* The core is so much larger than the circle around the first face, so that a few cuts show that it holds it. */
@@ -258,6 +263,9 @@ static void begin(struct hatch_growth *growth, const struct hatch_lapped_options
     turn_at_random(patch, options->seed);
     patch->radius = growth->ground->wish[seed];
     center_on_seed(growth);
+    double wide = 2 * growth->outline->reach_max * patch->radius / growth->ground->grain[seed];
+    double expected = fmax(BUDGET_EXPECTED * FACES_IN_CIRCLE * wide * wide, BUDGET_MIN);
+    patch->faces_max = expected < patch->faces_max ? (uint32_t)expected : patch->faces_max;
     *notes = (struct hatch_patch_notes){.enlarged = patch->radius > growth->ground->wish[seed]};
 }
 

@@ -17,16 +17,10 @@
 #define SCALE_SETTLED 0.005
 /* Other orders are tried where the envelope is larger than this times vertices to the power of 1.5. */
 #define ENVELOPE_FAIR 1.5
+/* Strips for each vertex in which they are numbered. */
+#define STRIPS 4u
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
-
-static int compare(const void *a, const void *b)
-{
-    const struct hatch_heap_item *x = a, *y = b;
-    if (x->key != y->key)
-        return x->key < y->key ? -1 : 1;
-    return x->id < y->id ? -1 : x->id > y->id;
-}
 
 static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_patch *patch,
                                    struct hatch_err *err)
@@ -36,9 +30,9 @@ static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_p
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->gradient_room, 8 * patch->face_count,
                                  sizeof *of->gradients, err));
     of->gradients = array;
-    array = of->order;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->order_room, count, sizeof *of->order, err));
-    of->order = array;
+    array = of->places;
+    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->places_room, STRIPS * count, sizeof *of->places, err));
+    of->places = array;
     array = of->rank;
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->rank_room, count, sizeof *of->rank, err));
     of->rank = array;
@@ -54,29 +48,46 @@ static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_p
     return HATCH_OK;
 }
 
-static uint32_t longer_axis(const struct hatch_patch *patch)
+/* The box around the vertices; returns its longer axis. */
+static uint32_t find_box(const struct hatch_patch *patch, double low[2], double high[2])
 {
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    low[0] = low[1] = HUGE_VAL;
+    high[0] = high[1] = -HUGE_VAL;
     for (uint32_t v = 0; v < patch->vertex_count; v++) {
         for (uint32_t i = 0; i < 2; i++) {
-            low[i] = fmin(low[i], patch->place[2 * v + i]);
-            high[i] = fmax(high[i], patch->place[2 * v + i]);
+            double at = patch->place[2 * v + i];
+            low[i] = at < low[i] ? at : low[i];
+            high[i] = at > high[i] ? at : high[i];
         }
     }
     return high[1] - low[1] > high[0] - low[0];
 }
 
-/* Numbers the vertices by a sweep along an axis of the plane: the envelope is then about as wide as
- * the patch is across. Without an axis (2) against the order of growth, which is better where long
- * faces lie across each other. */
-static void number(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t axis)
+/* Numbers the vertices by a sweep along an axis of the plane, in strips of which each holds about none or one:
+ * the envelope is then about as wide as the patch is across. Without an axis (2) against the order of growth,
+ * which is better where long faces lie across each other. */
+static void number(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t axis, const double low[2],
+                   const double high[2])
 {
-    for (uint32_t v = 0; v < patch->vertex_count; v++)
-        of->order[v] = (struct hatch_heap_item){axis == 2 ? -(double)v : patch->place[2 * v + axis], v};
-    if (axis < 2)
-        qsort(of->order, patch->vertex_count, sizeof *of->order, compare);
-    for (uint32_t i = 0; i < patch->vertex_count; i++)
-        of->rank[of->order[i].id] = axis < 2 ? i : patch->vertex_count - 1 - i;
+    uint32_t count = patch->vertex_count, strips = STRIPS * count, *rank = of->rank, next = 0;
+    for (uint32_t v = 0; v < count && axis == 2; v++)
+        rank[v] = count - 1 - v;
+    if (axis == 2)
+        return;
+    double scale = strips / (high[axis] - low[axis]);
+    memset(of->places, 0, strips * sizeof *of->places);
+    for (uint32_t v = 0; v < count; v++) {
+        double strip = scale * (patch->place[2 * v + axis] - low[axis]);
+        rank[v] = strip < strips ? (uint32_t)strip : strips - 1;
+        of->places[rank[v]]++;
+    }
+    for (uint32_t i = 0; i < strips; i++) {
+        uint32_t here = of->places[i];
+        of->places[i] = next;
+        next += here;
+    }
+    for (uint32_t v = 0; v < count; v++)
+        rank[v] = of->places[rank[v]]++;
 }
 
 /* The first column of each row; returns how many entries lie within. */
@@ -100,14 +111,15 @@ static uint64_t find_envelope(struct hatch_solver *of, const struct hatch_patch 
 static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
                                         struct hatch_err *err)
 {
-    uint32_t axis = longer_axis(patch), best = axis;
+    double low[2], high[2];
+    uint32_t axis = find_box(patch, low, high), best = axis;
     double count = patch->vertex_count;
-    number(of, patch, axis);
+    number(of, patch, axis, low, high);
     uint64_t least = find_envelope(of, patch);
     for (uint32_t other = 0; other < 3 && (double)least > ENVELOPE_FAIR * count * sqrt(count); other++) {
         if (other == axis)
             continue;
-        number(of, patch, other);
+        number(of, patch, other, low, high);
         uint64_t found = find_envelope(of, patch);
         if (found < least) {
             least = found;
@@ -116,7 +128,7 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
         axis = other;
     }
     if (best != axis) {
-        number(of, patch, best);
+        number(of, patch, best, low, high);
         find_envelope(of, patch);
     }
     uint32_t size = 0;
@@ -205,24 +217,24 @@ static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, 
     }
 }
 
-/* What is left of a value without the sum of products, for x and y side by side; in two chains, a fixed
+/* What is left of a value without the sum of products, for x and y side by side; in four chains, a fixed
  * order in which the processor need not wait for each sum. */
 static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double left[2])
 {
-    double even[2] = {0, 0}, odd[2] = {0, 0};
-    uint32_t i = 0;
-    for (; i + 2 <= count; i += 2) {
-        even[0] += a[i][0] * b[i][0];
-        even[1] += a[i][1] * b[i][1];
-        odd[0] += a[i + 1][0] * b[i + 1][0];
-        odd[1] += a[i + 1][1] * b[i + 1][1];
+    double sum[4][2] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    size_t i = 0, fours = count & ~3u;
+    for (; i < fours; i += 4) {
+        for (size_t k = 0; k < 4; k++) {
+            sum[k][0] += a[i + k][0] * b[i + k][0];
+            sum[k][1] += a[i + k][1] * b[i + k][1];
+        }
     }
-    if (i < count) {
-        even[0] += a[i][0] * b[i][0];
-        even[1] += a[i][1] * b[i][1];
+    for (; i < count; i++) {
+        sum[0][0] += a[i][0] * b[i][0];
+        sum[0][1] += a[i][1] * b[i][1];
     }
-    left[0] -= even[0] + odd[0];
-    left[1] -= even[1] + odd[1];
+    left[0] -= sum[0][0] + sum[1][0] + (sum[2][0] + sum[3][0]);
+    left[1] -= sum[0][1] + sum[1][1] + (sum[2][1] + sum[3][1]);
 }
 
 static double (*row_of(const struct hatch_solver *of, uint32_t row))[2]

@@ -132,13 +132,13 @@ enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t si
 /* Least squares to the field. */
 struct hatch_solver {
     struct hatch_arena *arena;
-    struct hatch_heap_item *order; /* vertices along the plane's longer axis */
-    uint32_t *rank;         /* of each vertex in it */
+    uint32_t *rank;         /* of each vertex along the plane's longer axis */
+    uint32_t *places;       /* per strip of the plane: the next rank there */
     uint32_t *first;        /* per row: the envelope's first column */
     uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
     double *gradients;      /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
     double (*matrix)[2], (*right)[2]; /* of x and of y side by side */
-    uint32_t order_room, rank_room, first_room, start_room, gradient_room, matrix_room, right_room;
+    uint32_t places_room, rank_room, first_room, start_room, gradient_room, matrix_room, right_room;
 };
 
 /* Places the patch's vertices anew. */
