@@ -161,7 +161,7 @@ static enum hatch_status make_all(struct making *of, struct hatch_err *err)
 {
     const struct hatch_surface *surface = of->ground.surface;
     for (uint32_t c = 0; c < surface->component_count; c++) {
-        HATCH_TRY(hatch_order_component(&of->order, c, err));
+        hatch_order_component(&of->order, c);
         for (;;) {
             uint32_t seed;
             HATCH_TRY(hatch_order_next(&of->order, &seed, err));

@@ -1,5 +1,4 @@
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "lapped/lapped.h"
@@ -13,16 +12,12 @@ struct corner {
     uint32_t index;   /* where it stands */
 };
 
-static int by_vertex(const void *a, const void *b)
+/* Among those of one vertex. */
+static bool before(const struct corner *a, const struct corner *b)
 {
-    const struct corner *x = a, *y = b;
-    if (x->vertex != y->vertex)
-        return x->vertex < y->vertex ? -1 : 1;
-    if (x->origin != y->origin)
-        return x->origin < y->origin ? -1 : 1;
-    if (x->turned != y->turned)
-        return x->turned < y->turned ? -1 : 1;
-    return x->index < y->index ? -1 : x->index > y->index;
+    if (a->origin != b->origin)
+        return a->origin < b->origin;
+    return a->turned != b->turned ? a->turned < b->turned : a->index < b->index;
 }
 
 static bool same(const struct corner *a, const struct corner *b)
@@ -45,23 +40,46 @@ static bool looks_away(const struct hatch_surface *surface, const struct hatch_m
     return hatch_vec_dot(own, normal) < 0;
 }
 
+/* By vertex, and then in their order; first: for each vertex and one more, zeros. */
+static void sort_corners(const struct corner *corners, uint32_t count, uint32_t vertex_count, uint32_t *first,
+                         struct corner *sorted)
+{
+    for (uint32_t i = 0; i < count; i++)
+        first[corners[i].vertex + 1]++;
+    for (uint32_t v = 0; v < vertex_count; v++)
+        first[v + 1] += first[v];
+    /* Filled from behind: each vertex's place falls to where it begins. */
+    for (uint32_t i = count; i-- > 0;)
+        sorted[--first[corners[i].vertex + 1]] = corners[i];
+    for (uint32_t i = 1; i < count; i++) {
+        struct corner corner = sorted[i];
+        uint32_t at = i;
+        for (; at > 0 && sorted[at - 1].vertex == corner.vertex && before(&corner, &sorted[at - 1]); at--)
+            sorted[at] = sorted[at - 1];
+        sorted[at] = corner;
+    }
+}
+
 static enum hatch_status list_corners(const struct hatch_surface *surface, const struct hatch_mesh *source,
                                       const struct hatch_lapped *lapped, const struct hatch_lapped_patch *patch,
                                       struct hatch_arena *scratch, struct corner **corners, struct hatch_err *err)
 {
     const float *normals = hatch_mesh_find(source, "NORMAL", 3);
-    struct corner *list = HATCH_NEW(scratch, struct corner, 3 * (size_t)patch->face_count, err);
-    if (!list)
+    uint32_t count = 3 * patch->face_count;
+    uint32_t *first = HATCH_NEW(scratch, uint32_t, (size_t)patch->vertex_count + 1, err);
+    struct corner *list = first ? HATCH_NEW_UNSET(scratch, struct corner, count, err) : NULL;
+    struct corner *sorted = list ? HATCH_NEW_UNSET(scratch, struct corner, count, err) : NULL;
+    if (!sorted)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         uint32_t face = lapped->faces[patch->first_face + i / 3];
         list[i].vertex = lapped->corners[3 * (size_t)patch->first_face + i];
         list[i].origin = surface->corner_vertex[3 * (size_t)face + i % 3];
         list[i].turned = looks_away(surface, source, normals, face, i % 3);
         list[i].index = i;
     }
-    qsort(list, 3 * (size_t)patch->face_count, sizeof *list, by_vertex);
-    *corners = list;
+    sort_corners(list, count, patch->vertex_count, first, sorted);
+    *corners = sorted;
     return HATCH_OK;
 }
 

@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "lapped/work.h"
@@ -24,7 +23,9 @@ enum hatch_status hatch_order_make(const struct hatch_ground *ground, const stru
     made.middle = made.distance ? HATCH_NEW(arena, double, (size_t)surface->face_count * 3, err) : NULL;
     made.late = made.middle ? HATCH_NEW(arena, uint8_t, surface->face_count, err) : NULL;
     made.smooth = made.late ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    if (!made.smooth)
+    made.items = made.smooth ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
+    made.spare = made.items ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
+    if (!made.spare)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++) {
         made.distance[f] = HUGE_VAL;
@@ -38,7 +39,27 @@ enum hatch_status hatch_order_make(const struct hatch_ground *ground, const stru
     return HATCH_OK;
 }
 
-enum hatch_status hatch_order_component(struct hatch_order *order, uint32_t number, struct hatch_err *err)
+/* Sorts by key, byte by byte, equal keys as they stand; spare: as many. After four passes all are back in items. */
+static void sort_items(struct hatch_order_item *items, uint32_t count, struct hatch_order_item *spare)
+{
+    for (uint32_t shift = 0; shift < 32; shift += 8) {
+        uint32_t first[256] = {0}, next = 0;
+        for (uint32_t i = 0; i < count; i++)
+            first[items[i].key >> shift & 255]++;
+        for (uint32_t d = 0; d < 256; d++) {
+            uint32_t here = first[d];
+            first[d] = next;
+            next += here;
+        }
+        for (uint32_t i = 0; i < count; i++)
+            spare[first[items[i].key >> shift & 255]++] = items[i];
+        struct hatch_order_item *sorted = spare;
+        spare = items;
+        items = sorted;
+    }
+}
+
+void hatch_order_component(struct hatch_order *order, uint32_t number)
 {
     const struct hatch_component *component = &order->ground->surface->components[number];
     order->first_face = component->first_face;
@@ -46,14 +67,17 @@ enum hatch_status hatch_order_component(struct hatch_order *order, uint32_t numb
     order->smooth_count = order->smooth_next = 0;
     order->wave.count = order->front.count = order->gaps.count = 0;
     order->filling = false;
+    struct hatch_order_item *items = &order->items[component->first_face];
+    for (uint32_t i = 0; i < component->face_count; i++) {
+        float rough = (float)order->ground->rough[component->first_face + i];
+        /* The bits of a float that is not negative rise with it. */
+        memcpy(&items[i].key, &rough, sizeof rough);
+        items[i].face = component->first_face + i;
+    }
+    sort_items(items, component->face_count, &order->spare[component->first_face]);
     for (uint32_t i = 0; i < component->face_count; i++)
-        HATCH_TRY(hatch_heap_push(&order->gaps, order->ground->rough[component->first_face + i],
-                                  component->first_face + i, err));
-    struct hatch_heap_item item;
-    while (hatch_heap_pop(&order->gaps, &item))
-        if (!order->late[item.id])
-            order->smooth[order->smooth_count++] = item.id;
-    return HATCH_OK;
+        if (!order->late[items[i].face])
+            order->smooth[order->smooth_count++] = items[i].face;
 }
 
 /* Distance to covered ground in radii of the core of a patch that begins here. */

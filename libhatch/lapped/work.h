@@ -207,6 +207,10 @@ bool hatch_cover_holds(const struct hatch_outline *outline, const double mask[3]
 enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2],
                                   bool *shows, struct hatch_err *err) HATCH_MUST_USE;
 
+struct hatch_order_item {
+    uint32_t key, face;
+};
+
 /* Where the next patch begins. */
 struct hatch_order {
     const struct hatch_ground *ground;
@@ -217,6 +221,7 @@ struct hatch_order {
     uint8_t *late;         /* per face: no patch begins here before gaps are filled */
     uint32_t *smooth;      /* faces of the component, smoothest first */
     uint32_t smooth_count, smooth_next;
+    struct hatch_order_item *items, *spare; /* per face: to sort them */
     struct hatch_heap wave, front, gaps;
     bool filling;          /* only gaps are left */
     uint32_t first_face, face_count;
@@ -227,8 +232,7 @@ enum hatch_status hatch_order_make(const struct hatch_ground *ground, const stru
                                    struct hatch_order *order, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Goes on to a component. */
-enum hatch_status hatch_order_component(struct hatch_order *order, uint32_t component,
-                                        struct hatch_err *err) HATCH_MUST_USE;
+void hatch_order_component(struct hatch_order *order, uint32_t component);
 
 /* The next face to begin with, or HATCH_NO_SIDE when the component is covered. */
 enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err)
