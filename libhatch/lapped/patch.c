@@ -21,7 +21,7 @@
 /* One part in so many vertices may be added without placing all anew, and how small a share of the outline
  * for which places were found may be left. */
 #define FEW 12
-#define LEFT_MIN 0.7
+#define LEFT_MIN 0.8
 /* Places are found for what an outline so much larger would touch: faces move when they are placed. */
 #define ROOM 1.03
 /* After a patch of so many faces the next one around begins with so many times as many, but no fewer
