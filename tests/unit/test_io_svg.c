@@ -257,8 +257,8 @@ START_TEST(dashes_are_strokes)
     ck_assert_uint_eq(list.count, 2);
     check_ends(0, 12, 10, 15, 10);
     check_ends(1, 18, 10, 20, 10);
-    read_page(""
-              "<path stroke='red' style='stroke-dasharray:1 1 2; stroke-dashoffset:-1' transform='scale(2)' d='M5 5H10'/>");
+    read_page("<path stroke='red' style='stroke-dasharray:1 1 2; stroke-dashoffset:-1' "
+              "transform='scale(2)' d='M5 5H10'/>");
     ck_assert_uint_eq(list.count, 2); /* 1 on, 1 off, 2 on, 1 off, 1 on, 2 off; from its last unit on */
     check_ends(0, 12, 10, 14, 10);
     check_ends(1, 16, 10, 20, 10);
