@@ -100,17 +100,24 @@ static double mean_of(const struct hatch_image *image)
     double sum = 0;
     for (size_t i = 0; i < count; i++)
         sum += (double)image->pixels[i];
-    return count ? sum / (double)count : 1;
+    return sum / (double)count;
 }
 
-/* The tile in which all layers together are as dark as DARKEST, if strokes lie as by chance; but no layer holds
- * more of them than hatching. */
-static double tile_for(const struct stroke_source *source, const struct seed_style *style)
+static void set_stroke(const struct job_stroke *stroke, struct hatch_rptam_layer_style *layer)
+{
+    layer->stroke = &stroke->alpha;
+    layer->grain = stroke->grain.pixels ? &stroke->grain : NULL;
+    layer->varied = stroke->varied;
+}
+
+/* The tile in which as many layers of these strokes as there are, are together as dark as DARKEST, if strokes lie as
+ * by chance; but no layer holds more of them than hatching. */
+static double tile_for(const struct stroke_source *source, const struct hatch_rptam_layer_style *strokes)
 {
     uint32_t layers = source->layers.count ? source->layers.count : source->sets.layer_count;
-    double ink = style->ink * mean_of(&source->stroke.alpha) * mean_of(&source->stroke.grain);
+    double ink = strokes->ink * mean_of(strokes->stroke) * (strokes->grain ? mean_of(strokes->grain) : 1);
     double share = fmin(-log(1 - DARKEST) / layers, LAYER_INK);
-    double tile_px = sqrt(source->sets.layers[0].count * ink * style->length_px * style->width_px / share);
+    double tile_px = sqrt(source->sets.layers[0].count * ink * strokes->length_px * strokes->width_px / share);
     return fmin(fmax(tile_px, 8), 8192);
 }
 
@@ -126,15 +133,11 @@ static void settle(const struct stroke_source *source, struct seed_choice *choic
         style->width_px = (double)drawing->width_px;
     }
     style->length_px = fmax(style->length_px, style->width_px); /* a dot */
+    struct hatch_rptam_layer_style strokes = {
+        .length_px = style->length_px, .width_px = style->width_px, .ink = style->ink};
+    set_stroke(&source->stroke, &strokes);
     if (!choice->tile_given)
-        style->tile_px = tile_for(source, style);
-}
-
-static void set_stroke(const struct job_stroke *stroke, struct hatch_rptam_layer_style *layer)
-{
-    layer->stroke = &stroke->alpha;
-    layer->grain = stroke->grain.pixels ? &stroke->grain : NULL;
-    layer->varied = stroke->varied;
+        style->tile_px = tile_for(source, &strokes);
 }
 
 /* Layers take the style's directions one after the other, and between them from the third time on; each comes in
@@ -175,10 +178,12 @@ static void change_layer(const struct stroke_source *source, const struct seed_c
     layer->length_px = fmax(layer->length_px, layer->width_px); /* a dot */
     if (line->ink > 0)
         layer->ink = line->ink;
-    if (line->tile_px > 0)
-        layer->tile_px = line->tile_px;
     if (line->stroke)
         set_stroke(&source->layer_strokes[index], layer);
+    if (line->tile_px > 0)
+        layer->tile_px = line->tile_px;
+    else if (!choice->tile_given && (line->length_px > 0 || line->width_px > 0 || line->ink > 0 || line->stroke))
+        layer->tile_px = tile_for(source, layer);
 }
 
 /* As many layers as there are sets or lines, but no more than the option says. */

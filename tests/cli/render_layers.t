@@ -14,6 +14,11 @@ printf 'ink 1\nturn 91\ntone 0.5..0.75\nwidth 1.8\n' >other.layers
 ok "another direction" $draw --layers other.layers -o other.png
 is "is another picture" "$(cmp -s plain.png other.png || echo another)" another
 
+for i in 1 2 3 4; do echo "length 40 width 5 ink 0.6 stroke crayon"; done >crayon.layers
+ok "crayons as layers" $draw --layers crayon.layers -o crayons.png
+ok "and as a style" $draw --style crayon --stroke 40x5 --stroke-ink .6 -o crayon.png
+ok "stand in one tile, which suits them" hatchstat diff crayons.png crayon.png
+
 render-gl -t gouraud --size 64x8 torus.glb -o folder/stroke.png
 printf 'stroke stroke.png\nstroke stipple\n' >folder/own.layers
 ok "a stroke from a picture beside the file" $draw --layers folder/own.layers -o own.png
