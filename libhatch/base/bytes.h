@@ -26,8 +26,11 @@ struct hatch_reader {
     bool cut; /* a read went past the end */
 };
 
+/* At the first byte, little-endian; the bytes stay the caller's and must outlive the reader. */
 struct hatch_reader hatch_reader_of(struct hatch_bytes bytes);
+/* Bytes that are not read yet. */
 size_t hatch_reader_left(const struct hatch_reader *reader);
+/* The next number in the order that big_endian says, unaligned; floats are IEEE 754. */
 uint8_t hatch_read_u8(struct hatch_reader *reader);
 uint16_t hatch_read_u16(struct hatch_reader *reader);
 uint32_t hatch_read_u32(struct hatch_reader *reader);

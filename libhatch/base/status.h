@@ -3,7 +3,8 @@
  * A function that can fail returns enum hatch_status and takes a struct hatch_err last. On failure
  * it fills the struct, where the fault was seen, and leaves its other outputs unchanged. A caller's
  * mistake (a null pointer, an index out of range) is an assert; what a file or a user may get wrong
- * is a status. Nothing in libhatch prints or exits.
+ * is a status. Nothing in libhatch prints or exits. Where a comment names no status, HATCH_LIMIT is the
+ * only one: memory or a size did not suffice.
  */
 #ifndef HATCH_BASE_STATUS_H
 #define HATCH_BASE_STATUS_H

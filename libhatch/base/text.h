@@ -25,6 +25,7 @@ bool hatch_text_word(struct hatch_text *rest, struct hatch_text *word);
 /* Takes the next field up to a tab off *rest, empty ones too; false at the end of the line. */
 bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field);
 
+/* Whether the text is that word, to the letter. */
 bool hatch_text_is(struct hatch_text text, const char *word);
 
 /* The whole text as one decimal number ("1", "-0.5", "1e-3"; no hex, no "inf", no spaces), infinite where

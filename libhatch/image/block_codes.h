@@ -19,6 +19,7 @@ void hatch_bc4_decode(const uint8_t block[8], uint8_t texels[HATCH_BLOCK_TEXELS]
 
 /* BC7, mode 6: two ends of RGBA with eight bits, and sixteen steps between them. */
 void hatch_bc7_encode(uint8_t texels[HATCH_BLOCK_TEXELS][4], uint8_t block[16]);
+/* false, and zeros, for a block of another mode. */
 bool hatch_bc7_decode(const uint8_t block[16], uint8_t texels[HATCH_BLOCK_TEXELS][4]);
 
 #endif

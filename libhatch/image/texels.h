@@ -53,7 +53,7 @@ size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t leve
 /* How many levels a full chain has: down to 1x1, or 1x1x1. */
 uint32_t hatch_texels_chain_length(const struct hatch_texels *texture);
 
-/* Gives every level its zeroed bytes in arena; the other fields are set. */
+/* Gives every level its zeroed bytes in arena; the other fields are set, levels by level_count. */
 enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texels *texture,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

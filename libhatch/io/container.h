@@ -15,7 +15,8 @@ enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture,
 
 /* Reads what hatch_ktx2_write writes, and any R8, RG8, RGB8, RGBA8, BC1, BC4, BC7 or R32UI KTX2, linear or
  * sRGB (the bytes are not touched), with or without Zstandard supercompression; no cube maps, no
- * arrays of 3D textures. Sizes are checked before memory is taken: HATCH_LIMIT. */
+ * arrays of 3D textures. HATCH_BAD_INPUT for these and for a file that is cut or damaged, with the place. Sizes are
+ * checked before memory is taken: HATCH_LIMIT. */
 enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena,
                                   struct hatch_texels *texture,
                                   struct hatch_err *err) HATCH_MUST_USE;

@@ -30,6 +30,7 @@ struct Reader {
 std::string place(const char *what, size_t index);
 std::string place(const char *what, size_t index, const char *part, size_t part_index);
 
+/* Fails with HATCH_BAD_INPUT: "where: what". */
 enum hatch_status bad(Reader &r, const std::string &where, const std::string &what);
 
 /* -1 stands for nothing; else fails unless 0 <= index < count. */

@@ -16,6 +16,7 @@ struct hatch_faces {
     struct hatch_arena *scratch;
 };
 
+/* No faces yet; they will lie in scratch. */
 struct hatch_faces hatch_faces_in(struct hatch_arena *scratch);
 
 /* Adds one polygon: fans where they are proper triangulations, else by clipping ears. positions: where

@@ -23,6 +23,7 @@ bool hatch_mesh_text_next_line(struct hatch_mesh_text *text);
 /* The next word, on this or a later line; length 0 at the end of the text. */
 struct hatch_text hatch_mesh_text_any_word(struct hatch_mesh_text *text);
 
+/* Bytes from the reading place to the end. */
 size_t hatch_mesh_text_left(const struct hatch_mesh_text *text);
 
 /* How much of a word a message shows: for "%.*s". */

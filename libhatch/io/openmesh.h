@@ -22,6 +22,7 @@ struct hatch_connectivity {
     uint32_t left_out;             /* faces that do not fit into a manifold */
 };
 
+/* Faces with a repeated corner or that would make an edge of three are left out and counted. */
 enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                           struct hatch_connectivity *connectivity,
                                           struct hatch_err *err) HATCH_MUST_USE;

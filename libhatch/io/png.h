@@ -6,8 +6,8 @@
 #include "image/image.h"
 
 /* Any PNG as linear floats: Y, Y A, RGB or RGBA; palettes and low depths expanded, sRGB decoded
- * (gamma and ICC chunks are ignored). The header's size is checked against the arena's limit first.
- */
+ * (gamma and ICC chunks are ignored). HATCH_BAD_INPUT for what is cut or damaged; the header's size is
+ * checked against the arena's limit first: HATCH_LIMIT. */
 enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_image *image,
                                  struct hatch_err *err) HATCH_MUST_USE;

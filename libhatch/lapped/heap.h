@@ -17,6 +17,7 @@ struct hatch_heap {
     struct hatch_arena *arena;
 };
 
+/* Adds an item; the heap begins as {.arena = a} and doubles there. */
 enum hatch_status hatch_heap_push(struct hatch_heap *heap, double key, uint32_t id, struct hatch_err *err)
     HATCH_MUST_USE;
 

@@ -21,6 +21,8 @@ struct hatch_seed_figures {
     bool whole;             /* false: too many seeds, and astray, discrepancy and power are not measured */
 };
 
+/* Measures one set; time is quadratic in its seeds where they are not too many to be measured whole. throws: 1 ..,
+ * sets of random points that distance_random is the mean of. */
 enum hatch_status hatch_measure_seeds(const struct hatch_seed_set *set, uint32_t throws,
                                       struct hatch_arena *scratch,
                                       struct hatch_seed_figures *figures, struct hatch_err *err)

@@ -25,6 +25,7 @@ struct hatch_piece_view {
                                the eye (orthographic: from the axis, at least the picture's own size) */
 };
 
+/* Takes a piece, whose corners live until it returns; what it fails with ends the cutting. */
 typedef enum hatch_status (*hatch_piece_visit)(void *context,
                                                const struct hatch_piece_corner *const corner[3],
                                                struct hatch_err *err);

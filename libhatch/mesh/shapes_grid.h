@@ -42,12 +42,14 @@ struct hatch_grid {
 
 #define HATCH_GRID_SAMPLES 64u
 
+/* The surface's sizes, by sums over fine pieces of the formula. */
 void hatch_formula_measure(const struct hatch_formula *surface, struct hatch_formula_size *size);
 
 /* share[piece * (HATCH_GRID_SAMPLES + 1) + i]: how much of the piece's length lies before parameter
  * i / HATCH_GRID_SAMPLES; for hatch_grid.v_even. */
 void hatch_formula_even(const struct hatch_formula *surface, double *share);
 
+/* What hatch_grid_fill will write. */
 uint32_t hatch_grid_vertex_count(const struct hatch_grid *grid);
 uint32_t hatch_grid_face_count(const struct hatch_grid *grid);
 

@@ -32,6 +32,8 @@ struct hatch_brush {
 /* "ink", "pencil" and so on; NULL for HATCH_BRUSH_IMAGE. */
 const char *hatch_brush_name(enum hatch_brush_kind kind);
 
+/* A built-in brush, the same on every machine. kind: any but HATCH_BRUSH_IMAGE, which is made from an image. Its
+ * arrays live in arena. */
 enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena,
                                    struct hatch_brush *brush, struct hatch_err *err) HATCH_MUST_USE;
 

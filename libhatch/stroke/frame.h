@@ -19,6 +19,7 @@ struct hatch_frame {
     uint32_t grain_x, grain_y;
 };
 
+/* The arguments are those of hatch_footprint_draw. */
 struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
                                   uint32_t size_px, float length_scale, float width_scale);
 

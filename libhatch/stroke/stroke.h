@@ -36,6 +36,7 @@ struct hatch_stroke_list {
     uint32_t count, capacity;
 };
 
+/* Adds a copy of the stroke; the list begins as {0} and doubles in arena. Its path is not copied. */
 enum hatch_status hatch_stroke_list_add(struct hatch_stroke_list *list, struct hatch_arena *arena,
                                         const struct hatch_stroke *stroke, struct hatch_err *err)
     HATCH_MUST_USE;

@@ -20,6 +20,8 @@ struct hatch_canvas {
     struct hatch_footprint before;          /* of a growing stroke, as it was */
 };
 
+/* White paper on each level. size_px and levels: as in struct hatch_fill_options; style, brush: stay the caller's and
+ * must outlive the canvas. */
 enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
                                     const struct hatch_brush *brush, uint32_t size_px, uint32_t levels,
                                     bool color, bool ids, struct hatch_canvas *canvas,

@@ -35,6 +35,8 @@ struct hatch_curvature_options {
     uint32_t degree; /* 0: chosen with the support (4 for a fixed one); else 2 .. 4 */
 };
 
+/* Estimates curvature at every point; the arrays of *curvature live in arena. pool: NULL is one thread; the result is
+ * the same. */
 enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
                                            const struct hatch_frames *frames,
                                            const struct hatch_curvature_options *options,

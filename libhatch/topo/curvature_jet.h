@@ -32,6 +32,7 @@ struct hatch_jet_system {
     uint32_t degree; /* 0 when there are too few points even for degree 2, or they lie badly */
 };
 
+/* How many coefficients a polynomial of that degree in two variables has. */
 uint32_t hatch_jet_terms(uint32_t degree);
 
 /* Adds points. count: any. weight: the inverse of a z's variance, or NULL: all 1. */

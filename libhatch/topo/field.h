@@ -55,6 +55,8 @@ struct hatch_field {
                             hand): their field is the smoothest there is, otherwise arbitrary */
 };
 
+/* Solves for the field of least energy (see above) on all components; the arrays of *field live in arena. pool: NULL is
+ * one thread; the result is the same. */
 enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                     const struct hatch_field_data *data,
                                     const struct hatch_field_options *options, struct hatch_pool *pool,
@@ -107,6 +109,7 @@ struct hatch_singularities {
     int32_t *component_half_turns; /* per component, borders included */
 };
 
+/* Finds the singularities of a field of unit directions, 3 a point; the arrays of *found live in arena. */
 enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
                                             const struct hatch_frames *frames, const double *direction,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -24,6 +24,7 @@ struct hatch_frames {
     uint32_t *entry;   /* per corner 3 * f + c: the entry of the corner's point whose ring_face is f */
 };
 
+/* Makes the frames of a surface; their arrays live in arena. */
 enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;

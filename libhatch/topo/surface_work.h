@@ -36,6 +36,7 @@ void hatch_surface_place(struct hatch_surface *surface);
 enum hatch_status hatch_surface_count(struct hatch_surface *surface, struct hatch_arena *scratch,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
+/* The rings of all points, of a surface that has all else. */
 enum hatch_status hatch_surface_rings(struct hatch_surface *surface, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct hatch_err *err)
     HATCH_MUST_USE;
