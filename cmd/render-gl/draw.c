@@ -18,6 +18,8 @@ uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, co
         variant |= DRAW_TONE;
     if (item->base_texture && item->alpha_cutoff > 0)
         variant |= DRAW_HOLES;
+    if (item->normals && techniques[technique]->pixel_light && !techniques[technique]->seeds)
+        variant |= DRAW_NORMALS;
     return variant;
 }
 
@@ -26,6 +28,9 @@ static void use_item(const struct renderer *renderer, const struct gpu_item *ite
     glUseProgram(program);
     if (item->base_texture)
         glBindTextureUnit(3, item->base_texture);
+    if (item->normals)
+        glBindTextureUnit(9, item->normals);
+    glUniform1f(6, item->normals_strength);
     glUniformMatrix4fv(0, 1, GL_FALSE, item->to_unit);
     glUniformMatrix3fv(1, 1, GL_FALSE, item->normal);
     glVertexAttrib2fv(REPEAT_ATTRIBUTE, item->repeat); /* where vertices have none */

@@ -9,7 +9,8 @@ enum draw_variant {
     DRAW_TONE = 1,    /* the material's texture is tone */
     DRAW_HOLES = 2,   /* and has holes */
     DRAW_OUTLINE = 4, /* the texture is the outline of patches, with neither */
-    DRAW_PIECES = 8   /* with each of these: pieces of near faces */
+    DRAW_PIECES = 8,  /* with each of these: pieces of near faces */
+    DRAW_NORMALS = 16 /* with the first two: a normal map */
 };
 
 uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item);

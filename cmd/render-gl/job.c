@@ -4,6 +4,7 @@
 #include "cmd_scene.h"
 #include "render-gl/material.h"
 #include "render-gl/meter.h"
+#include "render-gl/normals.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
 #include "render-gl/zoom.h"
@@ -155,6 +156,8 @@ static void upload(struct job *job)
               &err);
     material_upload(&job->args, name, options->style.base_tone && !options->modulate_path,
                     job->context.size_max_px, &job->gpu);
+    if (options->style.pixel_light)
+        normals_upload(&job->args, name, job->context.size_max_px, &job->gpu);
     if (options->modulate_path)
         material_modulate(&job->args, options->modulate_path, job->context.size_max_px, &job->gpu);
 }

@@ -77,21 +77,50 @@ static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px,
     return HATCH_OK;
 }
 
+static void read_texture(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
+                         uint32_t number, struct hatch_image *image)
+{
+    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    struct hatch_bytes bytes = {scene->textures[number].data, scene->textures[number].size};
+    struct hatch_err err;
+    if (!bytes.data) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: its image could not be read", number);
+        cmd_die(file, &err);
+    }
+    if (hatch_image_read_any(bytes, "", plugin, &args->keep, &args->scratch, image, &err) != HATCH_OK) {
+        hatch_fail_at(&err, "texture %u: ", number);
+        cmd_die(file, &err);
+    }
+}
+
+GLuint material_normals(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
+                        const struct hatch_normal_map *normals, uint32_t size_max_px)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_image image;
+    struct hatch_err err;
+    read_texture(args, file, scene, normals->texture, &image);
+    if (image.channel_count < 3) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: normals want 3 channels, it has %u", normals->texture,
+                   image.channel_count);
+        cmd_die(file, &err);
+    }
+    for (size_t i = 0; i < (size_t)image.width * image.height * image.channel_count; i++)
+        image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* these are no colours: as in the file */
+    cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
+    GLuint made = upload(&image, normals->wrap);
+    hatch_arena_rewind(&args->scratch, mark);
+    return made;
+}
+
 static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_px,
                      const struct hatch_scene *scene, const struct hatch_material *material,
                      bool outline, float *side_px)
 {
-    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
-    const struct hatch_texture *texture = &scene->textures[material->base_texture];
-    struct hatch_bytes bytes = {texture->data, texture->size};
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_image image;
     struct hatch_err err;
-    if (hatch_image_read_any(bytes, "", plugin, &args->keep, &args->scratch, &image, &err) !=
-        HATCH_OK) {
-        hatch_fail_at(&err, "texture %u: ", material->base_texture);
-        cmd_die(file, &err);
-    }
+    read_texture(args, file, scene, material->base_texture, &image);
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made;
     if (outline)

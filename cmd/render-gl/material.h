@@ -17,6 +17,10 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint
  * what its material says (Webb et al. 2002, §3.2: the globe). Dies on an image that cannot be read. */
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct gpu_scene *gpu);
 
+/* Decodes and uploads a texture of normals, as numbers. Dies on an image that cannot be read or is grey. */
+GLuint material_normals(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
+                        const struct hatch_normal_map *normals, uint32_t size_max_px);
+
 /* Uploads the alpha of an image as the outline of patches; without alpha it is 1. Outside of the image it
  * is 0. No level coarser than the third is read: those would thin the outline's opaque middle, and what
  * lies below would show between patches. */

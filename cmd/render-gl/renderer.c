@@ -25,7 +25,7 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
     char defines[320];
     const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
     bool pixel_light = renderer->style.pixel_light || renderer->style.shadows;
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
              technique->pixel_light && pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
              renderer->style.shadows ? "#define SHADOWS 1\n" : "",
              columns->layered ? "#define LAYERED 1\n" : "",
@@ -34,6 +34,7 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              variant & DRAW_PIECES ? PIECES : "",
              variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",
+             variant & DRAW_NORMALS ? "#define NORMAL_MAP 1\n" : "",
              variant & DRAW_TONE ? "#define BASE_TONE 1\n" : "",
              variant & DRAW_HOLES ? "#define BASE_HOLES 1\n" : "",
              variant & DRAW_OUTLINE ? "#define OUTLINE 1\n" : "");

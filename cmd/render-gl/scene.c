@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "render-gl/normals.h"
 
 static void find_middle(const struct hatch_mesh *mesh, double middle[3], double half[3])
 {
@@ -17,13 +18,12 @@ static void find_middle(const struct hatch_mesh *mesh, double middle[3], double 
 }
 
 /* Where a material's texture is read: scaled, turned, moved (KHR_texture_transform). */
-static void place_base(const struct hatch_material *material, float at[2])
+void scene_place(const float scale[2], float turn_rad, const float offset[2], float at[2])
 {
-    double c = cos((double)material->base_turn_rad), s = sin((double)material->base_turn_rad);
-    double u = (double)material->base_scale[0] * (double)at[0];
-    double v = (double)material->base_scale[1] * (double)at[1];
-    at[0] = (float)(c * u + s * v + (double)material->base_offset[0]);
-    at[1] = (float)(c * v - s * u + (double)material->base_offset[1]);
+    double c = cos((double)turn_rad), s = sin((double)turn_rad);
+    double u = (double)scale[0] * (double)at[0], v = (double)scale[1] * (double)at[1];
+    at[0] = (float)(c * u + s * v + (double)offset[0]);
+    at[1] = (float)(c * v - s * u + (double)offset[1]);
 }
 
 static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
@@ -50,7 +50,8 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
             vertices[v].base_texcoord[k] = base ? base[2 * v + k] : 0.0f;
         }
         if (material && material->base_placed)
-            place_base(material, vertices[v].base_texcoord);
+            scene_place(material->base_scale, material->base_turn_rad, material->base_offset,
+                        vertices[v].base_texcoord);
     }
     return vertices;
 }
@@ -244,7 +245,7 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     glNamedBufferSubData(item->posed, 0, (GLsizeiptr)(sizeof *vertices * count), vertices);
     memcpy(item->to_unit, unit, sizeof unit);
     memcpy(item->normal, straight, sizeof straight);
-    return HATCH_OK;
+    return item->tangents ? normals_pose(gpu, item, positions, scratch, err) : HATCH_OK;
 }
 
 enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
@@ -342,6 +343,7 @@ void scene_free(struct gpu_scene *gpu)
         glDeleteBuffers(1, &gpu->items[i].posed);
         glDeleteBuffers(1, &gpu->items[i].repeats);
         glDeleteBuffers(1, &gpu->items[i].spans);
+        normals_free(&gpu->items[i]);
     }
     for (uint32_t i = 0; gpu->meshes && i < gpu->scene->mesh_count; i++) {
         glDeleteBuffers(1, &gpu->meshes[i].vertices);

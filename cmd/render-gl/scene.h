@@ -20,6 +20,7 @@ struct vertex {
 #define REPEAT_ATTRIBUTE 4u
 #define PATCH_ATTRIBUTE 5u
 #define SPANS_ATTRIBUTE 6u /* and 7 */
+#define TANGENT_ATTRIBUTE 8u /* and 9: where the normals' texture is read */
 
 struct gpu_mesh {
     GLuint vertices, indices;
@@ -53,6 +54,10 @@ struct gpu_item {
     GLuint base_texture;  /* 0: none; of patches their outline, alone in red */
     float base_side_px;   /* its longer side */
     float base_lod;       /* the level of it that is as coarse as the vertices are */
+    GLuint normals;       /* a texture of them; 0: none */
+    GLuint tangents;      /* struct tangent of each vertex; 0: none */
+    const struct tangent *rest; /* the same, not posed */
+    float normals_strength;
     float base_lightness; /* luminance of the material's colour, 1 when it does not count */
 };
 
@@ -67,6 +72,9 @@ struct gpu_scene {
     struct gpu_mesh *meshes; /* scene->mesh_count */
     struct gpu_item *items;
 };
+
+/* Where a texture is read: scaled, turned, moved (KHR_texture_transform). */
+void scene_place(const float scale[2], float turn_rad, const float offset[2], float at[2]);
 
 /* Uploads every mesh and lists the items; pose must hold room. Nothing is drawn with: call
  * scene_set_pose. patches: of each mesh, or NULL where no mesh has any; kept. */

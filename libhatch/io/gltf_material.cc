@@ -69,6 +69,32 @@ enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
     return place_texture(r, info.extensions, where, material);
 }
 
+/* Read as a base texture is, and put in its own place. */
+enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &said, const std::string &where,
+                               struct hatch_normal_map *normals)
+{
+    struct hatch_material read = {};
+    tinygltf::TextureInfo info;
+    info.index = said.index;
+    info.texCoord = said.texCoord;
+    info.extensions = said.extensions;
+    read.base_texture = HATCH_NONE;
+    read.base_wrap[0] = read.base_wrap[1] = HATCH_WRAP_REPEAT;
+    HATCH_TRY(texture_image(r, info, where, &read));
+    HATCH_TRY(copy_numbers(r, {said.scale}, 1, where, "scale of the normals", &normals->strength));
+    normals->used = read.base_texture != HATCH_NONE;
+    normals->texture = normals->used ? read.base_texture : 0;
+    normals->texcoord = read.base_texcoord;
+    normals->placed = read.base_placed;
+    normals->turn_rad = read.base_turn_rad;
+    for (int k = 0; k < 2; k++) {
+        normals->wrap[k] = read.base_wrap[k];
+        normals->scale[k] = read.base_scale[k];
+        normals->offset[k] = read.base_offset[k];
+    }
+    return HATCH_OK;
+}
+
 /* KHR_materials_pbrSpecularGlossiness, the older way to say what colour a surface has. */
 enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std::string &where,
                                struct hatch_material *material)
@@ -117,6 +143,7 @@ enum hatch_status read_materials(Reader &r)
         to->outline = is_outline(from);
         for (float &c : to->base_color)
             c = 1;
+        HATCH_TRY(read_normals(r, from.normalTexture, where, &to->normals));
         auto diffuse = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
         if (diffuse != from.extensions.end() && diffuse->second.IsObject()) {
             HATCH_TRY(read_diffuse(r, diffuse->second, where, to));

@@ -10,6 +10,17 @@
 /* What a texture is outside of 0..1. */
 enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
 
+/* A texture of normals in the tangent frame (glTF 2.0, normalTextureInfo). */
+struct hatch_normal_map {
+    bool used;                 /* else nothing of it counts */
+    uint32_t texture;          /* index into textures */
+    uint32_t texcoord;         /* 0 or 1 */
+    enum hatch_wrap wrap[2];
+    float strength;            /* factor for what leans along the surface */
+    bool placed;               /* as a material's base texture is */
+    float scale[2], turn_rad, offset[2];
+};
+
 struct hatch_material {
     float base_color[4];       /* linear, 0..1 */
     uint32_t base_texture;     /* index into textures, or HATCH_NONE */
@@ -19,6 +30,7 @@ struct hatch_material {
     float base_scale[2], base_turn_rad, base_offset[2];
     bool double_sided;
     float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
+    struct hatch_normal_map normals;
     bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
                                   is where a patch shows; its meshes are drawn in order over each other */
 };

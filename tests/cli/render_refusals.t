@@ -37,6 +37,23 @@ refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --
 refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
 refuses "shadows without edges" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
 refuses "haloes as wide as the picture" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33
+cat >bumpy.gltf <<'EOF'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{
+"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"material":0}]}],"materials":[{"normalTexture":{"index":0}}],
+"textures":[{"source":0}],"images":[{"uri":"bumps.png"}],"buffers":[{"byteLength":96,"uri":"bumpy.bin"}],
+"bufferViews":[{"buffer":0,"byteLength":36},
+{"buffer":0,"byteOffset":36,"byteLength":36},{"buffer":0,"byteOffset":72,"byteLength":24}],"accessors":[
+{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":2,"componentType":5126,"count":3,"type":"VEC2"}]}
+EOF
+zero='\000\000\000\000' one='\000\000\200\077'
+printf "$zero$zero$zero$one$zero$zero$zero$one$zero$zero$zero$one$zero$zero$one$zero$zero$one" >bumpy.bin
+printf "$zero$one$one$one$zero$zero" >>bumpy.bin
+refuses "a missing normal map" 3 2 "texture 0: its image" $draw bumpy.gltf -t gouraud --pixel-light
+printf 'no picture' >bumps.png
+refuses "a normal map that is none" 3 1 "texture 0:" $draw bumpy.gltf -t gouraud --pixel-light
+ok "which nobody reads at vertices" render-gl --size 32x24 -t gouraud bumpy.gltf -o tone.png
 for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
     refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
 done

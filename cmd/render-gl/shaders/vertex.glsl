@@ -11,6 +11,13 @@ layout(location = 3) in vec2 a_base_texcoord;
 layout(location = 4) in vec2 a_repeat; // tiles of the map per unit of u and of v
 #endif
 
+#ifdef NORMAL_MAP
+layout(location = 8) in vec4 a_tangent;
+layout(location = 9) in vec2 a_normal_texcoord;
+out vec4 v_tangent; // w: which way v goes
+out vec2 v_normal_texcoord;
+#endif
+
 invariant gl_Position;
 
 // Sets gl_Position; returns the point in the unit scene.
@@ -34,6 +41,12 @@ void place_unlit()
     v_point = place_point();
     vec3 normal = normal_from_mesh * a_normal;
     v_normal = side * normal / max(length(normal), 1e-20);
+#ifdef NORMAL_MAP
+    mat3 turn = mat3(unit_from_mesh);
+    vec3 tangent = turn * a_tangent.xyz;
+    v_tangent = vec4(tangent / max(length(tangent), 1e-20), determinant(turn) < 0.0 ? -a_tangent.w : a_tangent.w);
+    v_normal_texcoord = a_normal_texcoord;
+#endif
 }
 #endif
 

@@ -1,0 +1,127 @@
+/* Normal maps of one normal everywhere: light on a plane is then known. */
+#include "render-gl/normals.h"
+#include "render_frame.h"
+#include "render_map.h"
+
+enum { SIZE = 16 };
+
+static struct test_frame frame;
+static const double to_light[3] = {0.48, 0.6, 0.64};
+
+/* A plane that faces the camera. turn: of its texture coordinates against the clock, in quarters; mirrored: u runs
+ * the other way; own: the file says TANGENT, and coordinates do not count. */
+static void begin(int turn, bool mirrored, bool own)
+{
+    static const float quarter[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    struct hatch_shape_options how = {.faces = 2, .seed = 1};
+    struct hatch_mesh mesh;
+    frame_arenas(&frame);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
+                  &frame.err);
+    const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
+    float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
+    const float *along = quarter[turn];
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        float x = position[3 * v], y = position[3 * v + 1];
+        float u = along[0] * x + along[1] * y, up = along[0] * y - along[1] * x;
+        texcoord[2 * v] = own ? 0 : mirrored ? -u : u;
+        texcoord[2 * v + 1] = own ? 0 : -up;
+        memcpy(tangent + 4 * v, (float[4]){mirrored ? -along[0] : along[0], mirrored ? -along[1] : along[1], 0,
+                                           mirrored ? -1.0f : 1.0f}, 16);
+    }
+    for (uint32_t i = 0; !own && i < mesh.attribute_count; i++)
+        if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
+            mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    frame.renderer.style.pixel_light = true;
+    frame.renderer.style.light = (struct own_light){.wanted = true,
+                                                    .azimuth_rad = atan2(to_light[0], to_light[2]),
+                                                    .elevation_rad = asin(to_light[1])};
+}
+
+static void set_normal(double x, double y, double z, double strength)
+{
+    const float texel[4] = {(float)(0.5 + 0.5 * x), (float)(0.5 + 0.5 * y), (float)(0.5 + 0.5 * z), 1};
+    const struct hatch_normal_map map = {.used = true, .strength = (float)strength};
+    GLuint texture;
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+    glTextureStorage2D(texture, 1, GL_RGBA32F, 1, 1);
+    glTextureSubImage2D(texture, 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel);
+    HATCH_TEST_OK(normals_set(&frame.gpu, &frame.gpu.items[0], &map, texture, &frame.arena, &frame.scratch,
+                              &frame.err),
+                  &frame.err);
+}
+
+static double light(void)
+{
+    struct hatch_image image;
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image);
+    return (double)image.pixels[3 * (SIZE / 2 * SIZE + SIZE / 2)];
+}
+
+/* By the definition of glTF 2.0: x goes along rising u, y along falling v. */
+START_TEST(light_is_that_of_the_tilted_normal)
+{
+    static const double tilts[][3] = {{0.6, 0, 0.8}, {0, 0.6, 0.8}, {-0.36, 0.48, 0.8}, {0.8, -0.36, 0.48}};
+    static const double along[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (int turn = 0; turn < 4; turn++)
+        for (int kind = 0; kind < 4; kind++)
+            for (size_t i = 0; i < sizeof tilts / sizeof *tilts; i++) {
+                double strength = i == 2 ? 0.5 : 1, x = strength * tilts[i][0], y = strength * tilts[i][1];
+                double u = kind % 2 ? -x : x; /* along what u would be without the mirror */
+                double normal[3] = {along[turn][0] * u - along[turn][1] * y, along[turn][1] * u + along[turn][0] * y,
+                                    tilts[i][2]};
+                double size = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]), want = 0;
+                for (int k = 0; k < 3; k++)
+                    want += normal[k] / size * to_light[k];
+                begin(turn, kind % 2, kind / 2);
+                set_normal(tilts[i][0], tilts[i][1], tilts[i][2], strength);
+                double got = light();
+                ck_assert_msg(fabs(got - fmax(want, 0)) <= 1.0 / 255, "turn %d, kind %d, tilt %zu: %g, not %g", turn,
+                              kind, i, got, want);
+                frame_end(&frame);
+            }
+}
+END_TEST
+
+/* As eight bits say it, which have no middle. */
+START_TEST(a_flat_map_is_none)
+{
+    begin(0, false, false);
+    double bare = light();
+    set_normal(128 / 127.5 - 1, 128 / 127.5 - 1, 1, 1);
+    ck_assert_double_eq_tol(light(), bare, 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+/* The other side of a plane leans as that side shows it. */
+START_TEST(from_behind_all_is_turned_round)
+{
+    struct view behind = map_facing;
+    behind.eye[2] = -2;
+    behind.right[0] = -1;
+    behind.back[2] = -1;
+    begin(0, false, false);
+    set_normal(0.6, 0, 0.8, 1);
+    struct hatch_image image;
+    frame_draw(&frame, "gouraud", &behind, SIZE, SIZE, 1, &image);
+    double want = 0.6 * to_light[0] + 0.8 * to_light[2]; /* -n, seen in a camera whose right is -x */
+    ck_assert_double_eq_tol((double)image.pixels[3 * (SIZE / 2 * SIZE + SIZE / 2)], want, 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("render normals");
+    TCase *tests = tcase_create("normals");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, light_is_that_of_the_tilted_normal);
+    tcase_add_test(tests, a_flat_map_is_none);
+    tcase_add_test(tests, from_behind_all_is_turned_round);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
