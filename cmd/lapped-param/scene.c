@@ -101,6 +101,7 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
         materials[m].base_texture = 0;
         materials[m].base_texcoord = 1;
         materials[m].base_wrap[0] = materials[m].base_wrap[1] = HATCH_WRAP_CLAMP;
+        materials[m].base_placed = false;
         materials[m].outline = true;
     }
     scene->materials = materials;

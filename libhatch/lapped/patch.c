@@ -80,7 +80,9 @@ static double circle_around(const double at[3][2], double center[2])
     }
     double bx = at[1][0] - at[0][0], by = at[1][1] - at[0][1];
     double cx = at[2][0] - at[0][0], cy = at[2][1] - at[0][1];
-    double doubled = 2 * (bx * cy - by * cx), b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+    double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+    double doubled = 2 * (bx * cy - by * cx), least = HATCH_LAPPED_THIN * (b2 + c2);
+    doubled = fabs(doubled) < least ? least : doubled;
     double x = (cy * b2 - by * c2) / doubled, y = (bx * c2 - cx * b2) / doubled;
     center[0] = at[0][0] + x;
     center[1] = at[0][1] + y;

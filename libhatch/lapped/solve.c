@@ -19,6 +19,10 @@
 #define ENVELOPE_FAIR 1.5
 /* Strips for each vertex in which they are numbered. */
 #define STRIPS 4u
+/* How much a face may weigh in one entry: a needle would drown its neighbours in rounding. */
+#define STEEP_MAX 1e7
+/* The share of a diagonal that is left at least. */
+#define PIVOT_MIN 1e-12
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
 
@@ -147,7 +151,8 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
 static double hat_gradients(const struct hatch_ground *ground, uint32_t face, int8_t sign, double gradient[3][2])
 {
     const double *flat = &ground->flat[(size_t)face * 4];
-    double doubled = flat[0] * flat[3] - flat[2] * flat[1];
+    double least = HATCH_LAPPED_THIN * (flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2] + flat[3] * flat[3]);
+    double doubled = fmax(flat[0] * flat[3] - flat[2] * flat[1], least);
     gradient[1][0] = sign * flat[3] / doubled;
     gradient[1][1] = -sign * flat[2] / doubled;
     gradient[2][0] = -sign * flat[1] / doubled;
@@ -164,6 +169,10 @@ static void find_gradients(struct hatch_solver *of, const struct hatch_ground *g
         uint32_t face = patch->faces[f];
         double *to = &of->gradients[8 * f];
         double area = hat_gradients(ground, face, patch->sign[f], (double(*)[2])to);
+        double steep = 0;
+        for (int i = 0; i < 6; i += 2)
+            steep = fmax(steep, area * (to[i] * to[i] + to[i + 1] * to[i + 1]));
+        area *= steep > STEEP_MAX ? STEEP_MAX / steep : 1;
         to[6] = ground->singular[face] ? FREE_WEIGHT * area : area;
         to[7] = 1;
     }
@@ -257,9 +266,10 @@ static void factor(const struct hatch_solver *of, uint32_t count)
             row[j - low][1] = value[1] * other[j - from][1];
         }
         double *pivot = row[i - low];
+        const double least[2] = {PIVOT_MIN * pivot[0], PIVOT_MIN * pivot[1]};
         subtract_dot(row, row, i - low, pivot);
-        pivot[0] = 1 / sqrt(pivot[0]);
-        pivot[1] = 1 / sqrt(pivot[1]);
+        pivot[0] = 1 / sqrt(fmax(pivot[0], least[0]));
+        pivot[1] = 1 / sqrt(fmax(pivot[1], least[1]));
     }
 }
 

@@ -8,6 +8,9 @@
 #include "lapped/heap.h"
 #include "lapped/lapped.h"
 
+/* Twice the area of a face counts as so much at least, in squares of its sides: the rest is rounding. */
+#define HATCH_LAPPED_THIN 1e-12
+
 /* Faces as the patches see them. */
 struct hatch_ground {
     const struct hatch_surface *surface;

@@ -103,8 +103,9 @@ enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena
                                    struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* vertex_to_point[v]: the same number, 0 .. *point_count-1, for vertices at exactly one position
- * (-0 equals 0), in order of first appearance. vertex_to_point: vertex_count entries. */
+/* vertex_to_point[v]: the same number, 0 .. *point_count-1, for vertices at exactly one position,
+ * in order of first appearance; coordinates below 2^-40 of the faces' extent count as 0.
+ * vertex_to_point: vertex_count entries. */
 enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                   uint32_t *vertex_to_point, uint32_t *point_count,
                                   struct hatch_err *err) HATCH_MUST_USE;

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "base/random.h"
@@ -5,14 +6,27 @@
 
 #define EMPTY UINT32_MAX
 
+/* The share of the mesh's size up to which a coordinate counts as 0: a sphere's pole is often made of vertices at
+ * the sine of pi, which is 1e-16 in doubles. */
+#define NOTHING 0x1p-40f
+
 /* A position as bits that are equal exactly where the numbers are: -0 becomes 0. */
-static void position_bits(const float *position, uint32_t bits[3])
+static void position_bits(const float *position, float nothing, uint32_t bits[3])
 {
     for (int k = 0; k < 3; k++) {
         memcpy(&bits[k], &position[k], sizeof bits[k]);
-        if (bits[k] == 0x80000000u)
+        if (fabsf(position[k]) <= nothing)
             bits[k] = 0;
     }
+}
+
+static float nothing_beside(const struct hatch_mesh *mesh)
+{
+    float low[3], high[3], size = 0;
+    if (hatch_mesh_bounds(mesh, low, high))
+        for (int k = 0; k < 3; k++)
+            size = fmaxf(size, NOTHING * high[k] - NOTHING * low[k]);
+    return size;
 }
 
 static uint64_t hash(const uint32_t bits[3])
@@ -25,7 +39,7 @@ enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_ar
                                   uint32_t *vertex_to_point, uint32_t *point_count,
                                   struct hatch_err *err)
 {
-    const float *positions = mesh->attributes[0].data;
+    const float *positions = mesh->attributes[0].data, nothing = nothing_beside(mesh);
     size_t capacity = 16;
     while (capacity < (size_t)mesh->vertex_count * 2)
         capacity *= 2;
@@ -37,10 +51,10 @@ enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_ar
     uint32_t count = 0;
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t bits[3], other[3];
-        position_bits(&positions[(size_t)v * 3], bits);
+        position_bits(&positions[(size_t)v * 3], nothing, bits);
         size_t slot = hash(bits) & (capacity - 1);
         for (; slots[slot] != EMPTY; slot = (slot + 1) & (capacity - 1)) {
-            position_bits(&positions[(size_t)slots[slot] * 3], other);
+            position_bits(&positions[(size_t)slots[slot] * 3], nothing, other);
             if (memcmp(bits, other, sizeof bits) == 0)
                 break;
         }

@@ -30,6 +30,19 @@ awk 'NF == 3 && NR > 2 {print 3 * $1, 2 * $2, $3; next} {print}' cube.off >box.o
 is "on a box its coordinates follow the field as it stands in space" "$(dirfield -q box.off |
     lapped-param -q | hatchstat lapped | awk -F'\t' '
         NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at["angle_max"] < 0.01}')" 1
+cat >placed.gltf <<END
+{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+"images":[{"uri":"data:image/png;base64,AAAA"}],"textures":[{"source":0}],
+"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
+"extensions":{"KHR_texture_transform":{"scale":[5,5]}}}}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}]}
+END
+lapped-param -q placed.gltf -o placed.glb
+unpack placed.glb unplaced
+is "the outline does not lie where a texture lay" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
 lapped-param <torus.glb >filter.glb
 ok "as a filter" cmp filter.glb alone.glb
 lapped-param --seed 2 torus.glb -o other.glb

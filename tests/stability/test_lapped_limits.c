@@ -98,6 +98,43 @@ START_TEST(legs_and_handles_smaller_than_a_patch)
 }
 END_TEST
 
+/* A sphere whose poles are rings of vertices next to each other, as rounding leaves them: faces there are needles. */
+static struct hatch_mesh needle_sphere(double width)
+{
+    enum { AROUND = 24, DOWN = 12 };
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, AROUND * (DOWN + 1), 2 * AROUND * DOWN, &mesh, &err), &err);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        double a = 2 * 3.14159265358979 * (v % AROUND) / AROUND, b = 3.14159265358979 * (v / AROUND) / DOWN;
+        double radius = v / AROUND % DOWN ? sin(b) : width;
+        float *p = &mesh.attributes[0].data[3 * v];
+        p[0] = (float)(radius * cos(a));
+        p[1] = (float)cos(b);
+        p[2] = (float)(-radius * sin(a));
+    }
+    for (uint32_t i = 0; i < AROUND * DOWN; i++) {
+        uint32_t a = i, next = i / AROUND * AROUND + (i + 1) % AROUND, b = a + AROUND;
+        const uint32_t faces[6] = {a, b, next, next, b, next + AROUND};
+        memcpy(mesh.indices + 6 * i, faces, sizeof faces);
+    }
+    return mesh;
+}
+
+START_TEST(needles_give_numbers)
+{
+    static const double widths[] = {1e-3, 1e-6, 1e-8, 1e-9, 1e-10, 1e-16};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        struct field_case of = case_of(needle_sphere(widths[i]));
+        lay_field(&of, 0.3, 1, 0.2);
+        const struct hatch_lapped lapped = cover_all(of, &LAPPED_PLAIN).lapped;
+        ck_assert_uint_ge(lapped.face_count, of.surface.face_count);
+        for (uint32_t v = 0; v < lapped.vertex_count; v++)
+            for (int k = 0; k < 2; k++)
+                ck_assert(isfinite(lapped.vertices[v].hatch[k]) && isfinite(lapped.vertices[v].mask[k]));
+    }
+}
+END_TEST
+
 START_TEST(components_of_any_size)
 {
     struct hatch_mesh small = bare_shape(HATCH_SHAPE_SPHERE, 200), large = bare_shape(HATCH_SHAPE_TORUS, 800);
@@ -152,6 +189,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_cube);
     tcase_add_test(tests, huge_faces_beside_tiny_ones);
     tcase_add_test(tests, legs_and_handles_smaller_than_a_patch);
+    tcase_add_test(tests, needles_give_numbers);
     tcase_add_test(tests, components_of_any_size);
     tcase_add_test(tests, a_field_of_noise);
     tcase_add_test(tests, lines_that_meet_in_a_point);

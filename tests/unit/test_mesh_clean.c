@@ -41,6 +41,18 @@ START_TEST(equal_positions_are_one_point)
 }
 END_TEST
 
+START_TEST(next_to_nothing_is_nothing)
+{
+    const float pole[] = {1.2e-16f, 1, 0, -1e-14f, 1, 1e-16f, 1e-10f, 1, 0, 4, 0, 0, 0, 0, 4, 1e9f, 0, 0};
+    const uint32_t faces[] = {0, 3, 4}, want[] = {0, 0, 1, 2, 3, 4};
+    struct hatch_mesh mesh = mesh_of(pole, 6, faces, 1); /* the farthest vertex is no face's */
+    uint32_t point[6], count;
+    HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &count, &err), &err);
+    ck_assert_uint_eq(count, 5);
+    ck_assert_mem_eq(point, want, sizeof want);
+}
+END_TEST
+
 START_TEST(what_is_no_surface_is_dropped_and_counted)
 {
     const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2,
@@ -307,6 +319,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("clean");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, equal_positions_are_one_point);
+    tcase_add_test(tests, next_to_nothing_is_nothing);
     tcase_add_test(tests, what_is_no_surface_is_dropped_and_counted);
     tcase_add_test(tests, a_mesh_without_area_is_bad_input);
     tcase_add_test(tests, sizes_near_the_ends_of_float_are_sizes);
