@@ -53,7 +53,8 @@ static enum hatch_status make_room(struct making *of, struct hatch_err *err)
     return HATCH_OK;
 }
 
-/* Lays the grown patch under what is there: notes which of its faces show and which it covers. */
+/* Lays the grown patch under what is there: notes which of its faces show and which it covers. The first face is
+ * covered then, whatever rounding says of it where it is a needle. */
 static enum hatch_status lay(struct making *of, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &of->growth.patch;
@@ -61,17 +62,18 @@ static enum hatch_status lay(struct making *of, struct hatch_err *err)
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double mask[3][2];
         /* Outside the outline faces may be past the limits. */
-        if (patch->past[f])
+        if (f > 0 && patch->past[f])
             continue;
         for (uint32_t c = 0; c < 3; c++)
             hatch_patch_mask(patch, &patch->place[2 * patch->corners[3 * f + c]], mask[c]);
         bool shows;
         of->totals.hidden_faces += of->cover.covered[patch->faces[f]];
         HATCH_TRY(hatch_cover_add(&of->cover, patch->faces[f], (const double(*)[2])mask, &shows, err));
-        if (!shows)
-            continue;
-        of->shown[of->shown_count++] = f;
-        if (of->cover.covered[patch->faces[f]])
+        if (f == 0)
+            of->cover.covered[patch->seed] = 1;
+        if (shows)
+            of->shown[of->shown_count++] = f;
+        if ((shows || f == 0) && of->cover.covered[patch->faces[f]])
             of->fresh[of->fresh_count++] = patch->faces[f];
     }
     return HATCH_OK;
@@ -152,8 +154,8 @@ static enum hatch_status make_patch(struct making *of, uint32_t seed, double sca
     of->totals.enlarged += notes.enlarged;
     HATCH_TRY(make_room(of, err));
     HATCH_TRY(lay(of, err));
-    assert(of->cover.covered[seed]);
-    HATCH_TRY(keep(of, scale, err));
+    if (of->shown_count > 0)
+        HATCH_TRY(keep(of, scale, err));
     return hatch_order_covered(&of->order, of->fresh, of->fresh_count, err);
 }
 
