@@ -12,8 +12,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
         return HATCH_OK;
     if (from.size() != count)
         return bad(r, where,
-                   std::string(what) + " has " + std::to_string(from.size()) + " numbers, want " +
-                       std::to_string(count));
+                   std::string(what) + " wants " + std::to_string(count) + " numbers, not " +
+                       std::to_string(from.size()));
     for (size_t i = 0; i < count; i++) {
         to[i] = static_cast<float>(from[i]);
         if (!std::isfinite(to[i]))

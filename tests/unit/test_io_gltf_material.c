@@ -52,7 +52,7 @@ START_TEST(textures_are_placed)
         HEAD TEXTURE ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":"
                      "{\"KHR_texture_transform\":{\"scale\":[1]}}}}}]}";
     ck_assert_int_eq(read_bytes(crooked, sizeof crooked - 1), HATCH_BAD_INPUT);
-    ck_assert_str_eq(err.text, "material 0: scale has 1 numbers, want 2");
+    ck_assert_str_eq(err.text, "material 0: scale wants 2 numbers, not 1");
 }
 END_TEST
 

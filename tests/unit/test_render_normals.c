@@ -13,11 +13,8 @@ static const double to_light[3] = {0.48, 0.6, 0.64};
 static void begin(int turn, bool mirrored, bool own)
 {
     static const float quarter[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    struct hatch_shape_options how = {.faces = 2, .seed = 1};
-    struct hatch_mesh mesh;
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_PLANE, &how, &frame.arena, &frame.scratch, &mesh, &frame.err),
-                  &frame.err);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
     const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
     const float *along = quarter[turn];
@@ -116,7 +113,6 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render normals");
     TCase *tests = tcase_create("normals");
-    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, light_is_that_of_the_tilted_normal);
     tcase_add_test(tests, a_flat_map_is_none);
     tcase_add_test(tests, from_behind_all_is_turned_round);
