@@ -22,16 +22,18 @@ static enum hatch_status compile_below(const struct renderer *renderer, bool geo
 static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
                                  uint32_t variant, GLuint *program, struct hatch_err *err)
 {
-    char defines[320];
+    char defines[512];
     const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
     bool pixel_light = renderer->style.pixel_light || renderer->style.shadows;
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
              technique->pixel_light && pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
              renderer->style.shadows ? "#define SHADOWS 1\n" : "",
              columns->layered ? "#define LAYERED 1\n" : "",
              columns->exact ? "#define EXACT 1\n" : "",
              renderer->style.anisotropy > 1 && !columns->exact ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
+             technique->seeds && renderer->seeds.vary ? "#define STROKES_VARY 1\n" : "",
+             technique->seeds && renderer->seeds.shrink ? "#define STROKES_SHRINK 1\n" : "",
              variant & DRAW_PIECES ? PIECES : "",
              variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",
              variant & DRAW_NORMALS ? "#define NORMAL_MAP 1\n" : "",
@@ -106,9 +108,10 @@ enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_
     if (!renderer->seeds.layers)
         return HATCH_OK;
     HATCH_TRY(seeds_upload(renderer->rptam, renderer->all_seeds, scratch, &fresh, err));
+    bool same = fresh.vary == renderer->seeds.vary && fresh.shrink == renderer->seeds.shrink;
     seeds_free(&renderer->seeds);
     renderer->seeds = fresh;
-    return HATCH_OK;
+    return same ? HATCH_OK : renderer_reload(renderer, err);
 }
 
 /* The programs that draw what is near: most pictures need none. */

@@ -17,7 +17,7 @@ struct layer_block {
 struct seeds_block {
     float front[4]; /* 2 p (1 - p); where it is linear: from, factor, term */
     float fade[4];  /* weight = x front + y + z life (+ w in the next level) */
-    float law[4];   /* the front is m, the share is 1 - m, strokes shrink, steps a unit of ink */
+    float law[4];   /* the front is m, the share is 1 - m, 0, steps a unit of ink */
     int32_t counts[4];
     struct layer_block layers[HATCH_RPTAM_LAYERS_MAX];
 };
@@ -171,7 +171,7 @@ static void pack_style(const struct hatch_rptam *rptam, struct seeds_block *bloc
         .front = {(float)(2 * p * q), (float)(less / (2 * more)), (float)more, (float)(less / 2)},
         .fade = {(float)(weighted ? -1 / p : 1 / p), (float)((weighted ? 0 : -q / p) + slope * hatch_life_value(0)),
                  (float)(slope / HATCH_LIFE_STAYS), weighted ? (float)(1 / p) : 0},
-        .law = {weighted, style->law == HATCH_FADE_PAPER, style->fade_size,
+        .law = {weighted, style->law == HATCH_FADE_PAPER, 0,
                 rptam->darkest > 0 ? (float)(HATCH_RPTAM_STEPS / rptam->darkest) : 0},
         .counts = {(int32_t)rptam->layer_count}};
 }
@@ -270,8 +270,11 @@ enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct
         if (texels > (size_t)most)
             status = hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d",
                                 texels, most);
-        else
+        else {
             upload(&packed, seeds);
+            seeds->vary = packed.numbers != NULL;
+            seeds->shrink = rptam->style.fade_size;
+        }
     }
     hatch_arena_rewind(scratch, mark);
     return status;

@@ -14,6 +14,7 @@ struct gpu_seeds {
     GLuint layers; /* a buffer */
     GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, seeds' numbers; they as
                                                        textures */
+    bool vary, shrink; /* what programs are compiled for: strokes differ, and they fade by size */
 };
 
 /* Uploads the model. all: the shader looks at every seed at every place, which is slow. */

@@ -19,6 +19,12 @@ ok "crayons as layers" $draw --layers crayon.layers -o crayons.png
 ok "and as a style" $draw --style crayon --stroke 40x5 --stroke-ink .6 -o crayon.png
 ok "stand in one tile, which suits them" hatchstat diff crayons.png crayon.png
 
+printf 'ink 1\nwidth 9 stroke crayon\n' >grow.layers
+ok "a layer whose strokes differ joins one whose strokes do not" $draw --layers grow.layers --tone-range .8:.8 \
+    --frames 2 --animate seed-layers=1..2 -o grow%d.png
+ok "both at once" $draw --layers grow.layers --tone-range .8:.8 -o grown.png
+ok "are the same picture" cmp grow1.png grown.png
+
 render-gl -t gouraud --size 64x8 torus.glb -o folder/stroke.png
 printf 'stroke stroke.png\nstroke stipple\n' >folder/own.layers
 ok "a stroke from a picture beside the file" $draw --layers folder/own.layers -o own.png

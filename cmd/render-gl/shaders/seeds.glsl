@@ -11,7 +11,7 @@ struct SeedLayer {
 layout(std140, binding = 1) uniform SeedLayers {
     vec4 front;  // 2 p (1 - p), where it is linear: from, factor, term; p is the overlap
     vec4 fade;   // weight = x front + y + z life (+ w in the next level), life in steps
-    vec4 law;    // the front is m itself; the share is 1 - m; strokes shrink; steps a unit of ink
+    vec4 law;    // the front is m itself; the share is 1 - m; 0; steps a unit of ink
     ivec4 seed_layers; // their number
     SeedLayer layers[64];
 };
@@ -40,12 +40,14 @@ float fade_front(float q)
     return law.x > 0.5 ? m : place;
 }
 
+#ifdef STROKES_VARY
 // Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image.
 uint look_of(int seed, int level, SeedLayer layer)
 {
     int count = layer.at.w & 0xffff;
     return uint((int(texelFetch(numbers, seed).r) + level + 128 * count) % count) * 2654435769u >> 28;
 }
+#endif
 
 // Alpha at a place in texels from the middle of a stroke's image, the first or the one at a row. Its border is
 // nothing, and goes on outside.
@@ -73,7 +75,9 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
     ivec2 list = texelFetch(lists, layer.at.x + (size * layer.at.y + cell.y) * layer.at.y + cell.x).xy;
     vec2 scale = px * layer.stroke.xy, along = scale.x * layer.turn.xy;
     vec2 across = scale.y * vec2(-layer.turn.y, layer.turn.x);
+#ifdef STROKES_VARY
     int images = layer.at.w >> 16;
+#endif
     tile = fract(tile);
     for (int i = list.x; i < list.y; i++) {
         uvec4 s = texelFetch(seeds, i);
@@ -83,17 +87,19 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
         weight = lives.x == 255u ? base + fade.w + fade.z * float(lives.y) : weight;
         weight = lives == uvec2(255u) ? 1.0 : clamp(weight, 0.0, 1.0);
         vec2 place = vec2(dot(along, away), dot(across, away));
-        if (law.z > 0.5) {
-            vec2 size = max(vec2(sqrt(weight)), layer.thin.xy);
-            place /= size;
-            weight /= size.x * size.y;
-        }
+#ifdef STROKES_SHRINK
+        vec2 size = max(vec2(sqrt(weight)), layer.thin.xy);
+        place /= size;
+        weight /= size.x * size.y;
+#endif
         int row = 0;
+#ifdef STROKES_VARY
         if (images > 0) {
             uint look = look_of(i, level, layer);
             row = (int(look) & (images - 1)) * (int(layer.stroke.w) + 1);
             place.y = look < 8u ? place.y : -place.y;
         }
+#endif
         paper *= 1.0 - layer.turn.w * weight * stroke_alpha(place, row, layer);
     }
     return paper;
