@@ -199,7 +199,9 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_
             uint32_t f = component->first_face + i;
             double bend = options->curved * CURVED_GAIN * ground->rough[f] * whole;
             double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + bend * bend));
-            if (options->size == 0)
+            if (options->size > 0)
+                radius = fmax(radius, fmin(whole, radius_of_faces(FACES_WANTED, area[f])));
+            else
                 radius = fmin(fmax(radius, radius_of_faces(FACES_WANTED, area[f])),
                               fmin(radius_of_faces(FACES_MOST, area[f]), SIZE_MOST * whole));
             ground->wish[f] = radius;

@@ -21,7 +21,8 @@
 struct hatch_lapped_options {
     double size;        /* diameter of a patch on a flat part, as a share of the diagonal of the box around the
                            whole mesh, 0.001 .. 1; 0: chosen: a tenth, but 250 to 1000 faces */
-    double curved;      /* 0 .. 1: how far patches shrink where the surface is curved; 0: all are alike */
+    double curved;      /* 0 .. 1: how far patches shrink where the surface is curved, down to 250 faces; 0: all
+                           are alike */
     double stretch_max; /* the larger over the smaller singular value at which growth ends, 1.01 .. 10 */
     double turn_max_rad; /* angle between coordinates and field at which growth ends, 0.01 .. π/2 */
     uint64_t seed;

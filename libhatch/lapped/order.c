@@ -80,10 +80,11 @@ void hatch_order_component(struct hatch_order *order, uint32_t number)
             order->smooth[order->smooth_count++] = items[i].face;
 }
 
-/* Distance to covered ground in radii of the core of a patch that begins here. */
+/* Distance to covered ground in radii of the core of a patch that begins here. Faces are covered as a whole, and
+ * their middles are where distances begin: an edge of it lies under cores already. */
 static double ratio(const struct hatch_order *order, uint32_t face)
 {
-    return order->distance[face] / (order->core * order->ground->wish[face]);
+    return (order->distance[face] - order->ground->grain[face]) / (order->core * order->ground->wish[face]);
 }
 
 static enum hatch_status begin_filling(struct hatch_order *order, struct hatch_err *err)
