@@ -135,12 +135,15 @@ enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_e
     va_list args, again;
     va_start(args, format);
     va_copy(again, args);
-    int length = vsnprintf(NULL, 0, format, args);
+    /* Most fits into the room that there is: then it is formatted once. */
+    size_t room = buffer->capacity - buffer->size;
+    int length = vsnprintf(room ? (char *)buffer->data + buffer->size : NULL, room, format, args);
     va_end(args);
     enum hatch_status status = length < 0 ? hatch_fail(err, HATCH_LIMIT, "text too long to format")
                                           : hatch_buffer_reserve(buffer, (size_t)length + 1, err);
     if (status == HATCH_OK) {
-        vsnprintf((char *)buffer->data + buffer->size, (size_t)length + 1, format, again);
+        if ((size_t)length >= room)
+            vsnprintf((char *)buffer->data + buffer->size, (size_t)length + 1, format, again);
         buffer->size += (size_t)length;
     }
     va_end(again);

@@ -28,11 +28,6 @@ static void place_in(const double mask[3][2], const double bary[3], double at[2]
         at[i] = bary[0] * mask[0][i] + bary[1] * mask[1][i] + bary[2] * mask[2][i];
 }
 
-static double distance(const double a[2], const double b[2])
-{
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
-}
-
 /* The middle of a part of a triangle, and how far its corners are from there. */
 static double reach_of(const double mask[3][2], const double part[3][3], double middle[2])
 {
@@ -43,9 +38,10 @@ static double reach_of(const double mask[3][2], const double part[3][3], double 
     for (int c = 0; c < 3; c++) {
         double corner[2];
         place_in(mask, part[c], corner);
-        reach = fmax(reach, distance(corner, middle));
+        double x = corner[0] - middle[0], y = corner[1] - middle[1], away = x * x + y * y;
+        reach = away > reach ? away : reach;
     }
-    return reach;
+    return sqrt(reach);
 }
 
 /* Whether one core holds a part of a triangle whole; *touched: whether it holds the part's middle. */
@@ -137,10 +133,27 @@ static bool may_show(const struct union_of *of, const double mask[3][2], const d
     return false;
 }
 
+/* Whether the circle in the core holds a triangle: most are settled by that. */
+static bool circle_holds(const struct hatch_outline *outline, const double mask[3][2])
+{
+    double least = outline->core_min * outline->core_min;
+    for (int c = 0; c < 3; c++) {
+        double x = mask[c][0] - 0.5, y = mask[c][1] - 0.5;
+        if (!(x * x + y * y < least))
+            return false;
+    }
+    return true;
+}
+
 enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2], bool *shows,
                                   struct hatch_err *err)
 {
     struct union_of of = {cover->outline, cover->entries, cover->head[face]};
+    if (!cover->covered[face] && circle_holds(cover->outline, mask)) {
+        cover->covered[face] = 1;
+        *shows = true;
+        return HATCH_OK;
+    }
     *shows = !cover->covered[face] && may_show(&of, mask, WHOLE, 0);
     if (!*shows)
         return HATCH_OK;

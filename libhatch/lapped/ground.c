@@ -37,7 +37,8 @@ struct measure {
     struct hatch_ground *ground;
     const struct hatch_frames *frames;
     const double *direction;
-    double *area; /* per face */
+    double *area;      /* per face */
+    double *angle_rad; /* per point: of the field in its frame */
 };
 
 static double square(double x)
@@ -65,9 +66,9 @@ static double normals_turn(const struct measure *of, uint32_t face)
 
 /* The line that the corners' directions make in a face's plane as they stand in space: so programs that
  * know nothing of how a surface turns between its points read the field. Along a crease it follows the
- * crease on both sides. spread: the largest angle between it and a corner's own. */
+ * crease on both sides. nearest: as hatch_field_mean's. */
 static void find_line(const struct measure *of, const uint32_t *corner, const double normal[3], double line[3],
-                      double *spread)
+                      double *nearest)
 {
     const struct hatch_surface *surface = of->ground->surface;
     double u[3], v[3], z[3][2];
@@ -80,7 +81,7 @@ static void find_line(const struct measure *of, const uint32_t *corner, const do
         z[c][0] = square > 0 ? (x * x - y * y) / square : 0;
         z[c][1] = square > 0 ? 2 * x * y / square : 0;
     }
-    hatch_field_mean((const double(*)[2])z, u, v, line, spread);
+    hatch_field_mean((const double(*)[2])z, u, v, line, nearest);
 }
 
 static void measure_face(const struct measure *of, uint32_t face)
@@ -91,10 +92,10 @@ static void measure_face(const struct measure *of, uint32_t face)
     const double *at[3];
     for (int c = 0; c < 3; c++)
         at[c] = &surface->points[(size_t)corner[c] * 3];
-    double line[3], across[3], normal[3], spread;
+    double line[3], across[3], normal[3], nearest;
     hatch_vec_triangle(at[0], at[1], at[2], normal);
     of->area[face] = hatch_vec_normalize(normal) / 2;
-    find_line(of, corner, normal, line, &spread);
+    find_line(of, corner, normal, line, &nearest);
     hatch_vec_cross(normal, line, across);
     for (int c = 1; c < 3; c++) {
         double side[3];
@@ -102,8 +103,17 @@ static void measure_face(const struct measure *of, uint32_t face)
         ground->flat[(size_t)face * 4 + (size_t)(2 * c - 2)] = hatch_vec_dot(side, line);
         ground->flat[(size_t)face * 4 + (size_t)(2 * c - 1)] = hatch_vec_dot(side, across);
     }
-    ground->singular[face] = hatch_field_face_index(surface, of->frames, of->direction, face) != 0;
-    ground->rough[face] = normals_turn(of, face) + square(sin(spread)) / of->area[face];
+    ground->singular[face] = hatch_field_face_index(surface, of->frames, of->angle_rad, face) != 0;
+    /* By the sine of the largest angle between the line and a corner's own. */
+    ground->rough[face] = normals_turn(of, face) + (1 - nearest) / (2 * of->area[face]);
+}
+
+static void angle_slice(void *context, uint32_t slice)
+{
+    const struct measure *of = context;
+    uint32_t count = of->ground->surface->point_count, first = slice * SLICE;
+    for (uint32_t p = first; p < count && p < first + SLICE; p++)
+        of->angle_rad[p] = hatch_frames_angle(of->frames, p, &of->direction[(size_t)p * 3]);
 }
 
 static void measure_slice(void *context, uint32_t slice)
@@ -230,7 +240,9 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
     double *area = HATCH_NEW_UNSET(scratch, double, count, err);
     double *sum = area ? HATCH_NEW_UNSET(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
     if (sum) {
-        struct measure of = {&made, frames, direction, area};
+        /* The sums of the blur come after the angles. */
+        struct measure of = {&made, frames, direction, area, sum};
+        hatch_parallel_for(pool, (surface->point_count + SLICE - 1) / SLICE, angle_slice, &of);
         hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, measure_slice, &of);
         hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, join_slice, &of);
         double *wide = made.wish;

@@ -78,9 +78,10 @@ void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_
                         double energy[2]);
 
 /* The index of a face, in half turns: how often the field turns around its border. A line field's
- * index does not depend on the side that the face is seen from. */
+ * index does not depend on the side that the face is seen from. angle_rad: hatch_frames_angle of the field at each
+ * point. */
 int hatch_field_face_index(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                           const double *direction, uint32_t face);
+                           const double *angle_rad, uint32_t face);
 
 /* The field of a mesh that carries `_HATCH_DIR` (three floats of direction, one of confidence):
  * per point the mean line of its faces' vertices there, weighed by confidence, in the tangent plane.
@@ -95,10 +96,10 @@ void hatch_field_face(const struct hatch_surface *surface, const struct hatch_fr
                       const double *direction, uint32_t face, double line[3], double *spread_rad);
 
 /* The mean of three lines in the plane of two axes, unit and at right angles: z is a line's direction against them
- * at twice its angle, unit, 0 for none. line: unit, u where they cancel; spread_rad: the largest angle between it
- * and one of the three. */
+ * at twice its angle, unit, 0 for none. line: unit, u where they cancel; nearest: the cosine of twice the
+ * largest angle between it and one of the three. */
 void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
-                      double *spread_rad);
+                      double *nearest);
 
 /* Faces with an index, and per component the sum of indices (with what borders turn, so that it
  * equals the Euler characteristic, in half turns: twice it). */

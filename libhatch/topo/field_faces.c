@@ -11,13 +11,8 @@ struct view {
     const struct hatch_surface *surface;
     const struct hatch_frames *frames;
     const double *direction;
-    const double *angle_rad; /* the direction's, per point; NULL: to be found */
+    const double *angle_rad; /* the direction's, per point; NULL where no turns are asked for */
 };
-
-static double field_angle(const struct view *v, uint32_t point)
-{
-    return v->angle_rad ? v->angle_rad[point] : hatch_frames_angle(v->frames, point, &v->direction[(size_t)point * 3]);
-}
 
 /* How the line turns along ring entry i of p, seen from p's ring: the shorter way, and exactly the opposite from
  * the other end. */
@@ -25,7 +20,7 @@ static double turn_along(const struct view *v, uint32_t p, uint32_t i)
 {
     uint32_t q = v->surface->ring_point[i], mate = v->frames->mate[i];
     bool turned = v->surface->ring_turned[i], away = mate < i;
-    double here = field_angle(v, away ? q : p), there = field_angle(v, away ? p : q);
+    double here = v->angle_rad[away ? q : p], there = v->angle_rad[away ? p : q];
     double turn = (turned ? -there : there) + v->frames->turn_rad[away ? mate : i] - here;
     while (turn > PI / 2)
         turn -= PI;
@@ -53,9 +48,9 @@ static int face_index(const struct view *v, uint32_t face)
 }
 
 int hatch_field_face_index(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                           const double *direction, uint32_t face)
+                           const double *angle_rad, uint32_t face)
 {
-    const struct view view = {surface, frames, direction, NULL};
+    const struct view view = {surface, frames, NULL, angle_rad};
     return face_index(&view, face);
 }
 
@@ -91,7 +86,7 @@ enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
         return HATCH_LIMIT;
     }
     for (uint32_t p = 0; p < surface->point_count; p++)
-        angle_rad[p] = field_angle(&view, p);
+        angle_rad[p] = hatch_frames_angle(frames, p, &direction[(size_t)p * 3]);
     view.angle_rad = angle_rad;
     for (uint32_t c = 0; c < surface->component_count; c++) {
         const struct hatch_component *of = &surface->components[c];
@@ -144,19 +139,21 @@ static void corner_line(const struct view *v, uint32_t face, uint32_t c, const d
 }
 
 void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
-                      double *spread_rad)
+                      double *nearest)
 {
-    double sum[2] = {0, 0}, nearest = 1;
+    double sum[2] = {0, 0};
     for (int c = 0; c < 3; c++) {
         sum[0] += z[c][0];
         sum[1] += z[c][1];
     }
-    double length = hypot(sum[0], sum[1]);
+    double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1]);
     double x = length > 0 ? sum[0] / length : 1, y = length > 0 ? sum[1] / length : 0;
+    *nearest = 1;
     for (int c = 0; c < 3; c++)
-        nearest = fmin(nearest, z[c][0] * x + z[c][1] * y);
-    *spread_rad = acos(fmax(nearest, -1)) / 2;
-    double half = atan2(y, x) / 2, cosine = cos(half), sine = sin(half);
+        *nearest = fmax(-1, fmin(*nearest, z[c][0] * x + z[c][1] * y));
+    /* Of half the angle. */
+    double larger = sqrt((1 + fabs(x)) / 2), smaller = fabs(y) / (2 * larger);
+    double cosine = x < 0 ? smaller : larger, sine = copysign(x < 0 ? larger : smaller, y);
     for (int k = 0; k < 3; k++)
         line[k] = cosine * u[k] + sine * side[k];
 }
@@ -167,7 +164,7 @@ void hatch_field_face(const struct hatch_surface *surface, const struct hatch_fr
     const struct view view = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *a = &surface->points[(size_t)corner[0] * 3], *b = &surface->points[(size_t)corner[1] * 3];
-    double normal[3], u[3], side[3], z[3][2];
+    double normal[3], u[3], side[3], z[3][2], nearest;
     hatch_vec_triangle(a, b, &surface->points[(size_t)corner[2] * 3], normal);
     hatch_vec_normalize(normal);
     hatch_vec_sub(b, a, u);
@@ -175,5 +172,6 @@ void hatch_field_face(const struct hatch_surface *surface, const struct hatch_fr
     hatch_vec_cross(normal, u, side);
     for (uint32_t c = 0; c < 3; c++)
         corner_line(&view, face, c, u, side, z[c]);
-    hatch_field_mean((const double(*)[2])z, u, side, line, spread_rad);
+    hatch_field_mean((const double(*)[2])z, u, side, line, &nearest);
+    *spread_rad = acos(nearest) / 2;
 }
