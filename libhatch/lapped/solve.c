@@ -152,7 +152,8 @@ static double hat_gradients(const struct hatch_ground *ground, uint32_t face, in
 {
     const double *flat = &ground->flat[(size_t)face * 4];
     double least = HATCH_LAPPED_THIN * (flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2] + flat[3] * flat[3]);
-    double doubled = fmax(flat[0] * flat[3] - flat[2] * flat[1], least);
+    double doubled = flat[0] * flat[3] - flat[2] * flat[1];
+    doubled = doubled > least ? doubled : least;
     gradient[1][0] = sign * flat[3] / doubled;
     gradient[1][1] = -sign * flat[2] / doubled;
     gradient[2][0] = -sign * flat[1] / doubled;
@@ -170,8 +171,10 @@ static void find_gradients(struct hatch_solver *of, const struct hatch_ground *g
         double *to = &of->gradients[8 * f];
         double area = hat_gradients(ground, face, patch->sign[f], (double(*)[2])to);
         double steep = 0;
-        for (int i = 0; i < 6; i += 2)
-            steep = fmax(steep, area * (to[i] * to[i] + to[i + 1] * to[i + 1]));
+        for (int i = 0; i < 6; i += 2) {
+            double own = area * (to[i] * to[i] + to[i + 1] * to[i + 1]);
+            steep = own > steep ? own : steep;
+        }
         area *= steep > STEEP_MAX ? STEEP_MAX / steep : 1;
         to[6] = ground->singular[face] ? FREE_WEIGHT * area : area;
         to[7] = 1;
