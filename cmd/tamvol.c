@@ -68,9 +68,10 @@ static void warn(const char *name, const struct hatch_tam *tam, const struct hat
 {
     if (figures->blended)
         cmd_warn(name,
-                 "%u of %u slices are blends of two columns, which lie up to %.4f from their tones: %u columns "
-                 "are few for %d tones",
-                 figures->blended, figures->slices, figures->distance, tam->tones, (int)tones);
+                 "%u of %u slices are blends of two columns, which lie up to %.4f from their tones: %u %s "
+                 "few for %d tones",
+                 figures->blended, figures->slices, figures->distance, tam->tones,
+                 cmd_noun(tam->tones, "column is", "columns are"), (int)tones);
     if (tam->ids)
         cmd_warn(name, "the strokes' ids are left out");
 }

@@ -33,7 +33,8 @@ static void read_sets(struct job *job)
         cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &job->source.sets, &err),
                   cmd_input_name(path), &err);
     if (job->source.sets.layer_count < layers) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%u seed sets for the %u layers of %s", job->source.sets.layer_count, layers,
+        hatch_fail(&err, HATCH_BAD_INPUT, "%u %s for the %u layers of %s", job->source.sets.layer_count,
+                   cmd_noun(job->source.sets.layer_count, "seed set", "seed sets"), layers,
                    cmd_input_name(job->options.seeds.layers_path));
         cmd_die(cmd_input_name(path), &err);
     }

@@ -103,8 +103,8 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
             corners++;
         } else if (is(word, "endfacet")) {
             if (corners != 3)
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corners, want 3",
-                                  text.line, corners);
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3",
+                                  text.line, corners, corners == 1 ? "" : "s");
             corners = 0;
         } else if (word.length && !is(word, "solid") && !is(word, "facet") &&
                    !is(word, "outer") && !is(word, "endloop") &&

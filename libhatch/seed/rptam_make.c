@@ -217,8 +217,8 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
     struct hatch_rptam made = {.style = *style};
     assert(style->layer_count <= HATCH_RPTAM_LAYERS_MAX);
     if (seeds->layer_count < style->layer_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed sets for %u layers: each needs its own",
-                          seeds->layer_count, style->layer_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed set%s for %u layers: each needs its own",
+                          seeds->layer_count, seeds->layer_count == 1 ? "" : "s", style->layer_count);
     for (uint32_t i = 0; i < style->layer_count; i++)
         HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made, err));
     HATCH_TRY(make_table(scratch, &made, err));

@@ -158,7 +158,8 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
             HATCH_TRY(parse_number(field, key, &row->numbers[key], err));
     }
     if (column != header->columns)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u fields, want %u", column, header->columns);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u field%s, want %u", column, column == 1 ? "" : "s",
+                          header->columns);
     return HATCH_OK;
 }
 
