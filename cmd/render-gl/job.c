@@ -89,8 +89,8 @@ void job_read(struct job *job)
 {
     const struct options *options = &job->options;
     struct hatch_mesh_notes notes = {0};
-    load_scene(&job->args, job->args.operands, (uint32_t)job->args.operand_count, &job->scene, &job->patches,
-               &notes);
+    load_scene(&job->args, job->args.operands, (uint32_t)job->args.operand_count, options->ground, &job->scene,
+               &job->patches, &notes);
     if (techniques[options->technique]->seeds || options->seeds.path)
         job_read_seeds(job);
     if (options->map_path)

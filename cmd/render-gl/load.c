@@ -1,28 +1,31 @@
 #include "render-gl/load.h"
 
 #include "cmd_scene.h"
+#include "render-gl/ground.h"
 #include "render-gl/row.h"
 
-static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, struct hatch_scene *scene,
-                     struct hatch_mesh_notes *notes)
+static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, bool stand,
+                     struct hatch_scene *scene, struct hatch_mesh_notes *notes)
 {
     struct hatch_err err;
     struct hatch_scene *scenes = HATCH_NEW(&args->keep, struct hatch_scene, count, &err);
     cmd_check(scenes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++)
         cmd_read_scene_noted(args, paths[i], CMD_SCENE_CLEANED, &scenes[i], notes);
-    cmd_check(row_join(scenes, count, &args->keep, &args->scratch, scene, &err), NULL, &err);
+    cmd_check(row_join(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
-void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, struct hatch_scene *scene,
-                struct patch_mesh **patches, struct hatch_mesh_notes *notes)
+void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground,
+                struct hatch_scene *scene, struct patch_mesh **patches, struct hatch_mesh_notes *notes)
 {
     const char *path = count ? paths[0] : NULL;
     struct hatch_err err;
     if (count > 1)
-        load_row(args, paths, count, scene, notes);
+        load_row(args, paths, count, ground > 0, scene, notes);
     else
         cmd_read_scene_noted(args, path, CMD_SCENE_CLEANED, scene, notes);
+    if (ground > 0)
+        cmd_check(ground_add(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh,
                                          CMD_CREASE_RAD, &err),

@@ -6,10 +6,11 @@
 #include "cmd.h"
 #include "render-gl/patches.h"
 
-/* A glTF with its companions, or one mesh; count 0 is standard input; several are put in a row. Patches of
- * lapped meshes are joined: *patches, of each of the scene's meshes. notes: what to warn of is added. */
-void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, struct hatch_scene *scene,
-                struct patch_mesh **patches, struct hatch_mesh_notes *notes);
+/* A glTF with its companions, or one mesh; count 0 is standard input; several are put in a row. ground: that of
+ * ground_add, or 0. Patches of lapped meshes are joined: *patches, of each of the scene's meshes. notes: what to
+ * warn of is added. */
+void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground,
+                struct hatch_scene *scene, struct patch_mesh **patches, struct hatch_mesh_notes *notes);
 
 /* HATCH_BAD_INPUT when there are none. */
 enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct patch_mesh *patches,

@@ -19,7 +19,7 @@ static double exposure, light[2] = {-40, 40}, from[2] = {30, 20}, fov = 30, anis
 static double hatch_turn, hatch_scale = 1;
 static double size[2] = {1280, 720}, time_s, rate = 24;
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static double shadow_edge, halo;
+static double shadow_edge, halo, ground;
 static bool shadows_given, range_given, light_given, specular_given, base_tone, pixel_light, turntable, probe, window;
 static const char *seeds, *layers_path, *drawing = "ink";
 static double stroke[2] = {0, 0}, stroke_ink, stroke_turn, seed_tile, overlap = 0.3;
@@ -97,6 +97,8 @@ static struct cmd_option table[] = {
      specular, NULL, &specular_given},
     {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH", "+cast shadows; their edges' width in the scene's radius",
      &shadow_edge, NULL, &shadows_given},
+    {0, "ground", CMD_REAL, 0.1, 100, "R", "+a plane under the scene, R of its radii to each side", &ground, NULL,
+     NULL},
     {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)",
      &exposure, NULL, NULL},
     {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone",
@@ -109,7 +111,7 @@ static struct cmd_option table[] = {
      &uv_scale, NULL, NULL},
     {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
      &hatch_turn, NULL, NULL},
-    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "size of the strokes' pattern (default 1)", &hatch_scale,
+    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &hatch_scale,
      NULL, NULL},
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "+hardware anisotropic filtering (default 1: none)", &anisotropy,
      NULL, NULL},
@@ -326,6 +328,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .timed_frames = (uint32_t)timed_frames,
                                 .probe = probe,
                                 .window = window,
+                                .ground = ground,
                                 .zoom = zoom,
                                 .change_count = move_count};
     memcpy(options->changes, moves, sizeof moves);

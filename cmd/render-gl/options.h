@@ -38,6 +38,7 @@ struct options {
     struct seed_choice seeds;
     struct line_style lines;
     struct view_choice view;
+    double ground;           /* half a side of a plane below, in the scene's radii; 0: none */
     double zoom;             /* so many times nearer */
     struct param_change changes[PARAMS_MAX];
     uint32_t change_count;

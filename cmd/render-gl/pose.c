@@ -135,6 +135,8 @@ enum hatch_status pose_each_corner(struct pose *pose, const struct pose_span *sp
         pose_at(pose, span->animation, span->begin_s + share * (span->end_s - span->begin_s));
         for (uint32_t node = 0; node < pose->scene->node_count; node++) {
             const struct hatch_node *at = &pose->scene->nodes[node];
+            if (at->backdrop)
+                continue;
             for (uint32_t i = 0; i < at->mesh_count; i++)
                 HATCH_TRY(
                     each_corner(pose, node, at->first_mesh + i, scratch, visit, context, err));

@@ -54,7 +54,7 @@ struct pose_span {
 
 typedef void (*pose_visit)(void *context, const double point[3]);
 
-/* Calls visit with the world position of every corner of every face, at every moment. The pose is at
+/* Calls visit with the world position of every corner of every face but of backdrops, at every moment. The pose is at
  * the last moment then. */
 enum hatch_status pose_each_corner(struct pose *pose, const struct pose_span *span,
                                    struct hatch_arena *scratch, pose_visit visit, void *context,

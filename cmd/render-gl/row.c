@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "render-gl/pose.h"
-
 #define GAP 0.2 /* between neighbours, in radii */
 
 /* What the scenes before one hold: what is added to its indices. */
@@ -130,8 +128,8 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
                : HATCH_LIMIT;
 }
 
-static enum hatch_status measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
-                                 struct bounds *bounds, struct hatch_err *err)
+enum hatch_status row_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
+                              struct bounds *bounds, struct hatch_err *err)
 {
     static const struct pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -143,8 +141,8 @@ static enum hatch_status measure(const struct hatch_scene *scene, struct hatch_a
     return status;
 }
 
-enum hatch_status row_join(const struct hatch_scene *scenes, uint32_t count, struct hatch_arena *arena,
-                           struct hatch_arena *scratch, struct hatch_scene *joined,
+enum hatch_status row_join(const struct hatch_scene *scenes, uint32_t count, bool stand,
+                           struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *joined,
                            struct hatch_err *err)
 {
     struct hatch_scene made;
@@ -153,7 +151,7 @@ enum hatch_status row_join(const struct hatch_scene *scenes, uint32_t count, str
     HATCH_TRY(make_room(scenes, count, arena, &made, err));
     for (uint32_t i = 0; i < count; i++) {
         struct bounds bounds;
-        HATCH_TRY(measure(&scenes[i], scratch, &bounds, err));
+        HATCH_TRY(row_measure(&scenes[i], scratch, &bounds, err));
         if (i == 0)
             first = bounds;
         double size = first.radius / bounds.radius, left = bounds.half[0] * size;
@@ -166,6 +164,8 @@ enum hatch_status row_join(const struct hatch_scene *scenes, uint32_t count, str
         for (int k = 0; k < 3; k++) {
             root.scale[k] = (float)size;
             root.translation[k] = (float)(first.center[k] + (k == 0 ? x : 0) - size * bounds.center[k]);
+            if (k == 1 && stand)
+                root.translation[k] += (float)(size * bounds.half[k] - first.half[k]);
         }
         HATCH_TRY(append(&scenes[i], &root, &made, arena, err));
         x += left;

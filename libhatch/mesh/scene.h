@@ -60,6 +60,7 @@ struct hatch_node {
     uint32_t skin;            /* or HATCH_NONE */
     uint32_t camera;          /* or HATCH_NONE */
     uint32_t light;           /* or HATCH_NONE */
+    bool backdrop;            /* around what the scene is of: pictures need not show all of it */
 };
 
 struct hatch_camera {

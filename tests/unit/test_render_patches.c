@@ -188,7 +188,7 @@ static enum hatch_status row(void *context, struct hatch_arena *keep, struct hat
                              struct hatch_err *err)
 {
     struct hatch_scene joined;
-    return row_join(context, 2, keep, scratch, &joined, err);
+    return row_join(context, 2, false, keep, scratch, &joined, err);
 }
 
 START_TEST(scenes_stand_in_a_row)
@@ -205,7 +205,7 @@ START_TEST(scenes_stand_in_a_row)
     scenes[0] = frame.scene;
     make_scene(&large, &caps);
     scenes[1] = frame.scene;
-    HATCH_TEST_OK(row_join(scenes, 2, &frame.arena, &frame.scratch, &joined, &frame.err), &frame.err);
+    HATCH_TEST_OK(row_join(scenes, 2, false, &frame.arena, &frame.scratch, &joined, &frame.err), &frame.err);
     ck_assert_uint_eq(joined.node_count, 6);
     ck_assert_uint_eq(joined.nodes[1].parent, 0);
     ck_assert_uint_eq(joined.skins[0].joints[1], 3);
