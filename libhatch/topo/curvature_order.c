@@ -19,6 +19,38 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     return out->ring_turned ? HATCH_OK : HATCH_LIMIT;
 }
 
+/* A normal that leans further than this from the mean around it is the noise's. */
+#define LEAN_COSINE 0.7
+
+/* The sum of the areas of the faces around a point: it does not depend on where that lies between its neighbours. */
+static void sum_areas(const struct hatch_surface *surface, uint32_t p, double sum[3])
+{
+    for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
+        uint32_t face = surface->ring_face[i];
+        double area[3];
+        if (face == HATCH_NO_SIDE)
+            continue;
+        const uint32_t *corner = &surface->corners[(size_t)face * 3];
+        hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
+                           &surface->points[(size_t)corner[2] * 3], area);
+        hatch_vec_add_scaled(sum, surface->ring_flipped[i] ? -1 : 1, area, sum);
+    }
+}
+
+/* The frames' normal weighs a face by its angle at the point, so that a sliver that noise has turned over counts as
+ * much as any; and no other point's support would hold a point with such a normal. areas: 3 a point. */
+static void find_normal(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *areas,
+                        uint32_t p, double normal[3])
+{
+    double sum[3];
+    hatch_vec_copy(&frames->normal[(size_t)p * 3], normal);
+    hatch_vec_copy(&areas[(size_t)p * 3], sum);
+    for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++)
+        hatch_vec_add_scaled(sum, surface->ring_turned[i] ? -1 : 1, &areas[(size_t)surface->ring_point[i] * 3], sum);
+    if (hatch_vec_normalize(sum) > 0 && hatch_vec_dot(sum, normal) < LEAN_COSINE)
+        hatch_vec_copy(sum, normal);
+}
+
 enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
                                         const struct hatch_frames *frames, struct hatch_arena *arena,
                                         struct hatch_curvature_terrain *terrain, struct hatch_err *err)
@@ -26,14 +58,17 @@ enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
     HATCH_TRY(allocate(surface, arena, terrain, err));
     struct hatch_surface *out = &terrain->surface;
     uint32_t *number = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    if (!number)
+    double *areas = number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 3, err) : NULL;
+    if (!areas)
         return HATCH_LIMIT;
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        sum_areas(surface, p, &areas[(size_t)p * 3]);
     HATCH_TRY(hatch_surface_order(surface, arena, terrain->order, number, err));
     uint32_t entry = 0;
     for (uint32_t p = 0; p < surface->point_count; p++) {
         uint32_t old = terrain->order[p];
         hatch_vec_copy(&surface->points[(size_t)old * 3], &out->points[(size_t)p * 3]);
-        hatch_vec_copy(&frames->normal[(size_t)old * 3], &terrain->normals[(size_t)p * 3]);
+        find_normal(surface, frames, areas, old, &terrain->normals[(size_t)p * 3]);
         out->point_component[p] = surface->point_component[old];
         out->ring_first[p] = entry;
         for (uint32_t i = surface->ring_first[old]; i < surface->ring_first[old + 1]; i++, entry++) {

@@ -31,8 +31,8 @@ static double edge_angle(const struct hatch_surface *surface, const double *norm
     return atan2(hatch_vec_dot(edge, side), hatch_vec_dot(edge, axis));
 }
 
-/* Goes around a ring in the plane of its new normal. false when that is not one time around: faces are folded over
- * one another there. angle_rad: of the ring's entries. */
+/* Goes around a ring in the plane of its new normal. false when that is not one time around, or goes back on the way:
+ * faces are folded over one another there. angle_rad: of the ring's entries. */
 static bool lean_ring(const struct hatch_surface *surface, const double *normal, uint32_t p, double axis[3],
                       double *angle_rad)
 {
@@ -46,13 +46,15 @@ static bool lean_ring(const struct hatch_surface *surface, const double *normal,
         return false;
     for (uint32_t i = first; i < end; i++) {
         double angle = i == first ? 0 : edge_angle(surface, normal, p, i, axis);
-        sum += hatch_frames_shortest(angle - before);
+        double step = hatch_frames_shortest(angle - before);
+        sum += step;
         before = angle;
         angle_rad[i - first] = sum;
-        if (sum < 0 || sum >= TURN)
+        if (step < 0 || sum >= TURN)
             return false;
     }
-    return open || sum + hatch_frames_shortest(-before) > TURN / 2;
+    double last = hatch_frames_shortest(-before);
+    return open || (last >= 0 && sum + last > TURN / 2);
 }
 
 /* Keeps the scaled angles; on a border, so that they end where its last edge lies. */

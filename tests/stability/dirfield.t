@@ -109,6 +109,9 @@ meshgen cylinder --faces 1000 --jitter 1 --field -o open.glb
 fine "open borders" open.glb
 is "at which lines go on as they should" \
     "$(hatchstat field -q out.glb --reference open.glb | column deg_max | awk '{print ($1 < 0.2)}')" 1
+meshgen ellipsoid --faces 100000 --jitter 1 --noise 0.2 --seed 7 -o folded.glb
+fine "slivers around a pole that noise lays over one another" folded.glb
+is "turn no direction" "$(column singularities <figures.tsv)" 4
 awk '/^v/ && ++n == 500 {print "v 1 nan 0"; next} {print}' torus.obj >nan.obj
 try dirfield nan.obj -o nan.glb
 refused "a number that is none" 3 1
