@@ -5,7 +5,7 @@
 #include "lapped/work.h"
 
 /* How much more a turning of the strokes costs than a stretch along or between them. */
-#define TURN_WEIGHT 3.0
+#define TURN_WEIGHT 5.0
 /* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
  * that cannot be flattened, then cost neither angle nor shape. Within which bounds, in how many
  * rounds, and by how much of what is wanted in each. */
