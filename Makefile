@@ -63,7 +63,7 @@ FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
 COMMANDS := $(filter-out cmd cmd_%,$(patsubst cmd/%.c,%,$(wildcard cmd/*.c))) $(FOLDERS)
 SRC_cmd := $(wildcard cmd/cmd.c cmd/cmd_*.c)
 SHADERS := $(wildcard cmd/render-gl/shaders/*)
-$(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c))))
+$(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c))))
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(if $(PLUGIN_SRC),$(B)/lib/hatch/hatch-oiio.so)

@@ -7,7 +7,7 @@
 #include "render-gl/normals.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
-#include "render-gl/zoom.h"
+#include "render-gl/window/zoom.h"
 
 #define TWO_PI 6.28318530717958648
 #define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */

@@ -4,7 +4,7 @@
 #define RENDER_PARAMS_H
 
 #include "cmd.h"
-#include "render-gl/technique.h"
+#include "render-gl/technique/technique.h"
 
 #define PARAMS_MAX 24u
 #define PARAM_NONE UINT32_MAX

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "render-gl/lines_keys.h"
+#include "render-gl/lines/keys.h"
 #include "render-gl/weld.h"
 
 static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_mesh *mesh)

@@ -7,13 +7,13 @@
 #include "render-gl/fine.h"
 #include "render-gl/frame.h"
 #include "render-gl/halo.h"
-#include "render-gl/lines.h"
-#include "render-gl/near.h"
+#include "render-gl/lines/lines.h"
+#include "render-gl/near/near.h"
 #include "render-gl/scene.h"
 #include "render-gl/seeds.h"
 #include "render-gl/shadow.h"
 #include "render-gl/target.h"
-#include "render-gl/technique.h"
+#include "render-gl/technique/technique.h"
 
 #define VARIANTS 20u /* of a program: sums of enum draw_variant */
 

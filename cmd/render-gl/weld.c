@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "render-gl/lines_keys.h"
+#include "render-gl/lines/keys.h"
 
 /* values: three numbers a vertex that have to be equal, too. */
 static enum hatch_status number(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,

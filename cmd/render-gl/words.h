@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "cmd.h"
-#include "render-gl/lines.h"
+#include "render-gl/lines/lines.h"
 #include "render-gl/view.h"
 
 /* A colour; another word is wrong usage of the option. */

@@ -2,7 +2,7 @@
 #include "run.h"
 
 #include "rptam_model.h"
-#include "render-gl/orbit.h"
+#include "render-gl/window/orbit.h"
 #include "zoom_reference.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };

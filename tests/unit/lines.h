@@ -7,7 +7,7 @@
 
 #include "math/vector.h"
 #include "meshes.h"
-#include "render-gl/lines_trace.h"
+#include "render-gl/lines/trace.h"
 
 /* The same faces, each with corners of its own. */
 static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)

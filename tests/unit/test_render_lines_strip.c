@@ -1,7 +1,7 @@
 /* Chains as they lie in a picture: cut at planes and borders, evenly visible. */
 #include "fail_alloc.h"
 #include "lines.h"
-#include "render-gl/lines_strip.h"
+#include "render-gl/lines/strip.h"
 
 static const struct tile whole = {0, 0, 400, 400, 400, 400};
 

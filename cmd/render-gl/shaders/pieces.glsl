@@ -1,4 +1,4 @@
-// PIECES: corners of pieces of faces that floats cannot place (near.h). What the face's own corners hold is
+// PIECES: corners of pieces of faces that floats cannot place (near/near.h). What the face's own corners hold is
 // read from the buffers that faces are drawn from, one corner at a time, into the usual inputs' names.
 #ifdef PIECES
 layout(location = 0) in vec3 a_place;   // in the camera's coordinates

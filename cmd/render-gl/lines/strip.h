@@ -1,0 +1,60 @@
+/* Chains of segments as they lie in a picture: cut to what can be seen of them there, into pieces
+ * short enough for each to be hidden or not. */
+#ifndef RENDER_LINES_STRIP_H
+#define RENDER_LINES_STRIP_H
+
+#include "render-gl/lines/trace.h"
+
+#define LINES_REACH_PX 40u /* what lies further outside a tile changes no line within it */
+
+/* In pixels from the tile's lower left corner. */
+struct line_piece {
+    float a[2], b[2];
+    float depth[2];   /* at both ends: what the depth buffer holds for a surface that hides it */
+    uint32_t segment; /* pieces of one segment with one number lie on a straight line */
+};
+
+/* A straight line of pieces, as it is drawn. */
+struct line_segment {
+    float a[2], b[2], depth[2];
+};
+
+/* Where a piece's visibility is tested, and the depth that hides it: what the depth buffer holds
+ * there is nearer than limit. */
+struct line_sample {
+    float at[2], limit;
+};
+
+/* Pieces that hang together. */
+struct line_strip {
+    uint32_t first, count;
+    bool closed;
+    bool joined[2]; /* the line may go on where the strip begins and ends */
+};
+
+struct line_strips {
+    uint32_t strip_count, piece_count;
+    struct line_strip *strips;
+    struct line_piece *pieces;
+    struct line_sample *samples; /* one per piece */
+};
+
+/* Cuts chains at the near plane, and margin_px outside the tile; where the cuts between pieces are
+ * does not depend on the tile. Results go to the arena. */
+enum hatch_status line_strips_make(const struct line_trace *trace, const struct line_chains *chains,
+                                   const struct view *view, const struct tile *tile,
+                                   double margin_px, struct hatch_arena *arena, struct line_strips *strips,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* Makes visibility even along each strip. visible: per piece, 0 or 1. A hidden gap shorter than gap_px
+ * between visible parts is closed; then a visible crumb shorter than crumb_px, which nothing joins, is
+ * hidden; then the ends of visible parts at hidden ones lose the pieces that begin within trim_px. */
+void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
+                        double trim_px, uint8_t *visible);
+
+/* Writes the visible parts as segments, and returns how many there are: at most piece_count. Pieces of
+ * one straight segment become one. */
+uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible,
+                             struct line_segment *segments);
+
+#endif
