@@ -19,11 +19,15 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     return out->ring_turned ? HATCH_OK : HATCH_LIMIT;
 }
 
-/* A normal that leans further than this from the mean around it is the noise's. */
+/* A normal that leans further than this from the mean around it is the noise's, */
 #define LEAN_COSINE 0.7
+/* where the faces around look one way: the sum of their areas is at least this share of what they are together. The
+ * edge of a thin body has faces that look both ways, and its normal is right. */
+#define ONE_WAY 0.5
 
-/* The sum of the areas of the faces around a point: it does not depend on where that lies between its neighbours. */
-static void sum_areas(const struct hatch_surface *surface, uint32_t p, double sum[3])
+/* The sum of the areas of the faces around a point: it does not depend on where that lies between its neighbours.
+ * sum[3]: of their sizes. */
+static void sum_areas(const struct hatch_surface *surface, uint32_t p, double sum[4])
 {
     for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
         uint32_t face = surface->ring_face[i];
@@ -34,20 +38,25 @@ static void sum_areas(const struct hatch_surface *surface, uint32_t p, double su
         hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
                            &surface->points[(size_t)corner[2] * 3], area);
         hatch_vec_add_scaled(sum, surface->ring_flipped[i] ? -1 : 1, area, sum);
+        sum[3] += hatch_vec_length(area);
     }
 }
 
 /* The frames' normal weighs a face by its angle at the point, so that a sliver that noise has turned over counts as
- * much as any; and no other point's support would hold a point with such a normal. areas: 3 a point. */
+ * much as any; and no other point's support would hold a point with such a normal. areas: 4 a point. */
 static void find_normal(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *areas,
                         uint32_t p, double normal[3])
 {
-    double sum[3];
+    double sum[3], sizes = areas[(size_t)p * 4 + 3];
     hatch_vec_copy(&frames->normal[(size_t)p * 3], normal);
-    hatch_vec_copy(&areas[(size_t)p * 3], sum);
-    for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++)
-        hatch_vec_add_scaled(sum, surface->ring_turned[i] ? -1 : 1, &areas[(size_t)surface->ring_point[i] * 3], sum);
-    if (hatch_vec_normalize(sum) > 0 && hatch_vec_dot(sum, normal) < LEAN_COSINE)
+    hatch_vec_copy(&areas[(size_t)p * 4], sum);
+    for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
+        const double *around = &areas[(size_t)surface->ring_point[i] * 4];
+        hatch_vec_add_scaled(sum, surface->ring_turned[i] ? -1 : 1, around, sum);
+        sizes += around[3];
+    }
+    double length = hatch_vec_normalize(sum);
+    if (length > 0 && length >= ONE_WAY * sizes && hatch_vec_dot(sum, normal) < LEAN_COSINE)
         hatch_vec_copy(sum, normal);
 }
 
@@ -58,11 +67,11 @@ enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
     HATCH_TRY(allocate(surface, arena, terrain, err));
     struct hatch_surface *out = &terrain->surface;
     uint32_t *number = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    double *areas = number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 3, err) : NULL;
+    double *areas = number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 4, err) : NULL;
     if (!areas)
         return HATCH_LIMIT;
     for (uint32_t p = 0; p < surface->point_count; p++)
-        sum_areas(surface, p, &areas[(size_t)p * 3]);
+        sum_areas(surface, p, &areas[(size_t)p * 4]);
     HATCH_TRY(hatch_surface_order(surface, arena, terrain->order, number, err));
     uint32_t entry = 0;
     for (uint32_t p = 0; p < surface->point_count; p++) {

@@ -331,7 +331,7 @@ START_TEST(what_is_wrong_is_named_with_its_place)
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}", "node 0: mesh 0");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":4294967296}]}", "mesh is 4294967296");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":\"0\"}]}", "mesh is \"0");
-    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"scale\":[1,2]}]}", "scale has 2 numbers");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"scale\":[1,2]}]}", "scale wants 3 numbers, not 2");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"rotation\":[0,0,0,0]}]}",
             "rotation is zero");
     refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"../x\"}]}",
