@@ -15,7 +15,7 @@
 #include "render-gl/target.h"
 #include "render-gl/technique/technique.h"
 
-#define VARIANTS 20u /* of a program: sums of enum draw_variant */
+#define VARIANTS 32u /* of a program: sums of enum draw_variant */
 
 /* What a user chose, apart from the view. */
 struct style {
