@@ -32,7 +32,7 @@ END_TEST
 
 START_TEST(a_byte_order_mark_is_no_text)
 {
-    static const char *const files[] = {"", "\xef\xbb\xbf", "\xef\xbb", "\xef\xbb\xbf" "ab", "ab\xef\xbb\xbf"};
+    static const char *const files[] = {"", "\xef\xbb\xbf", "\xef\xbb", "\xef\xbb\xbf\x61\x62", "ab\xef\xbb\xbf"};
     static const char *const want[] = {"", "", "\xef\xbb", "ab", "ab\xef\xbb\xbf"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         ck_assert(hatch_text_is(hatch_text_of((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}),
