@@ -22,9 +22,11 @@ row() {
     fi
     for seed in 1 2 3 4 5; do
         "$@" --seed $seed --strokes "$work/map.tsv" -o "$work/map.exr"
-        hatchstat tam "$work/map.exr" --strokes "$work/map.tsv" --throws 4 | tail -n 1
-    done | awk -F'\t' '{for (i = 0; i < 4; i++) sum[i] += $(NF - 3 + i)}
-        END {printf "%.4f\t%.4f\t%.4f\t%.4f\n", sum[0] / NR, sum[1] / NR, sum[2] / NR, sum[3] / NR}'
+        hatchstat tam "$work/map.exr" --strokes "$work/map.tsv" --throws 4 | sed -n '1p;$p'
+    done | awk -F'\t' '
+        $1 == "tone" {for (i = 1; i <= NF; i++) if ($i == "even32") first = i; next}
+        {seeds++; for (i = 0; i < 4; i++) sum[i] += $(first + i)}
+        END {printf "%.4f\t%.4f\t%.4f\t%.4f\n", sum[0] / seeds, sum[1] / seeds, sum[2] / seeds, sum[3] / seeds}'
 }
 for method in field exhaustive; do
     for candidates in 30:3 100:10 300:30 1000:100 4000:400; do
