@@ -71,7 +71,8 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
     struct drawing *d = context;
     const struct hatch_svg_look *look = &d->looks[d->depth];
     double width = look->width * root_of_area(&look->matrix);
-    if (!(width > 0) || (line->count == 1 && !look->capped))
+    float width_px = (float)(width * d->size_px);
+    if (!(width_px > 0) || (line->count == 1 && !look->capped))
         return HATCH_OK;
     if (!(width <= WIDTH_SHARE_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a stroke %g of the page wide, want %g at most", width,
@@ -80,7 +81,7 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
         d->notes.outside++;
         return HATCH_OK;
     }
-    struct hatch_stroke stroke = {.width_px = (float)(width * d->size_px),
+    struct hatch_stroke stroke = {.width_px = width_px,
                                   .tone = (float)(look->stroke_opacity * look->opacity),
                                   .id = d->strokes.count + 1,
                                   .texture_seed = d->strokes.count + 1};
