@@ -5,8 +5,9 @@ for tool in Xvfb xdotool; do
     command -v $tool >/dev/null || { skip "the window" "no $tool"; finish; exit; }
 done
 
-# The window is as large as the screen, so that the pointer is always in it.
-Xvfb -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
+# The window is as large as the screen, so that the pointer is always in it. A server that resets itself when
+# its last client goes refuses the next one for a moment.
+Xvfb -noreset -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
 server=$!
 trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
 window=
@@ -41,10 +42,15 @@ perl -e '
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 2000 -o teapot.glb
 
+# open_window SCENE PICTURES [OPTION ...]: and wait for its first frame, whose time is in the title; keys
+# before it are nobody's
 open_window() {
-    render-gl "$1" --tam map.exr --window --size 320x240 --samples 1 -o "$2%d.png" 2>err &
+    scene=$1
+    pictures=$2
+    shift 2
+    render-gl "$scene" --window --size 320x240 --samples 1 -o "$pictures%d.png" "$@" 2>err &
     window=$!
-    timeout 60 xdotool search --sync --name render-gl >/dev/null
+    timeout 60 xdotool search --sync --name '^render-gl: ' >/dev/null
 }
 
 # shot NAME: what s saves
@@ -67,7 +73,7 @@ drag() {
     xdotool mousemove 100 120 mousedown "$1" mousemove 140 120 mousemove 180 130 mouseup "$1"
 }
 
-open_window teapot.glb shot
+open_window teapot.glb shot --tam map.exr
 shot shot1
 drag 1
 shot shot2
@@ -115,7 +121,7 @@ is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
 is "nothing else is said" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved shot|drag|arrows|1 to 9|p and P|\[ and|s: )' err)" ""
 
-open_window turning.gltf turn
+open_window turning.gltf turn --tam map.exr
 shot turn1
 sleep 0.4
 shot turn2
@@ -140,10 +146,7 @@ titled() {
     done
     is "$1" "$title" "$2"
 }
-render-gl teapot.glb --technique rptam --tam map.exr --stroke 20x2 --overlap 0.5 --window --size 320x240 \
-    --samples 1 -o set%d.png 2>err &
-window=$!
-timeout 60 xdotool search --sync --name render-gl >/dev/null
+open_window teapot.glb set --technique rptam --tam map.exr --stroke 20x2 --overlap 0.5
 shot set1
 xdotool key p
 titled "p chooses a parameter, and the title shows it" "render-gl: rptam, stroke [20]x2"
@@ -171,10 +174,7 @@ xdotool key q
 wait $window
 is "and nothing is said" "$(grep -v 'saved set' err)" ""
 
-render-gl teapot.glb --technique rptam --window --size 320x240 --samples 1 --animate overlap=0..1 \
-    --animate stroke=10x1..40x4 -o way%d.png 2>err &
-window=$!
-timeout 60 xdotool search --sync --name render-gl >/dev/null
+open_window teapot.glb way --technique rptam --animate overlap=0..1 --animate stroke=10x1..40x4
 shot way1
 sleep 0.4
 shot way2
@@ -188,9 +188,7 @@ xdotool key q
 wait $window
 
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >bare.off
-render-gl bare.off --technique gouraud --tam map.exr --window --size 320x240 -o bare%d.png 2>err &
-window=$!
-timeout 60 xdotool search --sync --name render-gl >/dev/null
+open_window bare.off bare --technique gouraud --tam map.exr
 shot bare1
 xdotool key 1
 shot bare2
@@ -201,7 +199,7 @@ is "and the window stays until it is closed" $? 0
 
 # The folder of the pictures may go while somebody looks.
 mkdir gone
-open_window teapot.glb gone/shot
+open_window teapot.glb gone/shot --tam map.exr
 sleep 0.5
 rmdir gone
 xdotool key s
