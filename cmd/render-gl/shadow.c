@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
+
 #define MARGIN 1.05        /* around the scene, for the edges' width */
 #define CUBE_TANGENT 1.15  /* a cube's faces overlap, so that edges are soft over its borders */
 #define SPOT_COSINE 0.4    /* spots that are wider take a cube */
@@ -32,29 +34,14 @@ struct lens {
     bool lamp;
 };
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void set_axes(const double along[3], double axes[3][3])
 {
-    double size = sqrt(dot(along, along));
-    int least = 0;
-    for (int k = 0; k < 3; k++) {
-        axes[2][k] = size > 0 ? along[k] / size : (k == 2 ? 1.0 : 0.0);
-        axes[0][k] = 0;
-    }
-    for (int k = 1; k < 3; k++)
-        if (fabs(axes[2][k]) < fabs(axes[2][least]))
-            least = k;
-    double share = axes[2][least], length = sqrt(1 - share * share);
-    for (int k = 0; k < 3; k++)
-        axes[0][k] = ((k == least ? 1 : 0) - share * axes[2][k]) / length;
-    for (int k = 0; k < 3; k++) {
-        int next = (k + 1) % 3, last = (k + 2) % 3;
-        axes[1][k] = axes[2][next] * axes[0][last] - axes[2][last] * axes[0][next];
-    }
+    static const double forward[3] = {0, 0, 1};
+    hatch_vec_copy(along, axes[2]);
+    if (!(hatch_vec_normalize(axes[2]) > 0))
+        hatch_vec_copy(forward, axes[2]);
+    hatch_vec_any_orthogonal(axes[2], axes[0]);
+    hatch_vec_cross(axes[2], axes[0], axes[1]);
 }
 
 /* Depth is 0 at the near plane and 1 at the far one. */
@@ -64,7 +51,7 @@ static void set_matrix(const struct lens *lens, float matrix[16])
     for (int r = 0; r < 3; r++) {
         for (int k = 0; k < 3; k++)
             rows[r][k] = lens->axes[r][k];
-        rows[r][3] = -dot(lens->axes[r], lens->from);
+        rows[r][3] = -hatch_vec_dot(lens->axes[r], lens->from);
     }
     double depth = lens->far - lens->near;
     memcpy(rows[3], rows[2], sizeof rows[3]);
@@ -91,15 +78,14 @@ static void fit(const struct gpu_scene *scene, struct lens *lens)
             for (int k = 0; k < 3; k++)
                 point[k] = corner >> k & 1 ? item->high[k] : item->low[k];
             for (int k = 0; k < 3; k++) {
-                low[k] = fmin(low[k], dot(lens->axes[k], point));
-                high[k] = fmax(high[k], dot(lens->axes[k], point));
+                low[k] = fmin(low[k], hatch_vec_dot(lens->axes[k], point));
+                high[k] = fmax(high[k], hatch_vec_dot(lens->axes[k], point));
             }
         }
     for (int k = 0; k < 3; k++) {
         double middle = high[k] > low[k] ? 0.5 * low[k] + 0.5 * high[k] : 0.0;
         double half = fmax(0.5 * high[k] - 0.5 * low[k], 1e-3) * MARGIN;
-        for (int c = 0; c < 3; c++)
-            lens->from[c] += middle * lens->axes[k][c];
+        hatch_vec_add_scaled(lens->from, middle, lens->axes[k], lens->from);
         if (k < 2)
             lens->extent[k] = half;
         lens->near = -half;
@@ -143,7 +129,7 @@ static void add_light(const struct frame_light *light, uint32_t index, const str
         lens.from[k] = lens.lamp ? (double)light->position[k] : 0;
     }
     if (lens.lamp) {
-        double away = sqrt(dot(lens.from, lens.from));
+        double away = hatch_vec_length(lens.from);
         lens.near = fmax(0.5 * (away - MARGIN), NEAREST);
         lens.far = away + MARGIN;
     }
