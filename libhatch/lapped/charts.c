@@ -88,7 +88,7 @@ static void find_places(const struct charting *of, uint32_t face)
     for (uint32_t c = 0; c < 3; c++) {
         uint32_t vertex = patch->first_vertex + lapped->corners[3 * (size_t)of->entry[face] + c];
         for (uint32_t i = 0; i < 2; i++)
-            of->charts.places[6 * (size_t)face + 2 * c + i] = (double)lapped->vertices[vertex].hatch[i];
+            of->charts.places[6 * (size_t)face + 2 * c + i] = lapped->vertices[vertex].hatch[i];
     }
 }
 
@@ -208,7 +208,7 @@ static enum hatch_status make_grid(struct charting *of, const struct hatch_lappe
     of->low[0] = of->low[1] = HUGE_VAL;
     for (uint32_t v = 0; v < patch->vertex_count; v++) {
         for (int i = 0; i < 2; i++) {
-            double at = (double)of->lapped->vertices[patch->first_vertex + v].hatch[i];
+            double at = of->lapped->vertices[patch->first_vertex + v].hatch[i];
             of->low[i] = fmin(of->low[i], at);
             high[i] = fmax(high[i], at);
         }

@@ -88,10 +88,7 @@ static void write_vertex(const struct making *of, uint32_t vertex, double scale,
     hatch_patch_mask(patch, place, mask);
     to->point = patch->points[vertex];
     for (int i = 0; i < 2; i++) {
-        uint64_t index = (uint64_t)i + 100;
-        double shift = (double)hatch_random_unit(of->options->seed, patch->seed, index);
-        double along = (i == 0 ? 1 : -1) * (place[i] - patch->center[i]);
-        to->hatch[i] = (float)(scale * (along + 64 * shift * patch->radius));
+        to->hatch[i] = (i == 0 ? scale : -scale) * (place[i] - patch->center[i]);
         to->mask[i] = (float)mask[i];
     }
 }
@@ -100,6 +97,8 @@ static enum hatch_status keep(struct making *of, double scale, struct hatch_err 
 {
     const struct hatch_patch *patch = &of->growth.patch;
     struct kept kept = {.patch = {.face_count = of->shown_count, .radius = scale * patch->radius}};
+    for (uint64_t i = 0; i < 2; i++)
+        kept.patch.shift[i] = 2 * (double)hatch_random_unit(of->options->seed, patch->seed, i + 100) - 1;
     kept.faces = HATCH_NEW(of->arena, uint32_t, of->shown_count, err);
     kept.corners = kept.faces ? HATCH_NEW(of->arena, uint32_t, 3 * (size_t)of->shown_count, err) : NULL;
     if (!kept.corners)

@@ -31,20 +31,21 @@ struct hatch_lapped_options {
 /* Coordinates of a patch: hatch u runs along the field (either way), v is at a right angle, so
  * that seen from outside with u to the right v rises downwards, as in mesh/shapes.h; both in the
  * mesh's units, so that a tile of hatching has one size on all patches, but that within one it may
- * grow or shrink by a factor of 1.6 where strokes run apart or the surface cannot be flattened;
- * shifted at random from patch to patch. Mask coordinates lie in the outline's square where the outline is; the outline
- * is turned at random against the hatching, and slid and shrunk so that it stays inside the faces
- * that the patch has, but at borders of the surface: where that cannot be, the patch is counted in
- * `cut`. */
+ * grow or shrink by a factor of 1.6 where strokes run apart or the surface cannot be flattened. Mask
+ * coordinates lie in the outline's square where the outline is; the outline is turned at random against
+ * the hatching, and slid and shrunk so that it stays inside the faces that the patch has, but at borders
+ * of the surface: where that cannot be, the patch is counted in `cut`. */
 struct hatch_lapped_vertex {
     uint32_t point;
-    float hatch[2], mask[2];
+    double hatch[2]; /* (0, 0) in the middle of the outline */
+    float mask[2];
 };
 
 struct hatch_lapped_patch {
     uint32_t first_vertex, vertex_count;
     uint32_t first_face, face_count; /* into faces and corners */
     double radius;                   /* of the outline's square, half its side, in the mesh's units */
+    double shift[2];                 /* -1 .. 1, at random: what hatch_lapped_mesh adds, in tiles */
 };
 
 struct hatch_lapped {
@@ -76,7 +77,8 @@ enum hatch_status hatch_lapped_make(const struct hatch_surface *surface, const s
                                     struct hatch_lapped *lapped, struct hatch_err *err) HATCH_MUST_USE;
 
 /* One patch as a mesh to be written: the source's attributes at each corner, TEXCOORD_0 (hatch
- * divided by tile, so that 1 is a tile), TEXCOORD_1 (mask) and _HATCH_DIR. Positions are the
+ * divided by tile, so that 1 is a tile, and shifted; where rounding to floats would turn faces over, vertices
+ * are moved by a few times the distance between floats), TEXCOORD_1 (mask) and _HATCH_DIR. Positions are the
  * source's to the last bit, whatever the patch. source: the mesh that the surface was made of;
  * tile: in its units, over 0. */
 enum hatch_status hatch_lapped_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,

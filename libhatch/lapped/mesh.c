@@ -1,7 +1,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "lapped/lapped.h"
+#include "lapped/work.h"
 #include "math/vector.h"
 
 /* What makes corners one vertex of the patch's mesh. */
@@ -103,11 +103,11 @@ struct given {
     float *hatch, *mask, *direction, *normals, *tangents;
 };
 
-static void give(const struct hatch_lapped_vertex *from, const double *direction, const double *confidence,
-                 double tile, const struct given *to, uint32_t vertex)
+static void give(const struct hatch_lapped_vertex *from, const float hatch[2], const double *direction,
+                 const double *confidence, const struct given *to, uint32_t vertex)
 {
     for (size_t i = 0; i < 2; i++) {
-        to->hatch[2 * (size_t)vertex + i] = (float)((double)from->hatch[i] / tile);
+        to->hatch[2 * (size_t)vertex + i] = hatch[i];
         to->mask[2 * (size_t)vertex + i] = from->mask[i];
     }
     for (size_t i = 0; i < 3; i++)
@@ -117,7 +117,7 @@ static void give(const struct hatch_lapped_vertex *from, const double *direction
 
 static enum hatch_status build(const struct hatch_mesh *source, const struct hatch_lapped_patch *patch,
                                const struct hatch_lapped_vertex *vertices, const struct corner *corners,
-                               const double *direction, const double *confidence, double tile,
+                               const float *hatch, const double *direction, const double *confidence,
                                struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                struct hatch_err *err)
 {
@@ -141,7 +141,8 @@ static enum hatch_status build(const struct hatch_mesh *source, const struct hat
         vertex += first && i > 0;
         made.indices[corners[i].index] = vertex;
         if (first)
-            give(&vertices[corners[i].vertex], direction, confidence, tile, &given, vertex);
+            give(&vertices[corners[i].vertex], &hatch[2 * (size_t)corners[i].vertex], direction, confidence, &given,
+                 vertex);
         if (first && corners[i].turned)
             turn(given.normals, given.tangents, vertex);
     }
@@ -158,9 +159,13 @@ enum hatch_status hatch_lapped_mesh(const struct hatch_surface *surface, const s
     const struct hatch_lapped_patch *from = &lapped->patches[patch];
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct corner *corners;
-    enum hatch_status status = list_corners(surface, source, lapped, from, scratch, &corners, err);
+    float *hatch = HATCH_NEW_UNSET(scratch, float, 2 * (size_t)from->vertex_count, err);
+    enum hatch_status status =
+        hatch ? hatch_lapped_round(lapped, from, tile, scratch, hatch, err) : HATCH_LIMIT;
     if (status == HATCH_OK)
-        status = build(source, from, &lapped->vertices[from->first_vertex], corners, direction, confidence, tile,
+        status = list_corners(surface, source, lapped, from, scratch, &corners, err);
+    if (status == HATCH_OK)
+        status = build(source, from, &lapped->vertices[from->first_vertex], corners, hatch, direction, confidence,
                        arena, scratch, mesh, err);
     hatch_arena_rewind(scratch, mark);
     return status;

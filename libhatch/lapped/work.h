@@ -70,6 +70,12 @@ struct hatch_patch {
     uint32_t faces_max;  /* growth ends at so many */
 };
 
+/* Texture coordinates of a patch's vertices, two each, in floats of which none turns a face over, where a
+ * way was found. Statuses: HATCH_LIMIT. */
+enum hatch_status hatch_lapped_round(const struct hatch_lapped *lapped, const struct hatch_lapped_patch *patch,
+                                     double tile, struct hatch_arena *scratch, float *hatch,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
 /* Places of the plane that the outline must leave outside. */
 struct hatch_obstacles {
     struct hatch_arena *arena;

@@ -120,6 +120,61 @@ static struct hatch_mesh needle_sphere(double width)
     return mesh;
 }
 
+/* Faces whose texture coordinates, as they are written, are turned over. */
+static uint32_t count_turned(const struct field_case *of, const struct hatch_lapped *lapped, double tile)
+{
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < lapped->patch_count; p++) {
+        struct hatch_mesh mesh;
+        HATCH_TEST_OK(hatch_lapped_mesh(&of->surface, &of->mesh, lapped, p, of->direction, of->confidence, tile,
+                                        &keep, &scratch, &mesh, &err), &err);
+        const float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
+        for (uint32_t f = 0; f < mesh.face_count; f++) {
+            double x[2][2];
+            for (uint32_t i = 0; i < 2; i++)
+                for (uint32_t k = 0; k < 2; k++)
+                    x[i][k] = (double)uv[2 * mesh.indices[3 * f + i + 1] + k] - (double)uv[2 * mesh.indices[3 * f] + k];
+            count += !(x[0][0] * x[1][1] - x[0][1] * x[1][0] < 0);
+        }
+    }
+    return count;
+}
+
+/* A sheet of squares whose every other column is as wide as floats are apart: what rounding would turn
+ * over. */
+static struct hatch_mesh needle_columns(double width)
+{
+    enum { ACROSS = 20, DOWN = 10 };
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, ACROSS * (DOWN + 1), 2 * (ACROSS - 1) * DOWN, &mesh, &err), &err);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        float *p = &mesh.attributes[0].data[3 * v];
+        p[0] = (float)(v % ACROSS / 2 + v % 2 * width - 5);
+        p[1] = 0.1f * p[0] * p[0];
+        p[2] = -(float)(v / ACROSS);
+    }
+    for (uint32_t i = 0; i < (ACROSS - 1) * DOWN; i++) {
+        uint32_t a = i / (ACROSS - 1) * ACROSS + i % (ACROSS - 1), b = a + ACROSS;
+        const uint32_t faces[6] = {a, a + 1, b + 1, a, b + 1, b};
+        memcpy(mesh.indices + 6 * i, faces, sizeof faces);
+    }
+    return mesh;
+}
+
+START_TEST(floats_turn_no_needle_over)
+{
+    static const double widths[] = {1e-3, 1e-6, 1e-7, 1e-8, 1e-9};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        struct field_case of[] = {case_of(needle_columns(widths[i])), case_of(needle_sphere(widths[i]))};
+        for (int k = 0; k < 2; k++) {
+            lay_field(&of[k], 0.3, 1, 0.2);
+            const struct hatch_lapped lapped = cover_all(of[k], &LAPPED_PLAIN).lapped;
+            ck_assert_uint_eq(count_turned(&of[k], &lapped, 0.7), 0);
+        }
+    }
+}
+END_TEST
+
 START_TEST(needles_give_numbers)
 {
     static const double widths[] = {1e-3, 1e-6, 1e-8, 1e-9, 1e-10, 1e-16};
@@ -189,6 +244,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_cube);
     tcase_add_test(tests, huge_faces_beside_tiny_ones);
     tcase_add_test(tests, legs_and_handles_smaller_than_a_patch);
+    tcase_add_test(tests, floats_turn_no_needle_over);
     tcase_add_test(tests, needles_give_numbers);
     tcase_add_test(tests, components_of_any_size);
     tcase_add_test(tests, a_field_of_noise);

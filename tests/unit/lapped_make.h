@@ -105,7 +105,7 @@ static inline double area_ratio(const struct lapped_case *of, uint32_t patch, ui
     double x[2][2];
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
-            x[i][j] = (double)at[i + 1]->hatch[j] - (double)at[0]->hatch[j];
+            x[i][j] = at[i + 1]->hatch[j] - at[0]->hatch[j];
     return -(x[0][0] * x[1][1] - x[0][1] * x[1][0]) / hatch_vec_length(normal);
 }
 

@@ -34,7 +34,7 @@ static void check_isometric(const struct lapped_case *of, void (*flatten)(const 
             hatch_surface_position(&of->of.surface, b->point, to);
             flatten(from, u);
             flatten(to, v);
-            double dx = (double)b->hatch[0] - (double)a->hatch[0], dy = (double)b->hatch[1] - (double)a->hatch[1];
+            double dx = b->hatch[0] - a->hatch[0], dy = b->hatch[1] - a->hatch[1];
             double wx = v[0] - u[0], wy = v[1] - u[1];
             if (fabs(wx) > 3)
                 continue; /* over the seam of the flattening */
@@ -99,7 +99,7 @@ START_TEST(a_cylinder_is_unrolled)
     check_patches(&tube, 2000);
     /* The field runs up, so that u does: exchange the axes. */
     for (uint32_t v = 0; v < tube.lapped.vertex_count; v++) {
-        float *hatch = tube.lapped.vertices[v].hatch, u = hatch[0];
+        double *hatch = tube.lapped.vertices[v].hatch, u = hatch[0];
         hatch[0] = -hatch[1];
         hatch[1] = u;
     }
@@ -226,7 +226,7 @@ START_TEST(any_number_of_threads_and_any_power_of_two_give_the_same)
     other = cover(&grown, &one.outline, &LAPPED_PLAIN);
     ck_assert_uint_eq(one.lapped.vertex_count, other.vertex_count);
     for (uint32_t v = 0; v < other.vertex_count; v++)
-        ck_assert_float_eq(one.lapped.vertices[v].hatch[0] * 1024, other.vertices[v].hatch[0]);
+        ck_assert_double_eq(one.lapped.vertices[v].hatch[0] * 1024, other.vertices[v].hatch[0]);
 }
 END_TEST
 
@@ -271,7 +271,7 @@ START_TEST(a_patch_is_a_mesh_with_the_places_of_the_source)
             const struct hatch_lapped_vertex *vertex = &torus.lapped.vertices[patch->first_vertex + local];
             uint32_t source = of.mesh.indices[3 * of.surface.face_source[face] + i % 3];
             ck_assert_mem_eq(&at[3 * v], &of.mesh.attributes[0].data[3 * source], 12);
-            ck_assert_float_eq(hatch[2 * v], vertex->hatch[0] * 4);
+            ck_assert_float_eq(hatch[2 * v], (float)(vertex->hatch[0] * 4 + patch->shift[0]));
             ck_assert_float_eq(mask[2 * v + 1], vertex->mask[1]);
             ck_assert_float_eq(field[4 * v], (float)of.direction[3 * vertex->point]);
             ck_assert_float_eq(field[4 * v + 3], 1);
