@@ -1,6 +1,19 @@
 # Every program that render-gl may have to compile does compile: each technique with textures as tone,
-# with holes, with both, with one ink and with two.
+# with holes, with both, with one ink and with two. The reference compiler takes what the driver here takes:
+# drivers differ in what they let pass.
 . "${TOP:-.}/tests/tap.sh"
+
+# drawn OPTION ...: by render-gl, the text of every stage kept
+SHADERS=$WORK/shaders
+spy=
+if command -v glslangValidator >/dev/null && [ -z "$SANITIZE" ]; then
+    spy=$WORK/spy.so
+    ${CC:-cc} -shared -fPIC -o "$spy" "$TOP/tests/cli/shader_spy.c" -lepoxy
+fi
+mkdir "$SHADERS"
+drawn() {
+    SHADERS=$SHADERS LD_PRELOAD=$spy render-gl "$@"
+}
 
 tamgen --size 64 --tones 6 --levels 2 --contact-sheet texture.png -o map.exr
 
@@ -37,7 +50,7 @@ for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple tam-thresh
         for tone in "" --texture-tone; do
             for ink in "" "--paper grey --ink black,white"; do
                 # shellcheck disable=SC2086 # the options are words
-                ok "$technique $mode $tone $ink" render-gl $mode.gltf --technique $technique \
+                ok "$technique $mode $tone $ink" drawn $mode.gltf --technique $technique \
                     --tam map.exr --size 32x24 $tone $ink -o picture.png
             done
         done
@@ -70,5 +83,40 @@ ok "tiles far smaller than pixels" timeout 20 render-gl plane.glb --tam map.exr 
     --size 320x180 --lines none --from 0:0 -o far.exr
 render-gl plane.glb --technique gouraud --tone-range 0:0.9 --size 320x180 --from 0:0 -o tone.exr
 ok "their tone is the plane's" hatchstat diff far.exr tone.exr --max-difference 0.02
+
+# What else is drawn, on patches and without.
+tamgen --size 64 --tones 8 --levels 2 -o eight.exr
+tamvol eight.exr -o volume.ktx2
+tamvol --compress eight.exr -o blocks.ktx2
+tamthresh eight.exr -o steps.ktx2
+tamthresh --exact eight.exr -o exact.ktx2
+meshgen torus --faces 800 -o torus.glb
+dirfield torus.glb | lapped-param -o patches.glb
+for scene in torus.glb patches.glb; do
+    while read -r technique options; do
+        # shellcheck disable=SC2086 # the options are words
+        ok "$technique $options, $scene" drawn $scene --technique "$technique" --size 32x24 $options -o picture.png
+    done <<'END'
+gouraud --shadows 0.05 --haloes 4 --ground 2
+tam --tam map.exr --pixel-light --shadows 0.05
+volume --tam volume.ktx2 --shadows 0.05 --haloes 3
+volume --tam blocks.ktx2 --modulate texture.png
+threshold --tam steps.ktx2 --shadows 0.05
+threshold-soft --tam steps.ktx2
+threshold --tam exact.ktx2
+rptam --shadows 0.05
+rptam --seed-loop brute
+rptam --seed-layers 3 --overlap 1
+END
+done
+ok "patches shown" drawn patches.glb --tam map.exr --size 32x24 --show patches -o picture.png
+ok "field shown" drawn patches.glb --tam map.exr --size 32x24 --show field -o picture.png
+
+if [ "$spy" ]; then
+    is "stages are kept" "$(find "$SHADERS" -type f | wc -l | awk '{print ($1 > 60)}')" 1
+    ok "the reference compiler takes them" glslangValidator "$SHADERS"/*
+else
+    skip "the reference compiler" "no glslangValidator, or sanitizers"
+fi
 
 finish
