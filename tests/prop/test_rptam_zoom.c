@@ -249,6 +249,29 @@ START_TEST(a_hand_zooms_without_end)
 }
 END_TEST
 
+/* An orthographic camera's near plane is a wish that zooming must not run into. */
+START_TEST(a_hand_zooms_an_orthographic_view)
+{
+    double point[3], normal[3], back[3];
+    struct orbit orbit;
+    make_shape(HATCH_SHAPE_TORUS, 1000);
+    begin_mesh(&odd_bounds);
+    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    lean(normal, 0.6, back);
+    struct view view = zoom_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
+    view.orthographic = true;
+    view.half_height = 1;
+    view.near = 1;
+    view.far = 10;
+    orbit_start(&orbit, &view);
+    for (int i = 0; i < 40; i++)
+        orbit_zoom(&orbit, 0.5);
+    ck_assert_double_eq(orbit.view.half_height, 0x1p-40);
+    check_places(&orbit.view, 0.05, 1);
+    frame_end(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam zoom");
@@ -260,6 +283,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, pieces_leave_no_gap, 0, 2);
     tcase_add_test(tests, tiles_join);
     tcase_add_test(tests, a_hand_zooms_without_end);
+    tcase_add_test(tests, a_hand_zooms_an_orthographic_view);
     suite_add_tcase(suite, tests);
     return suite;
 }

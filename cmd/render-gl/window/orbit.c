@@ -59,12 +59,10 @@ void orbit_pan(struct orbit *orbit, double right, double up)
 
 void orbit_zoom(struct orbit *orbit, double factor)
 {
-    double distance = orbit->distance * factor;
-    if (!(distance > ORBIT_NEAREST && distance < ORBIT_FARTHEST))
+    double *size = orbit->view.orthographic ? &orbit->view.half_height : &orbit->distance;
+    if (!(*size * factor > ORBIT_NEAREST && *size * factor < ORBIT_FARTHEST))
         return;
-    orbit->distance = distance;
+    *size *= factor;
     view_free_near(&orbit->view);
-    if (orbit->view.orthographic)
-        orbit->view.half_height *= factor;
     place(orbit);
 }

@@ -25,7 +25,8 @@ void orbit_pan(struct orbit *orbit, double right, double up);
 /* From now on turns and zooms about what lies at a distance, over 0, in the picture's middle. */
 void orbit_look_at(struct orbit *orbit, double distance);
 
-/* Changes the distance by a factor over 0, between ORBIT_NEAREST and ORBIT_FARTHEST. */
+/* Changes the distance, of an orthographic view half its height, by a factor over 0, between ORBIT_NEAREST and
+ * ORBIT_FARTHEST. */
 void orbit_zoom(struct orbit *orbit, double factor);
 
 #endif

@@ -45,6 +45,10 @@ static void take_corner(void *context, const double point[3])
 enum hatch_status zoom_view(struct pose *pose, const struct pose_span *moment, const struct bounds *bounds,
                             double factor, struct hatch_arena *scratch, struct view *view, struct hatch_err *err)
 {
+    if (view->orthographic) { /* a nearer eye shows nothing larger, and would pass the camera's near plane */
+        view->half_height /= factor;
+        return HATCH_OK;
+    }
     const struct pose_span now = {moment->animation, moment->begin_s, moment->begin_s, 1};
     struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
     HATCH_TRY(pose_each_corner(pose, &now, scratch, take_corner, &ray, err));
@@ -58,7 +62,5 @@ enum hatch_status zoom_view(struct pose *pose, const struct pose_span *moment, c
     }
     view->pivot = distance / factor;
     view_free_near(view);
-    if (view->orthographic)
-        view->half_height /= factor;
     return HATCH_OK;
 }
