@@ -35,8 +35,11 @@ static struct place {
 
 static bool stdout_taken;
 
-static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 #define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
+
+/* A graphics driver that finds no memory ends so. They cannot be held back. */
+static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 static bool stdout_closed;
 
@@ -64,15 +67,22 @@ static void clean_up_and_end(int signal_number)
     raise(signal_number);
 }
 
-void cmd_catch_signals(void)
+/* Unless the caller ignores it, or a sanitizer reports on it. */
+static void catch(int signal_number)
 {
     struct sigaction action = {.sa_handler = clean_up_and_end}, before;
     sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < ENDING_SIGNALS; i++) {
-        sigaction(ending_signals[i], NULL, &before);
-        if (before.sa_handler != SIG_IGN)
-            sigaction(ending_signals[i], &action, NULL);
-    }
+    sigaction(signal_number, NULL, &before);
+    if (before.sa_handler == SIG_DFL)
+        sigaction(signal_number, &action, NULL);
+}
+
+void cmd_catch_signals(void)
+{
+    for (size_t i = 0; i < ENDING_SIGNALS; i++)
+        catch(ending_signals[i]);
+    for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
+        catch(crashes[i]);
     signal(SIGXFSZ, SIG_IGN); /* a write past ulimit -f then fails like any other */
 }
 

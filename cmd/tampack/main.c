@@ -107,10 +107,13 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     hatch_parallel_for(cmd_pool(job->args), count, encode, files);
     for (uint32_t i = 0; i < count; i++)
         cmd_check(files[i].status, cmd_input_name(input), &files[i].err);
-    for (uint32_t i = 0; i < count; i++) {
-        cmd_write(files[i].output, files[i].bytes.data, files[i].bytes.size);
+    struct cmd_file *written = HATCH_NEW(&job->args->keep, struct cmd_file, count, &err);
+    cmd_check(written ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++)
+        written[i] = (struct cmd_file){files[i].output, files[i].bytes.data, files[i].bytes.size};
+    cmd_write_all(written, count);
+    for (uint32_t i = 0; i < count; i++)
         hatch_arena_free(&files[i].arena);
-    }
     cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_noun(job->tam.tones, "tone", "tones"),
              job->tam.columns[0].level_count, cmd_noun(job->tam.columns[0].level_count, "level", "levels"), count,
              cmd_noun(count, "file", "files"));

@@ -24,6 +24,25 @@ is "the old output stays" "$(cat map.exr)" old
 ok "two outputs go to a device" tamgen --size 64 -o /dev/null --strokes /dev/null
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
 
+# Files that belong together are old or new together.
+echo old >tiles.000.00.png
+ln -s /dev/full tiles.005.01.png
+try tampack --quiet --layout png map.exr -o tiles.png
+refused "the last but a few of many files is a full disk" 4 1
+is "the others stay as they were" "$(cat tiles.000.00.png; ls -A | grep -c tiles)" "old
+2"
+
+# A driver or a library that crashes leaves no litter; the hidden file is there before standard input is read.
+mkfifo pipe
+tampack --layout array -o crashed.ktx2 <pipe 2>.err &
+process=$!
+exec 3>pipe
+until ls -A | grep -q '^\.tampack'; do sleep 0.05; done
+kill -ABRT "$process"
+wait "$process" 2>.err
+is "a crash" "$? $(ls -A | grep -c '^\.tampack\|crashed')" "134 0"
+exec 3>&-
+
 # A name that promises another format.
 for line in "meshgen plane -o plane.obj" "tamgen --size 64 -o map.png" "tampack map.exr -o map.dds" \
     "tamgen --size 64 -o /dev/null --contact-sheet sheet.jpg"; do
