@@ -88,23 +88,19 @@ refused() {
     fi
 }
 
-# milliseconds LIMIT COMMAND ...: the shortest of up to forty runs, ending with the first within LIMIT:
-# what a busy machine takes is not what the command takes
+# milliseconds LIMIT COMMAND ...: what the cheapest of up to forty runs takes of the processors, ending with the
+# first within LIMIT: the time that others take on a busy machine is not in it
 milliseconds() {
-    tap_limit=$1
-    shift
-    tap_best=999999
-    for tap_i in 1 2 3 4 5 6 7 8; do
-        for tap_j in 1 2 3 4 5; do
-            [ $tap_best -gt "$tap_limit" ] || break 2
-            tap_from=$(date +%s%N)
-            "$@" >/dev/null 2>&1 </dev/null
-            tap_ms=$((($(date +%s%N) - tap_from) / 1000000))
-            [ $tap_ms -ge $tap_best ] || tap_best=$tap_ms
+    bash -c 'TIMEFORMAT="%3U %3S" limit=$1 best=999999
+        shift
+        command -v "$1" >/dev/null || exit
+        for run in {1..40}; do
+            read -r user system < <({ time "$@" >/dev/null 2>&1 </dev/null; } 2>&1)
+            took=$((10#${user/./} + 10#${system/./}))
+            [ $took -ge $best ] || best=$took
+            [ $best -gt "$limit" ] || break
         done
-        sleep 0.2
-    done
-    echo $tap_best
+        echo $best' bash "$@"
 }
 
 finish() {

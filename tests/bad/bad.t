@@ -1,5 +1,5 @@
 # Malformed, hostile and unusual inputs get what their manifest says, from every command that reads
-# such a file, within 5 seconds and 512 MB.
+# such a file, within 5 seconds of a processor and 512 MB.
 . "${TOP:-.}/tests/tap.sh"
 bad=$TOP/../shared/bad
 [ -e "$bad/MANIFEST.tsv" ] || { skip "bad inputs" "no folder shared/bad beside the source"; finish; }

@@ -24,9 +24,10 @@ done
 if [ -z "${SANITIZE:-}" ] && [ "$1" != render-gl ]; then
     ulimit -v $((512 * 1024))
 fi
+# Of a processor, which a busy machine does not change; the other limit ends what waits for ever.
 seconds=5
 [ -z "${SANITIZE:-}" ] || seconds=30
-timeout "$seconds" "$@" >"$work/said" 2>"$work/words" </dev/null
+(ulimit -t "$seconds" && exec timeout 600 "$@") >"$work/said" 2>"$work/words" </dev/null
 status=$?
 
 complaint() {

@@ -31,7 +31,7 @@ check_help() {
     if [ -z "$SANITIZE" ]; then
         ms=$(milliseconds 10 "$1" --version)
         [ "$ms" -le 10 ]
-        is "$1 --version within 10 ms ($ms)" $? 0
+        is "$1 --version within 10 ms of a processor ($ms)" $? 0
     fi
 }
 
@@ -108,14 +108,14 @@ run() {
     with_input "$arguments" "$@" -o "$output"
 }
 
-# with_input ARGUMENTS [OPTION ...]: IN becomes $input, which may hold spaces
+# with_input ARGUMENTS [OPTION ...]: IN becomes $input, which may hold spaces; $through are words before the command
 with_input() {
     words=$1
     shift
     for word in $words; do
         [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
     done
-    "$command" "$@"
+    ${through:-} "$command" "$@"
 }
 
 same() {
@@ -169,7 +169,7 @@ check_refused_output() {
     refused "$label: a folder as output" 4 1
     if [ -z "$SANITIZE" ]; then
         slow=${slow_arguments:-$arguments}
-        ms=$(milliseconds 50 with_input "$slow" -o missing/folder/x)
+        ms=$(through='milliseconds 50' && with_input "$slow" -o missing/folder/x)
         [ "$ms" -le 50 ]
         is "$label: missing output folder noticed within 50 ms ($ms)" $? 0
     fi
@@ -266,16 +266,12 @@ check_signals() {
     from=$(date +%s%N)
     try with_input "$slow" -o whole
     length_ms=$((($(date +%s%N) - from) / 1000000))
-    set --
-    for word in $slow; do
-        [ "$word" = IN ] && set -- "$@" "$input" || set -- "$@" "$word"
-    done
     bad=""
     for moment in $(awk -v length_ms=$length_ms 'BEGIN {
             srand(7); for (i = 0; i < 20; i++) printf "%.4f ", rand() * 1.1e-3 * length_ms }'); do
         for signal in INT TERM; do
             echo old >signals/kept
-            timeout -s $signal "$moment" "$command" "$@" -o signals/kept 2>.err
+            (through="timeout -s $signal $moment" && with_input "$slow" -o signals/kept) 2>.err
             read -r first <signals/kept
             [ "$first" = old ] || cmp -s signals/kept whole || bad="$bad $signal@$moment:output"
             no_litter || {

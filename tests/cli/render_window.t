@@ -11,11 +11,17 @@ Xvfb -noreset -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
 server=$!
 trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
 window=
-tries=0
-until [ -s display ] || [ $tries -ge 100 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+
+# soon COMMAND ...: until it succeeds; a minute and more, since only what never comes is wrong
+soon() {
+    tries=0
+    until "$@"; do
+        [ $tries -lt 600 ] || return 1
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+}
+soon [ -s display ]
 DISPLAY=:$(cat display)
 export DISPLAY
 
@@ -48,25 +54,57 @@ open_window() {
     scene=$1
     pictures=$2
     shift 2
-    render-gl "$scene" --window --size 320x240 --samples 1 -o "$pictures%d.png" "$@" 2>err &
+    timeout 1200 render-gl "$scene" --window --size 320x240 --samples 1 -o "$pictures%d.png" "$@" 2>err &
     window=$!
-    timeout 60 xdotool search --sync --name '^render-gl: ' >/dev/null
+    soon shown
+}
+
+shown() {
+    xdotool search --name '^render-gl: ' >/dev/null 2>&1
+}
+
+gone() {
+    ! shown
+}
+
+# How the last window ended, and not before the server knows: what looks for the next one finds no other.
+closed() {
+    wait $window
+    status=$?
+    soon gone
+    return $status
 }
 
 # shot NAME: what s saves
 shot() {
     xdotool key s
-    tries=0
-    until [ -s "$1.png" ] || [ $tries -ge 200 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
-    [ -s "$1.png" ] || fail "$1.png is saved" "$(cat err)"
+    (soon [ -s "$1.png" ]) || fail "$1.png is saved" "$(cat err)"
 }
 
 # changed A B: by more than a hundredth of the pixels
 changed() {
     hatchstat diff "$1.png" "$2.png" | awk 'NR == 2 {exit !($6 > 0.01)}'
+}
+
+# moves PICTURES: another one, numbered $taken, unlike the first. What turns may have come round again before a busy
+# machine draws it: soon asks for the next one.
+moves() {
+    taken=$((taken + 1))
+    shot "$1$taken"
+    changed "${1}1" "$1$taken"
+}
+
+# plays WHAT PAUSE PICTURES: it moves until space is pressed
+plays() {
+    taken=0
+    moves "$3"
+    ok "$1" soon moves "$3"
+    xdotool key space
+    taken=$(ls "$3"*.png | wc -l) # ok counts in a shell of its own
+    shot "$3$((taken + 1))"
+    sleep 0.4
+    shot "$3$((taken + 2))"
+    ok "$2" cmp "$3$((taken + 1)).png" "$3$((taken + 2)).png"
 }
 
 drag() {
@@ -98,12 +136,10 @@ ok "dragging with control moves the light" changed shot3 shot7
 xdotool key 7
 shot shot8
 ok "7 shows the tone alone" changed shot7 shot8
-xdotool key Left
-sleep 0.7
-xdotool key Right
-sleep 0.3
-xdotool search --name render-gl getwindowname | grep -qE '^render-gl: gouraud, [0-9]+\.[0-9] ms$'
-is "the title shows technique and milliseconds" $? 0
+titled_by() {
+    xdotool search --name render-gl getwindowname | grep -qE "$1"
+}
+ok "the title shows technique and milliseconds" soon titled_by '^render-gl: gouraud, [0-9]+\.[0-9] ms$'
 xdotool key t
 shot shot9
 ok "t shows the next technique" changed shot8 shot9
@@ -116,34 +152,25 @@ xdotool key l
 shot shot12
 ok "and shows them again" cmp shot10.png shot12.png
 xdotool key question key q
-wait $window
+closed
 is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
 is "nothing else is said" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved shot|drag|arrows|1 to 9|p and P|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn --tam map.exr
-shot turn1
-sleep 0.4
-shot turn2
-ok "animations play" changed turn1 turn2
-xdotool key space
-shot turn3
-sleep 0.4
-shot turn4
-ok "space pauses them" cmp turn3.png turn4.png
+plays "animations play" "space pauses them" turn
 xdotool key Escape
-wait $window
+closed
 is "escape closes" $? 0
 
 # Parameters: the window redraws its title at each of their keys.
 # titled NAME TITLE: but for the milliseconds, and as soon as it is drawn
+has_title() {
+    title=$(xdotool search --name render-gl getwindowname | sed 's/, [0-9.]* ms//')
+    [ "$title" = "$1" ]
+}
 titled() {
-    tries=0
-    until title=$(xdotool search --name render-gl getwindowname | sed 's/, [0-9.]* ms//')
-        [ "$title" = "$2" ] || [ $tries -ge 50 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
+    soon has_title "$2"
     is "$1" "$title" "$2"
 }
 open_window teapot.glb set --technique rptam --tam map.exr --stroke 20x2 --overlap 0.5
@@ -171,21 +198,13 @@ ok "no layers: no strokes" changed set1 set4
 xdotool key 7
 titled "a technique that does not use it does not show it" "render-gl: gouraud"
 xdotool key q
-wait $window
+closed
 is "and nothing is said" "$(grep -v 'saved set' err)" ""
 
 open_window teapot.glb way --technique rptam --animate overlap=0..1 --animate stroke=10x1..40x4
-shot way1
-sleep 0.4
-shot way2
-ok "--animate plays in the window" changed way1 way2
-xdotool key space
-shot way3
-sleep 0.4
-shot way4
-ok "and pauses" cmp way3.png way4.png
+plays "--animate plays in the window" "and pauses" way
 xdotool key q
-wait $window
+closed
 
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >bare.off
 open_window bare.off bare --technique gouraud --tam map.exr
@@ -194,18 +213,17 @@ xdotool key 1
 shot bare2
 is "a technique that the scene cannot have is refused by a word" "$(grep -c 'no texture coordinates' err)" 1
 xdotool key q
-wait $window
+closed
 is "and the window stays until it is closed" $? 0
 
 # The folder of the pictures may go while somebody looks.
 mkdir gone
 open_window teapot.glb gone/shot --tam map.exr
-sleep 0.5
 rmdir gone
 xdotool key s
-sleep 0.7
+soon grep -q 'cannot be saved' err
 xdotool key q
-wait $window
+closed
 is "a picture that cannot be saved does not end the window" \
     "$? $(grep -c 'cannot be saved' err)" "0 1"
 

@@ -197,7 +197,6 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("tonal art maps");
     TCase *tests = tcase_create("map");
-    tcase_set_timeout(tests, 300);
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_loop_test(tests, strokes_nest_over_tones_and_levels, 0, 4 * MAP_STYLES);
     tcase_add_loop_test(tests, tones_are_met_and_no_seam_shows, 0, MAP_STYLES);

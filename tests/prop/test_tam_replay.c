@@ -230,7 +230,6 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("replay");
     TCase *tests = tcase_create("replay");
-    tcase_set_timeout(tests, 300);
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_loop_test(tests, strokes_nest_and_tones_are_met, 0, sizeof ways / sizeof *ways);
     tcase_add_test(tests, hue_is_lost_by_prefixes_and_kept_by_fitting);

@@ -293,7 +293,6 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("tam limits");
     TCase *tests = tcase_create("limits");
-    tcase_set_timeout(tests, 300);
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, plain_a_stroke_longer_than_the_tile_counts_itself_thrice);
     tcase_add_test(tests, ours_a_stroke_longer_than_the_tile_inks_a_pixel_once);

@@ -30,7 +30,7 @@
 
 static inline int hatch_test_main(Suite *(*suite)(void))
 {
-    setenv("CK_DEFAULT_TIMEOUT", "120", 0); /* seconds; two sanitized tests may share a core */
+    setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds: against a hang alone, on the busiest machine */
     SRunner *runner = srunner_create(suite());
     srunner_set_tap(runner, "-");
     srunner_run_all(runner, CK_SILENT);

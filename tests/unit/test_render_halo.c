@@ -206,7 +206,6 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render halo");
     TCase *tests = tcase_create("halo");
-    tcase_set_timeout(tests, 120);
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, haloes_are_as_wide_as_asked_for);
     tcase_add_test(tests, one_surface_has_none);
