@@ -44,11 +44,15 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "meshes have morph targets, and stay as they rest"},
         {notes->attributes_dropped, "vertex attribute is left out: unknown, or more than a mesh holds",
          "vertex attributes are left out: unknown, or more than a mesh holds"},
-        {notes->images_missing, "image could not be read", "images could not be read"},
+        {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
     };
     for (size_t i = 0; i < sizeof said / sizeof *said; i++)
         if (said[i].count)
             cmd_warn(name, "%u %s", said[i].count, said[i].count == 1 ? said[i].one : said[i].many);
+    if (notes->images_missing)
+        cmd_warn(name, "%u %s left out that could not be read: %s%s", notes->images_missing,
+                 notes->images_missing == 1 ? "image is" : "images are", notes->image_missing,
+                 notes->images_missing == 1 ? "" : " and others");
 }
 
 static bool is_file(const char *path)

@@ -19,7 +19,7 @@ static struct hatch_image *read_masks(struct cmd_args *args, const char *name, c
     struct hatch_image *masks = HATCH_NEW(&args->keep, struct hatch_image, scene->texture_count, &err);
     cmd_check(masks ? HATCH_OK : HATCH_LIMIT, name, &err);
     for (uint32_t m = 0; m < scene->material_count; m++) {
-        uint32_t t = scene->materials[m].base_texture;
+        uint32_t t = scene->materials[m].base.texture;
         if (!scene->materials[m].outline || t == HATCH_NONE || !scene->textures[t].data || masks[t].pixels)
             continue;
         struct hatch_bytes file = {scene->textures[t].data, scene->textures[t].size};

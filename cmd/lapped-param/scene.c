@@ -10,6 +10,49 @@ static bool gives_way(const struct hatch_mesh_attribute *attribute)
            (strcmp(attribute->name, "_HATCH_DIR") == 0 && attribute->components != 4);
 }
 
+/* But those stay that a normal map is read with: as the third set, behind the hatching's and the outline's. */
+static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals)
+{
+    char name[] = "TEXCOORD_n";
+    uint32_t kept = 1;
+    name[9] = (char)('0' + (normals ? normals->at.texcoord : 0));
+    for (uint32_t a = 1; a < mesh->attribute_count; a++) {
+        struct hatch_mesh_attribute *attribute = &mesh->attributes[a];
+        bool wanted = normals && strcmp(attribute->name, name) == 0;
+        if (!wanted && gives_way(attribute) && !(normals && strcmp(attribute->name, "TANGENT") == 0))
+            continue;
+        mesh->attributes[kept] = *attribute;
+        if (wanted)
+            mesh->attributes[kept].name[9] = '2';
+        kept++;
+    }
+    mesh->attribute_count = kept;
+}
+
+/* Of the textures the normal maps' stay. */
+static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    struct hatch_texture *textures = HATCH_NEW(&args->keep, struct hatch_texture, scene->texture_count, &err);
+    uint32_t *number = textures ? HATCH_NEW(&args->keep, uint32_t, scene->texture_count, &err) : NULL;
+    cmd_check(number ? HATCH_OK : HATCH_LIMIT, name, &err);
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < scene->material_count; m++) {
+        struct hatch_normal_map *normals = &scene->materials[m].normals;
+        if (!normals->used)
+            continue;
+        uint32_t *to = &number[normals->at.texture]; /* one more than its new number */
+        if (*to == 0) {
+            textures[count] = scene->textures[normals->at.texture];
+            *to = ++count;
+        }
+        normals->at.texture = *to - 1;
+        normals->at.texcoord = 2;
+    }
+    scene->textures = textures;
+    scene->texture_count = count;
+}
+
 void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -22,21 +65,17 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
         if (material && material->outline)
             cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: take the file that it was made of"),
                       name, &err);
-        if (material && material->base_texture != HATCH_NONE)
+        if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
-        uint32_t kept = 1;
-        for (uint32_t a = 1; a < mesh->mesh.attribute_count; a++)
-            if (!gives_way(&mesh->mesh.attributes[a]))
-                mesh->mesh.attributes[kept++] = mesh->mesh.attributes[a];
-        mesh->mesh.attribute_count = kept;
+        clear_mesh(&mesh->mesh, material && material->normals.used ? &material->normals : NULL);
     }
     uint32_t count = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
         count += textured[m];
-        scene->materials[m].base_texture = HATCH_NONE;
+        scene->materials[m].base.texture = HATCH_NONE;
         scene->materials[m].alpha_cutoff = 0;
     }
-    scene->texture_count = 0;
+    keep_normals(args, name, scene);
     if (count > 0)
         cmd_warn(name, "%u %s left out: the texture coordinates are the hatching's now", count,
                  cmd_noun(count, "texture", "textures"));
@@ -91,17 +130,16 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
     struct hatch_err err;
     uint32_t plain = scene->material_count;
     struct hatch_material *materials = HATCH_NEW(&args->keep, struct hatch_material, plain + 1, &err);
-    struct hatch_texture *texture = HATCH_NEW(&args->keep, struct hatch_texture, 1, &err);
-    cmd_check(materials && texture ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    struct hatch_texture *textures = HATCH_NEW(&args->keep, struct hatch_texture, scene->texture_count + 1, &err);
+    cmd_check(materials && textures ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t m = 0; m < plain; m++)
         materials[m] = scene->materials[m];
     /* Without a material faces are seen from both sides. */
     materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}, .double_sided = true};
     for (uint32_t m = 0; m <= plain; m++) {
-        materials[m].base_texture = 0;
-        materials[m].base_texcoord = 1;
-        materials[m].base_wrap[0] = materials[m].base_wrap[1] = HATCH_WRAP_CLAMP;
-        materials[m].base_placed = false;
+        materials[m].base = (struct hatch_texture_use){.texcoord = 1, .wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP}};
+        materials[m].normals.at.texture++; /* behind the mask */
+        materials[m].blend = false;
         materials[m].outline = true;
     }
     scene->materials = materials;
@@ -110,7 +148,9 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
             scene->meshes[i].material = plain;
             scene->material_count = plain + 1;
         }
-    encode_mask(args, outline, side_px, texture);
-    scene->textures = texture;
-    scene->texture_count = 1;
+    encode_mask(args, outline, side_px, textures);
+    if (scene->texture_count > 0)
+        memcpy(textures + 1, scene->textures, scene->texture_count * sizeof *textures);
+    scene->textures = textures;
+    scene->texture_count++;
 }

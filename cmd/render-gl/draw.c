@@ -11,13 +11,11 @@ struct part {
 uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item)
 {
     const struct gpu_mesh *mesh = &renderer->scene->meshes[item->mesh];
-    if (mesh->patches)
-        return techniques[technique]->patches == PATCHES_UNSEEN ? 0 : DRAW_OUTLINE;
     uint32_t variant = 0;
-    if (item->base_texture && renderer->style.base_tone)
-        variant |= DRAW_TONE;
-    if (item->base_texture && item->alpha_cutoff > 0)
-        variant |= DRAW_HOLES;
+    if (mesh->patches)
+        variant = techniques[technique]->patches == PATCHES_UNSEEN ? 0 : DRAW_OUTLINE;
+    else if (item->base_texture)
+        variant = (renderer->style.base_tone ? DRAW_TONE : 0u) | (item->alpha_cutoff > 0 ? DRAW_HOLES : 0u);
     if (item->normals && techniques[technique]->pixel_light && !techniques[technique]->seeds)
         variant |= DRAW_NORMALS;
     return variant;
@@ -81,7 +79,7 @@ static struct part use_pieces(const struct renderer *renderer, const struct gpu_
 
 static bool shows_patches(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item)
 {
-    return draw_variant_of(renderer, technique, item) == DRAW_OUTLINE;
+    return draw_variant_of(renderer, technique, item) & DRAW_OUTLINE;
 }
 
 static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item *item,

@@ -10,7 +10,7 @@ enum draw_variant {
     DRAW_HOLES = 2,   /* and has holes */
     DRAW_OUTLINE = 4, /* the texture is the outline of patches, with neither */
     DRAW_PIECES = 8,  /* with each of these: pieces of near faces */
-    DRAW_NORMALS = 16 /* with the first two: a normal map */
+    DRAW_NORMALS = 16 /* with each of these: a normal map */
 };
 
 uint32_t draw_variant_of(const struct renderer *renderer, uint32_t technique, const struct gpu_item *item);

@@ -15,6 +15,20 @@ static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, 
     cmd_check(row_join(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
+/* What is nowhere as opaque as its material asks for has no faces that could be seen. */
+static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct hatch_scene_mesh *mesh = &scene->meshes[i];
+        const struct hatch_material *material =
+            mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
+        if (!material || !(material->base_color[3] < material->alpha_cutoff))
+            continue;
+        mesh->mesh.face_count = 0;
+        notes->transparent_dropped++;
+    }
+}
+
 void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground,
                 struct hatch_scene *scene, struct patch_mesh **patches, struct hatch_mesh_notes *notes)
 {
@@ -24,6 +38,7 @@ void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, doubl
         load_row(args, paths, count, ground > 0, scene, notes);
     else
         cmd_read_scene_noted(args, path, CMD_SCENE_CLEANED, scene, notes);
+    drop_transparent(scene, notes);
     if (ground > 0)
         cmd_check(ground_add(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
@@ -37,7 +52,7 @@ void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, doubl
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        if (!hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
+        if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
             return hatch_fail(err, HATCH_BAD_INPUT,
                               "mesh %u has no texture coordinates for strokes to follow: "
                               "dirfield FILE | lapped-param | render-gl - --tam MAP gives it some",

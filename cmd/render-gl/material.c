@@ -83,10 +83,6 @@ static void read_texture(struct cmd_args *args, const char *file, const struct h
     const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
     struct hatch_bytes bytes = {scene->textures[number].data, scene->textures[number].size};
     struct hatch_err err;
-    if (!bytes.data) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: its image could not be read", number);
-        cmd_die(file, &err);
-    }
     if (hatch_image_read_any(bytes, "", plugin, &args->keep, &args->scratch, image, &err) != HATCH_OK) {
         hatch_fail_at(&err, "texture %u: ", number);
         cmd_die(file, &err);
@@ -99,35 +95,45 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_image image;
     struct hatch_err err;
-    read_texture(args, file, scene, normals->texture, &image);
+    read_texture(args, file, scene, normals->at.texture, &image);
     if (image.channel_count < 3) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: normals want 3 channels, it has %u", normals->texture,
+        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: normals want 3 channels, it has %u", normals->at.texture,
                    image.channel_count);
         cmd_die(file, &err);
     }
     for (size_t i = 0; i < (size_t)image.width * image.height * image.channel_count; i++)
         image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* these are no colours: as in the file */
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
-    GLuint made = upload(&image, normals->wrap);
+    GLuint made = upload(&image, normals->at.wrap);
     hatch_arena_rewind(&args->scratch, mark);
     return made;
 }
 
+static float least_alpha(const struct hatch_image *image)
+{
+    size_t channels = image->channel_count;
+    float least = 1;
+    for (size_t i = 0; channels % 2 == 0 && i < (size_t)image->width * image->height; i++)
+        least = fminf(least, image->pixels[channels * i + channels - 1]);
+    return least;
+}
+
 static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_px,
                      const struct hatch_scene *scene, const struct hatch_material *material,
-                     bool outline, float *side_px)
+                     bool outline, struct gpu_item *item)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_image image;
     struct hatch_err err;
-    read_texture(args, file, scene, material->base_texture, &image);
+    read_texture(args, file, scene, material->base.texture, &image);
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made;
     if (outline)
         cmd_check(material_outline(&image, &args->scratch, &made, &err), file, &err);
     else
-        made = upload(&image, material->base_wrap);
-    *side_px = (float)(image.width > image.height ? image.width : image.height);
+        made = upload(&image, material->base.wrap);
+    item->base_side_px = (float)(image.width > image.height ? image.width : image.height);
+    item->base_alpha = least_alpha(&image);
     hatch_arena_rewind(&args->scratch, mark);
     return made;
 }
@@ -141,9 +147,9 @@ static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item,
         if (!gpu->items[i].base_texture || material == HATCH_NONE)
             continue;
         const struct hatch_material *has = &gpu->scene->materials[material];
-        if (has->base_texture == wanted->base_texture &&
-            has->base_wrap[0] == wanted->base_wrap[0] &&
-            has->base_wrap[1] == wanted->base_wrap[1] &&
+        if (has->base.texture == wanted->base.texture &&
+            has->base.wrap[0] == wanted->base.wrap[0] &&
+            has->base.wrap[1] == wanted->base.wrap[1] &&
             (gpu->meshes[gpu->items[i].mesh].patches != NULL) == outline)
             return &gpu->items[i];
     }
@@ -170,15 +176,19 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint
         const float *color = material->base_color;
         item->base_lightness = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
         bool outline = gpu->meshes[item->mesh].patches != NULL;
-        if (material->base_texture == HATCH_NONE ||
+        if (material->base.texture == HATCH_NONE ||
             !(as_tone || material->alpha_cutoff > 0 || outline))
             continue;
         const struct gpu_item *other = lender(gpu, i, material, outline);
-        float side_px = 1;
-        item->base_texture =
-            other ? other->base_texture
-                  : decode(args, file, size_max_px, scene, material, outline, &side_px);
-        item->base_side_px = other ? other->base_side_px : side_px;
+        if (other) {
+            item->base_texture = other->base_texture;
+            item->base_side_px = other->base_side_px;
+            item->base_alpha = other->base_alpha;
+        } else {
+            item->base_texture = decode(args, file, size_max_px, scene, material, outline, item);
+        }
+        if (item->base_alpha >= item->alpha_cutoff)
+            item->alpha_cutoff = 0; /* a texture without holes: exporters often say that all is blended */
         set_lod(item, &mesh->mesh);
     }
 }

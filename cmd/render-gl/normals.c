@@ -12,7 +12,9 @@ static enum hatch_status make_tangents(const struct hatch_mesh *from, const stru
                                        struct tangent **tangents, struct hatch_err *err)
 {
     struct hatch_mesh mesh = *from;
-    float *texcoord = hatch_mesh_find(from, normals->texcoord ? "TEXCOORD_1" : "TEXCOORD_0", 2), *placed;
+    const struct hatch_texture_use *at = &normals->at;
+    const float *texcoord = scene_texcoords(from, at->texcoord);
+    float *placed;
     struct tangent *made = HATCH_NEW(arena, struct tangent, from->vertex_count, err);
     if (!made)
         return HATCH_LIMIT;
@@ -23,8 +25,8 @@ static enum hatch_status make_tangents(const struct hatch_mesh *from, const stru
     HATCH_TRY(hatch_mesh_add(arena, &mesh, "TEXCOORD_0", 2, &placed, err));
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         memcpy(&placed[2 * v], &texcoord[2 * v], 2 * sizeof *placed);
-        if (normals->placed)
-            scene_place(normals->scale, normals->turn_rad, normals->offset, &placed[2 * v]);
+        if (at->placed)
+            scene_place(at->scale, at->turn_rad, at->offset, &placed[2 * v]);
     }
     HATCH_TRY(hatch_mesh_add_tangents(arena, scratch, &mesh, err));
     const float *along = hatch_mesh_find(&mesh, "TANGENT", 4);
@@ -39,18 +41,28 @@ static enum hatch_status make_tangents(const struct hatch_mesh *from, const stru
 static const struct hatch_normal_map *map_of(const struct gpu_scene *gpu, const struct gpu_item *item)
 {
     const struct hatch_scene_mesh *mesh = &gpu->scene->meshes[item->mesh];
-    if (mesh->material == HATCH_NONE || gpu->meshes[item->mesh].patches)
+    if (mesh->material == HATCH_NONE)
         return NULL;
     const struct hatch_normal_map *normals = &gpu->scene->materials[mesh->material].normals;
-    bool has = hatch_mesh_find(&mesh->mesh, normals->texcoord ? "TEXCOORD_1" : "TEXCOORD_0", 2) != NULL;
-    return normals->used && has ? normals : NULL;
+    return normals->used && scene_texcoords(&mesh->mesh, normals->at.texcoord) ? normals : NULL;
+}
+
+static void bind(GLuint vertex_array, GLuint tangents)
+{
+    const GLuint binding = 4;
+    glVertexArrayVertexBuffer(vertex_array, binding, tangents, 0, sizeof(struct tangent));
+    for (GLuint k = 0; k < 2; k++) {
+        glEnableVertexArrayAttrib(vertex_array, TANGENT_ATTRIBUTE + k);
+        glVertexArrayAttribFormat(vertex_array, TANGENT_ATTRIBUTE + k, k ? 2 : 4, GL_FLOAT, GL_FALSE,
+                                  k ? offsetof(struct tangent, texcoord) : 0);
+        glVertexArrayAttribBinding(vertex_array, TANGENT_ATTRIBUTE + k, binding);
+    }
 }
 
 enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item,
                               const struct hatch_normal_map *normals, GLuint texture,
                               struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    const GLuint binding = 4;
     const struct hatch_mesh *mesh = &gpu->scene->meshes[item->mesh].mesh;
     struct tangent *tangents;
     HATCH_TRY(make_tangents(mesh, normals, arena, scratch, &tangents, err));
@@ -60,13 +72,9 @@ enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item
     glCreateBuffers(1, &item->tangents);
     glNamedBufferData(item->tangents, (GLsizeiptr)(sizeof *tangents * mesh->vertex_count), tangents,
                       GL_DYNAMIC_DRAW);
-    glVertexArrayVertexBuffer(item->vertex_array, binding, item->tangents, 0, sizeof *tangents);
-    for (GLuint k = 0; k < 2; k++) {
-        glEnableVertexArrayAttrib(item->vertex_array, TANGENT_ATTRIBUTE + k);
-        glVertexArrayAttribFormat(item->vertex_array, TANGENT_ATTRIBUTE + k, k ? 2 : 4, GL_FLOAT, GL_FALSE,
-                                  k ? offsetof(struct tangent, texcoord) : 0);
-        glVertexArrayAttribBinding(item->vertex_array, TANGENT_ATTRIBUTE + k, binding);
-    }
+    bind(item->vertex_array, item->tangents);
+    if (item->surface_array)
+        bind(item->surface_array, item->tangents);
     return HATCH_OK;
 }
 

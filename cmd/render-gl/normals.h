@@ -16,7 +16,7 @@ struct tangent {
  * file: the scene's name for messages. The scene is posed afterwards. */
 void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_px, struct gpu_scene *gpu);
 
-/* The same for one item, without patches, that has the texture coordinates, and with a texture that is uploaded:
+/* The same for one item that has the texture coordinates, and with a texture that is uploaded:
  * from now on it is the item's. The arena keeps the frames. */
 enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item,
                               const struct hatch_normal_map *normals, GLuint texture,

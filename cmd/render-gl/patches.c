@@ -10,7 +10,7 @@ static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_m
     if (mesh->material == HATCH_NONE)
         return false;
     const struct hatch_material *material = &scene->materials[mesh->material];
-    return material->outline && material->base_texture != HATCH_NONE &&
+    return material->outline && material->base.texture != HATCH_NONE &&
            hatch_mesh_find(&mesh->mesh, "TEXCOORD_0", 2) &&
            hatch_mesh_find(&mesh->mesh, "TEXCOORD_1", 2) && hatch_mesh_find(&mesh->mesh, "NORMAL", 3);
 }

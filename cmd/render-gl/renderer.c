@@ -95,7 +95,7 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
         if (!*program)
             HATCH_TRY(compile(renderer, chosen, variant, program, err));
         bool geometry = chosen->stages.geometry != NULL;
-        if (variant == DRAW_OUTLINE && !renderer->below_patches[geometry])
+        if (variant & DRAW_OUTLINE && !renderer->below_patches[geometry])
             HATCH_TRY(compile_below(renderer, geometry, "", &renderer->below_patches[geometry], err));
     }
     return HATCH_OK;
@@ -124,7 +124,7 @@ static enum hatch_status prepare_pieces(struct renderer *renderer, uint32_t tech
             continue;
         if (!*program)
             HATCH_TRY(compile(renderer, techniques[technique], variant, program, err));
-        if (variant == (DRAW_OUTLINE | DRAW_PIECES) && !renderer->pieces_below)
+        if (variant & DRAW_OUTLINE && !renderer->pieces_below)
             HATCH_TRY(compile_below(renderer, false, PIECES, &renderer->pieces_below, err));
     }
     return HATCH_OK;

@@ -30,8 +30,8 @@ static void append_nodes(const struct hatch_scene *from, uint32_t root, struct h
     for (uint32_t i = 0; i < from->material_count; i++) {
         to->materials[to->material_count] = from->materials[i];
         struct hatch_material *material = &to->materials[to->material_count++];
-        material->base_texture = shifted(material->base_texture, to->texture_count);
-        material->normals.texture += to->texture_count;
+        material->base.texture = shifted(material->base.texture, to->texture_count);
+        material->normals.at.texture = shifted(material->normals.at.texture, to->texture_count);
     }
 }
 

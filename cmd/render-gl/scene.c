@@ -26,6 +26,13 @@ void scene_place(const float scale[2], float turn_rad, const float offset[2], fl
     at[1] = (float)(c * v - s * u + (double)offset[1]);
 }
 
+const float *scene_texcoords(const struct hatch_mesh *mesh, uint32_t set)
+{
+    char name[] = "TEXCOORD_n";
+    name[9] = (char)('0' + set);
+    return hatch_mesh_find(mesh, name, 2);
+}
+
 static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
                                     const double origin[3], struct hatch_arena *arena,
                                     struct hatch_err *err)
@@ -34,11 +41,11 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
     const struct hatch_mesh *mesh = &from->mesh;
     const struct hatch_material *material =
         from->material != HATCH_NONE ? &scene->materials[from->material] : NULL;
-    bool second = material && (material->base_texcoord || material->outline);
+    uint32_t set = !material ? 0 : material->outline ? 1 : material->base.texcoord;
     const float *position = hatch_mesh_find(mesh, "POSITION", 3);
     const float *normal = hatch_mesh_find(mesh, "NORMAL", 3);
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
-    const float *base = hatch_mesh_find(mesh, second ? "TEXCOORD_1" : "TEXCOORD_0", 2);
+    const float *base = scene_texcoords(mesh, set);
     struct vertex *vertices = HATCH_NEW(arena, struct vertex, mesh->vertex_count, err);
     for (size_t v = 0; vertices && v < mesh->vertex_count; v++) {
         for (size_t k = 0; k < 3; k++) {
@@ -49,8 +56,8 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
             vertices[v].texcoord[k] = texcoord ? texcoord[2 * v + k] : 0.0f;
             vertices[v].base_texcoord[k] = base ? base[2 * v + k] : 0.0f;
         }
-        if (material && material->base_placed)
-            scene_place(material->base_scale, material->base_turn_rad, material->base_offset,
+        if (material && material->base.placed)
+            scene_place(material->base.scale, material->base.turn_rad, material->base.offset,
                         vertices[v].base_texcoord);
     }
     return vertices;

@@ -53,6 +53,7 @@ struct gpu_item {
     float alpha_cutoff;   /* 0: no holes */
     GLuint base_texture;  /* 0: none; of patches their outline, alone in red */
     float base_side_px;   /* its longer side */
+    float base_alpha;     /* the least alpha in it */
     float base_lod;       /* the level of it that is as coarse as the vertices are */
     GLuint normals;       /* a texture of them; 0: none */
     GLuint tangents;      /* struct tangent of each vertex; 0: none */
@@ -75,6 +76,9 @@ struct gpu_scene {
 
 /* Where a texture is read: scaled, turned, moved (KHR_texture_transform). */
 void scene_place(const float scale[2], float turn_rad, const float offset[2], float at[2]);
+
+/* TEXCOORD_n, or NULL. set: at most HATCH_TEXCOORD_MAX. */
+const float *scene_texcoords(const struct hatch_mesh *mesh, uint32_t set);
 
 /* Uploads every mesh and lists the items; pose must hold room. Nothing is drawn with: call
  * scene_set_pose. patches: of each mesh, or NULL where no mesh has any; kept. */

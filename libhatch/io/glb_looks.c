@@ -3,32 +3,46 @@
 
 #include "io/glb_parts.h"
 
-static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_material *material)
+static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_texture_transform\":{"));
-    HATCH_TRY(hatch_glb_number(glb, "rotation", material->base_turn_rad));
-    HATCH_TRY(hatch_glb_numbers(glb, "scale", material->base_scale, 2));
-    HATCH_TRY(hatch_glb_numbers(glb, "offset", material->base_offset, 2));
+    HATCH_TRY(hatch_glb_number(glb, "rotation", use->turn_rad));
+    HATCH_TRY(hatch_glb_numbers(glb, "scale", use->scale, 2));
+    HATCH_TRY(hatch_glb_numbers(glb, "offset", use->offset, 2));
     return hatch_glb_put(glb, "}}");
+}
+
+/* A texture under its key, left open. */
+static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u",
+                                 *hatch_glb_texture(glb, use), use->texcoord));
+    return use->placed ? print_place(glb, use) : HATCH_OK;
 }
 
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
 {
     static const float white[4] = {1, 1, 1, 1};
-    uint32_t texture =
-        material->base_texture == HATCH_NONE ? HATCH_NONE : *hatch_glb_texture(glb, material);
+    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 0);
     HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
     HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
     if (memcmp(material->base_color, white, sizeof white) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
-    if (texture == HATCH_NONE)
+    if (!use)
         return hatch_glb_put(glb, "}");
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                 ",\"baseColorTexture\":{\"index\":%u,\"texCoord\":%u", texture,
-                                 material->base_texcoord));
-    if (material->base_placed)
-        HATCH_TRY(print_place(glb, material));
+    HATCH_TRY(print_use(glb, "baseColorTexture", use));
     return hatch_glb_put(glb, "}}");
+}
+
+static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 1);
+    if (!use)
+        return HATCH_OK;
+    HATCH_TRY(print_use(glb, "normalTexture", use));
+    HATCH_TRY(hatch_glb_number(glb, "scale", material->normals.strength));
+    return hatch_glb_put(glb, "}");
 }
 
 static enum hatch_status print_material(struct hatch_glb *glb,
@@ -37,10 +51,12 @@ static enum hatch_status print_material(struct hatch_glb *glb,
     HATCH_TRY(hatch_glb_next(glb));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     HATCH_TRY(print_base(glb, material));
+    HATCH_TRY(print_normals(glb, material));
+    if (material->outline || material->blend)
+        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\""));
     if (material->outline) {
-        HATCH_TRY(
-            hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}"));
-    } else if (material->alpha_cutoff > 0) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":\"outline\"}"));
+    } else if (material->alpha_cutoff > 0 && !material->blend) {
         HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"MASK\""));
         HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
     }
@@ -63,38 +79,38 @@ static enum hatch_status print_images(struct hatch_glb *glb)
 }
 
 /* Filters: linear, and with mip maps. */
-static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_material *material)
+static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     static const int modes[] = {
         [HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
     return hatch_buffer_print(&glb->json, glb->err,
                               "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
-                              modes[material->base_wrap[0]], modes[material->base_wrap[1]]);
+                              modes[use->wrap[0]], modes[use->wrap[1]]);
 }
 
-static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_material *material)
+static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
-                              *hatch_glb_texture(glb, material),
-                              glb->image[material->base_texture]);
+                              *hatch_glb_texture(glb, use), glb->image[use->texture]);
 }
 
 /* One of the lists that hold an entry per texture, in the order of their numbers, which the
  * materials' order made. */
 static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
                                     enum hatch_status (*print)(struct hatch_glb *,
-                                                               const struct hatch_material *))
+                                                               const struct hatch_texture_use *))
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t textures = 0;
-    for (uint32_t m = 0; m < scene->material_count; m++) {
-        const struct hatch_material *material = &scene->materials[m];
-        if (material->base_texture == HATCH_NONE || *hatch_glb_texture(glb, material) != textures)
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        if (!use || *hatch_glb_texture(glb, use) != textures)
             continue;
         if (textures++ == 0)
             HATCH_TRY(hatch_glb_open(glb, key));
         HATCH_TRY(hatch_glb_next(glb));
-        HATCH_TRY(print(glb, material));
+        HATCH_TRY(print(glb, use));
     }
     return hatch_glb_put(glb, textures ? "]" : "");
 }
@@ -148,8 +164,11 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     bool placed = false;
-    for (uint32_t m = 0; m < scene->material_count; m++)
-        placed = placed || (scene->materials[m].base_placed && scene->materials[m].base_texture != HATCH_NONE);
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        placed = placed || (use && use->placed);
+    }
     if (!placed && scene->light_count == 0)
         return HATCH_OK;
     return hatch_buffer_print(&glb->json, glb->err, ",\"extensionsUsed\":[%s%s%s]",

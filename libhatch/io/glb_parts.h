@@ -40,11 +40,16 @@ struct hatch_glb {
 
 #define HATCH_GLB_WRAPS 9u /* ways to wrap in u and in v */
 
-/* The number in the file of a material's texture; the material has one. */
-static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_material *material)
+#define HATCH_GLB_USES 2u /* a material's textures: of its colour, of its normals */
+
+/* What a material reads of its texture, below HATCH_GLB_USES, or NULL: it has none that can be written. */
+const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
+                                              uint32_t number);
+
+/* The number in the file of a texture that is used. */
+static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
-    return &glb->texture[HATCH_GLB_WRAPS * material->base_texture + 3u * material->base_wrap[0] +
-                         material->base_wrap[1]];
+    return &glb->texture[HATCH_GLB_WRAPS * use->texture + 3u * use->wrap[0] + use->wrap[1]];
 }
 
 /* The order in which a mesh's attributes are written, and read: POSITION, the others by their names; so that

@@ -121,6 +121,15 @@ static bool is_image(const struct hatch_texture *texture)
                              (texture->size > 8 && memcmp(texture->data, jpeg, sizeof jpeg) == 0));
 }
 
+const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
+                                              uint32_t number)
+{
+    const struct hatch_texture_use *use = number == 0                ? &material->base
+                                          : material->normals.used ? &material->normals.at
+                                                                   : NULL;
+    return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
+}
+
 static void plan_images(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
@@ -136,13 +145,11 @@ static void plan_images(struct hatch_glb *glb)
                                                   .count = scene->textures[t].size,
                                                   .components = 1});
     }
-    for (uint32_t m = 0; m < scene->material_count; m++) {
-        const struct hatch_material *material = &scene->materials[m];
-        uint32_t t = material->base_texture;
-        if (t == HATCH_NONE || glb->image[t] == HATCH_NONE)
-            continue;
-        uint32_t *texture = hatch_glb_texture(glb, material);
-        if (*texture == HATCH_NONE)
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        uint32_t *texture = use ? hatch_glb_texture(glb, use) : NULL;
+        if (use && *texture == HATCH_NONE)
             *texture = textures++;
     }
 }

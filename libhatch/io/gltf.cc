@@ -91,7 +91,9 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
     Files &files = *static_cast<Files *>(data);
     struct hatch_bytes bytes = {nullptr, 0};
     struct hatch_err err = {};
-    if (!hatch_gltf_uri_is_local(uri.c_str())) {
+    if (uri.compare(0, 5, "data:") == 0) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: data of an unknown kind", uri.c_str());
+    } else if (!hatch_gltf_uri_is_local(uri.c_str())) {
         hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s leaves the file's folder", uri.c_str());
         files.left_folder = true;
     } else if (!files.resolve) {
@@ -165,8 +167,8 @@ enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void
 
 enum hatch_status check_extensions(Reader &r)
 {
-    static const char *const known[] = {"KHR_lights_punctual", "KHR_mesh_quantization",
-                                        "KHR_texture_transform"};
+    static const char *const known[] = {"KHR_lights_punctual",   "KHR_mesh_quantization", "KHR_texture_basisu",
+                                        "KHR_texture_transform", "EXT_texture_avif",      "EXT_texture_webp"};
     for (const std::string &name : r.model.extensionsRequired) {
         /* How a material shines is nothing that strokes show. */
         bool found = name.compare(0, 14, "KHR_materials_") == 0;

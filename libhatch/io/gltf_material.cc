@@ -1,5 +1,7 @@
 #include "io/gltf_reader.h"
 
+#include <cstdio>
+
 namespace hatch {
 
 namespace {
@@ -29,70 +31,92 @@ int index_of(const tinygltf::Value &object, const char *key, int absent)
 
 /* KHR_texture_transform: where the texture lies, and which coordinates it is read at. */
 enum hatch_status place_texture(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where,
-                                struct hatch_material *material)
+                                int *set, struct hatch_texture_use *use)
 {
     auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end() || !found->second.IsObject())
         return HATCH_OK;
     const tinygltf::Value &said = found->second;
     const tinygltf::Value &turn = said.Get("rotation");
-    int set = index_of(said, "texCoord", static_cast<int>(material->base_texcoord));
-    material->base_placed = true;
-    material->base_scale[0] = material->base_scale[1] = 1;
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "offset"), 2, where, "offset", material->base_offset));
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "scale"), 2, where, "scale", material->base_scale));
+    *set = index_of(said, "texCoord", *set);
+    use->placed = true;
+    use->scale[0] = use->scale[1] = 1;
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "offset"), 2, where, "offset", use->offset));
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "scale"), 2, where, "scale", use->scale));
     if (turn.IsNumber())
-        HATCH_TRY(copy_numbers(r, {turn.GetNumberAsDouble()}, 1, where, "rotation", &material->base_turn_rad));
-    if (set < 0 || set > 1)
-        material->base_texture = HATCH_NONE;
-    else
-        material->base_texcoord = static_cast<uint32_t>(set);
+        HATCH_TRY(copy_numbers(r, {turn.GetNumberAsDouble()}, 1, where, "rotation", &use->turn_rad));
     return HATCH_OK;
 }
 
-enum hatch_status texture_image(Reader &r, const tinygltf::TextureInfo &info,
-                                const std::string &where, struct hatch_material *material)
+/* The image of a texture: the one that every reader knows before those of extensions. */
+int image_of(const tinygltf::Texture &texture)
 {
-    HATCH_TRY(check_index(r, info.index, r.model.textures.size(), where, "texture"));
-    if (info.index == -1 || info.texCoord < 0 || info.texCoord > 1)
-        return HATCH_OK;
-    const tinygltf::Texture &texture = r.model.textures[static_cast<size_t>(info.index)];
-    HATCH_TRY(check_index(r, texture.source, r.model.images.size(), where, "image"));
-    HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
-    material->base_texture = static_cast<uint32_t>(texture.source);
-    material->base_texcoord = static_cast<uint32_t>(info.texCoord);
-    if (texture.sampler != -1) {
-        const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
-        material->base_wrap[0] = wrap_of(sampler.wrapS);
-        material->base_wrap[1] = wrap_of(sampler.wrapT);
+    static const char *const names[] = {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu"};
+    int image = texture.source;
+    for (const char *name : names) {
+        auto found = texture.extensions.find(name);
+        if (image == -1 && found != texture.extensions.end() && found->second.IsObject())
+            image = index_of(found->second, "source", -1);
     }
-    return place_texture(r, info.extensions, where, material);
+    return image;
 }
 
-/* Read as a base texture is, and put in its own place. */
+void note_missing(Reader &r, size_t image)
+{
+    if (r.image_missed[image])
+        return;
+    r.image_missed[image] = true;
+    if (r.notes->images_missing++ > 0)
+        return;
+    const tinygltf::Image &from = r.model.images[image];
+    bool file = !from.uri.empty() && from.uri.compare(0, 5, "data:") != 0;
+    std::string name = file ? from.uri : !from.name.empty() ? from.name : place("number", image);
+    std::snprintf(r.notes->image_missing, sizeof r.notes->image_missing, "%s", name.c_str());
+}
+
+/* A texture whose image is not there is none, which is noted. */
+enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where,
+                           struct hatch_texture_use *use)
+{
+    *use = {};
+    use->texture = HATCH_NONE;
+    use->wrap[0] = use->wrap[1] = HATCH_WRAP_REPEAT;
+    HATCH_TRY(check_index(r, info.index, r.model.textures.size(), where, "texture"));
+    if (info.index == -1)
+        return HATCH_OK;
+    const tinygltf::Texture &texture = r.model.textures[static_cast<size_t>(info.index)];
+    int image = image_of(texture), set = info.texCoord;
+    HATCH_TRY(check_index(r, image, r.model.images.size(), where, "image"));
+    HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
+    HATCH_TRY(place_texture(r, info.extensions, where, &set, use));
+    if (texture.sampler != -1) {
+        const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
+        use->wrap[0] = wrap_of(sampler.wrapS);
+        use->wrap[1] = wrap_of(sampler.wrapT);
+    }
+    bool known = set >= 0 && set <= static_cast<int>(HATCH_TEXCOORD_MAX);
+    use->texcoord = known ? static_cast<uint32_t>(set) : 0;
+    bool there = image != -1 && r.scene->textures[image].data;
+    if (image != -1 && !there)
+        note_missing(r, static_cast<size_t>(image));
+    if (known && there)
+        use->texture = static_cast<uint32_t>(image);
+    else
+        use->placed = false;
+    return HATCH_OK;
+}
+
+/* Read as a base texture is. */
 enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &said, const std::string &where,
                                struct hatch_normal_map *normals)
 {
-    struct hatch_material read = {};
     tinygltf::TextureInfo info;
     info.index = said.index;
     info.texCoord = said.texCoord;
     info.extensions = said.extensions;
-    read.base_texture = HATCH_NONE;
-    read.base_wrap[0] = read.base_wrap[1] = HATCH_WRAP_REPEAT;
-    HATCH_TRY(texture_image(r, info, where, &read));
-    HATCH_TRY(copy_numbers(r, {said.scale}, 1, where, "scale of the normals", &normals->strength));
-    normals->used = read.base_texture != HATCH_NONE;
-    normals->texture = normals->used ? read.base_texture : 0;
-    normals->texcoord = read.base_texcoord;
-    normals->placed = read.base_placed;
-    normals->turn_rad = read.base_turn_rad;
-    for (int k = 0; k < 2; k++) {
-        normals->wrap[k] = read.base_wrap[k];
-        normals->scale[k] = read.base_scale[k];
-        normals->offset[k] = read.base_offset[k];
-    }
-    return HATCH_OK;
+    HATCH_TRY(read_use(r, info, where, &normals->at));
+    normals->used = normals->at.texture != HATCH_NONE;
+    return copy_numbers(r, {said.scale}, 1, where, "scale of the normals", &normals->strength);
 }
 
 /* KHR_materials_pbrSpecularGlossiness, the older way to say what colour a surface has. */
@@ -111,7 +135,7 @@ enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std
     if (extensions.IsObject())
         for (const std::string &key : extensions.Keys())
             info.extensions[key] = extensions.Get(key);
-    return texture_image(r, info, where, material);
+    return read_use(r, info, where, &material->base);
 }
 
 /* hatch_glb_write_scene's mark of a lapped parametrization. */
@@ -136,11 +160,14 @@ enum hatch_status read_materials(Reader &r)
         struct hatch_material *to = &r.scene->materials[i];
         std::string where = place("material", i);
         *to = {};
-        to->base_texture = HATCH_NONE;
-        to->base_wrap[0] = to->base_wrap[1] = HATCH_WRAP_REPEAT;
+        to->base.texture = HATCH_NONE;
+        to->base.wrap[0] = to->base.wrap[1] = HATCH_WRAP_REPEAT;
         to->double_sided = from.doubleSided;
-        to->alpha_cutoff = from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;
         to->outline = is_outline(from);
+        to->blend = from.alphaMode == "BLEND" && !to->outline;
+        to->alpha_cutoff = to->blend                   ? 0.5f
+                           : from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff)
+                                                       : 0;
         for (float &c : to->base_color)
             c = 1;
         HATCH_TRY(read_normals(r, from.normalTexture, where, &to->normals));
@@ -151,7 +178,7 @@ enum hatch_status read_materials(Reader &r)
         }
         HATCH_TRY(copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where,
                                "baseColorFactor", to->base_color));
-        HATCH_TRY(texture_image(r, from.pbrMetallicRoughness.baseColorTexture, where, to));
+        HATCH_TRY(read_use(r, from.pbrMetallicRoughness.baseColorTexture, where, &to->base));
     }
     r.scene->material_count = static_cast<uint32_t>(count);
     return HATCH_OK;

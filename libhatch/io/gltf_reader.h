@@ -24,6 +24,7 @@ struct Reader {
     struct hatch_mesh_notes *notes;
     struct hatch_err *err;
     uint32_t *node_of = nullptr; /* per glTF node: the scene's node, or HATCH_NONE */
+    bool *image_missed = nullptr; /* per image: a material wants it, it is not there, and that is noted */
 };
 
 /* "mesh 3, primitive 0": where a sentence about the file points. */

@@ -123,6 +123,13 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     return HATCH_OK;
 }
 
+/* Their texels (Basis Universal) take a decoder that no package has. */
+bool is_ktx2(struct hatch_bytes bytes)
+{
+    static const uint8_t magic[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
+    return bytes.size >= sizeof magic && std::memcmp(bytes.data, magic, sizeof magic) == 0;
+}
+
 } // namespace
 
 enum hatch_status read_nodes(Reader &r)
@@ -181,17 +188,16 @@ enum hatch_status read_images(Reader &r)
 {
     size_t count = r.model.images.size(), stride;
     r.scene->textures = HATCH_NEW(r.arena, struct hatch_texture, count, r.err);
-    if (!r.scene->textures)
+    r.image_missed = r.scene->textures ? HATCH_NEW(r.scratch, bool, count, r.err) : nullptr;
+    if (!r.image_missed)
         return HATCH_LIMIT;
     for (size_t i = 0; i < count; i++) {
         const tinygltf::Image &from = r.model.images[i];
         struct hatch_bytes bytes = {from.image.data(), from.image.size()};
         if (from.bufferView != -1)
             HATCH_TRY(find_view(r, from.bufferView, place("image", i), &bytes, &stride));
-        if (bytes.size == 0) {
-            r.notes->images_missing++;
+        if (bytes.size == 0 || is_ktx2(bytes))
             continue;
-        }
         uint8_t *copy = HATCH_NEW(r.arena, uint8_t, bytes.size, r.err);
         if (!copy)
             return HATCH_LIMIT;

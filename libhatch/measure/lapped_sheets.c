@@ -36,7 +36,7 @@ static enum hatch_status find_patches(const struct hatch_scene *scene, const str
         if (group[m] == HATCH_NONE)
             continue;
         const struct hatch_scene_mesh *patch = &scene->meshes[m];
-        uint32_t texture = scene->materials[patch->material].base_texture;
+        uint32_t texture = scene->materials[patch->material].base.texture;
         if (!hatch_mesh_find(&patch->mesh, "TEXCOORD_0", 2) || !hatch_mesh_find(&patch->mesh, "TEXCOORD_1", 2))
             return hatch_fail(err, HATCH_BAD_INPUT, "patch %u: no TEXCOORD_0 or no TEXCOORD_1", m);
         if (texture == HATCH_NONE || !masks[texture].pixels)

@@ -46,7 +46,9 @@ struct hatch_mesh_notes {
     uint32_t primitives_skipped;   /* glTF: points and lines */
     uint32_t morphs_ignored;       /* glTF: meshes with morph targets, which stay as they rest */
     uint32_t attributes_dropped;   /* glTF: vertex attributes of no known name, or too many */
-    uint32_t images_missing;       /* glTF: image files that could not be read */
+    uint32_t transparent_dropped;  /* meshes that are less opaque than their material asks for */
+    uint32_t images_missing;       /* glTF: images that could not be read: materials do without */
+    char image_missing[HATCH_MESH_NAME_MAX]; /* what the first of them is called */
 };
 
 /* Makes an empty mesh with room: indices and POSITION zeroed. */

@@ -10,26 +10,30 @@
 /* What a texture is outside of 0..1. */
 enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
 
+/* Where a material reads one of its textures. */
+struct hatch_texture_use {
+    uint32_t texture;          /* index into textures, or HATCH_NONE */
+    uint32_t texcoord;         /* n of TEXCOORD_n, at most HATCH_TEXCOORD_MAX */
+    enum hatch_wrap wrap[2];   /* in u, in v */
+    bool placed;               /* its coordinates are scaled, turned from v to u and moved by what follows */
+    float scale[2], turn_rad, offset[2];
+};
+
+#define HATCH_TEXCOORD_MAX 9u
+
 /* A texture of normals in the tangent frame (glTF 2.0, normalTextureInfo). */
 struct hatch_normal_map {
-    bool used;                 /* else nothing of it counts */
-    uint32_t texture;          /* index into textures */
-    uint32_t texcoord;         /* 0 or 1 */
-    enum hatch_wrap wrap[2];
+    bool used;                 /* else nothing of it counts; its texture is then no index */
+    struct hatch_texture_use at;
     float strength;            /* factor for what leans along the surface */
-    bool placed;               /* as a material's base texture is */
-    float scale[2], turn_rad, offset[2];
 };
 
 struct hatch_material {
     float base_color[4];       /* linear, 0..1 */
-    uint32_t base_texture;     /* index into textures, or HATCH_NONE */
-    uint32_t base_texcoord;    /* 0 or 1 */
-    enum hatch_wrap base_wrap[2]; /* in u, in v */
-    bool base_placed;          /* its coordinates are scaled, turned from v to u and moved by what follows */
-    float base_scale[2], base_turn_rad, base_offset[2];
+    struct hatch_texture_use base;
     bool double_sided;
     float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
+    bool blend;                /* the file blends them: what is less than half there is a hole, alpha_cutoff 1/2 */
     struct hatch_normal_map normals;
     bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
                                   is where a patch shows; its meshes are drawn in order over each other */
@@ -37,7 +41,7 @@ struct hatch_material {
 
 /* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */
 struct hatch_texture {
-    const uint8_t *data; /* NULL where the image's own file could not be read */
+    const uint8_t *data; /* NULL where the image's own file could not be read: then no material uses it */
     size_t size;
 };
 

@@ -211,14 +211,14 @@ static void save_scene(const char *folder)
     struct hatch_texture texture;
     struct hatch_material materials[] = {
         {.base_color = {1, 0.5f, 0.25f, 1},
-         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
-         .base_placed = true,
-         .base_scale = {2, 3},
-         .base_turn_rad = 0.5f,
-         .base_offset = {0.25f, 0}},
+         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
+         .base.placed = true,
+         .base.scale = {2, 3},
+         .base.turn_rad = 0.5f,
+         .base.offset = {0.25f, 0}},
         {.base_color = {1, 1, 1, 1},
-         .base_texture = HATCH_NONE,
-         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         .base.texture = HATCH_NONE,
+         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
          .double_sided = true,
          .alpha_cutoff = 0.5f}};
     struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};

@@ -90,7 +90,7 @@ static inline void make_scene(const struct hatch_mesh *surface, const struct cut
     scene->texture_count = 1;
     for (int i = 0; i < 2; i++)
         scene->materials[i] = (struct hatch_material){
-            .base_color = {1, 1, 1, 1}, .base_texcoord = 1, .double_sided = true, .outline = true};
+            .base_color = {1, 1, 1, 1}, .base.texcoord = 1, .double_sided = true, .outline = true};
     scene->mesh_count = scene->nodes[0].mesh_count = cut->count;
     for (uint32_t i = 0; i < cut->count; i++)
         scene->meshes[i] = (struct hatch_scene_mesh){

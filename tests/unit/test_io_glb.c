@@ -89,24 +89,37 @@ static void make_looks(void)
     textures[0] = (struct hatch_texture){png, sizeof png};
     textures[1] = (struct hatch_texture){jpeg, sizeof jpeg};
     static const struct hatch_material made[] = {
-        {.base_color = {1, 1, 1, 1}, .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}},
+        {.base_color = {1, 1, 1, 1},
+         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         .normals = {true,
+                     {.texture = 1,
+                      .texcoord = 2,
+                      .wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_MIRROR},
+                      .placed = true,
+                      .scale = {-1, 3},
+                      .turn_rad = 0.1f,
+                      .offset = {0.2f, 0.3f}},
+                     0.7f}},
         {.base_color = {0.1f, 1.0f / 3, 1, 0.5f},
-         .base_texture = 1,
-         .base_texcoord = 1,
-         .base_wrap = {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
+         .base.texture = 1,
+         .base.texcoord = 1,
+         .base.wrap = {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
          .double_sided = true,
          .alpha_cutoff = 0.25f,
-         .base_placed = true,
-         .base_scale = {2, -0.1f},
-         .base_turn_rad = 0.3f,
-         .base_offset = {0.7f, 0}},
+         .base.placed = true,
+         .base.scale = {2, -0.1f},
+         .base.turn_rad = 0.3f,
+         .base.offset = {0.7f, 0}},
         {.base_color = {1, 1, 1, 1},
-         .base_texcoord = 1,
-         .base_wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP},
+         .base.texcoord = 1,
+         .base.wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP},
          .outline = true},
         {.base_color = {0.2f, 0.3f, 0.4f, 1},
-         .base_texture = HATCH_NONE,
-         .base_wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}},
+         .base.texture = HATCH_NONE,
+         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         .alpha_cutoff = 0.5f,
+         .blend = true,
+         .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 1}},
     };
     memcpy(materials, made, sizeof made);
     cameras[0] = (struct hatch_camera){.yfov_rad = 0.7f, .aspect = 1.7777778f, .znear = 0.01f};
@@ -199,6 +212,16 @@ START_TEST(nodes_come_back)
 }
 END_TEST
 
+static void same_use(const struct hatch_texture_use *a, const struct hatch_texture_use *b)
+{
+    ck_assert_uint_eq(a->texture, b->texture);
+    ck_assert_uint_eq(a->texcoord, b->texcoord);
+    ck_assert(a->wrap[0] == b->wrap[0] && a->wrap[1] == b->wrap[1]);
+    ck_assert(a->placed == b->placed && a->turn_rad == b->turn_rad);
+    same_floats(a->scale, b->scale, 2);
+    same_floats(a->offset, b->offset, 2);
+}
+
 START_TEST(looks_come_back)
 {
     write_and_read(&whole);
@@ -211,13 +234,13 @@ START_TEST(looks_come_back)
     for (uint32_t m = 0; m < 4; m++) {
         const struct hatch_material *a = &materials[m], *b = &back.materials[m];
         same_floats(a->base_color, b->base_color, 4);
-        ck_assert_uint_eq(a->base_texture, b->base_texture);
-        ck_assert_uint_eq(a->base_texcoord, b->base_texcoord);
-        ck_assert(a->base_wrap[0] == b->base_wrap[0] && a->base_wrap[1] == b->base_wrap[1]);
-        ck_assert(a->base_placed == b->base_placed && a->base_turn_rad == b->base_turn_rad);
-        same_floats(a->base_scale, b->base_scale, 2);
-        same_floats(a->base_offset, b->base_offset, 2);
-        ck_assert(a->double_sided == b->double_sided);
+        same_use(&a->base, &b->base);
+        ck_assert(a->normals.used == b->normals.used);
+        if (a->normals.used) {
+            same_use(&a->normals.at, &b->normals.at);
+            ck_assert_float_eq(a->normals.strength, b->normals.strength);
+        }
+        ck_assert(a->double_sided == b->double_sided && a->blend == b->blend);
         ck_assert(a->alpha_cutoff == b->alpha_cutoff && a->outline == b->outline);
     }
     ck_assert_uint_eq(back.camera_count, 3);
@@ -342,17 +365,18 @@ START_TEST(what_cannot_be_written_is_left_out)
     textures[3] = textures[1];
     textures[1] = (struct hatch_texture){NULL, 0};
     whole.texture_count = 4;
-    materials[1].base_texture = 2;
-    materials[3].base_texture = 3;
+    materials[1].base.texture = 2;
+    materials[3].base.texture = 3;
     nodes[3].skin = HATCH_NONE;
     skins[0].joint_count = 0;
     animations[0].channel_count = 0;
     write_and_read(&whole);
     ck_assert_uint_eq(back.texture_count, 2);
     ck_assert_mem_eq(back.textures[1].data, jpeg, sizeof jpeg);
-    ck_assert_uint_eq(back.materials[1].base_texture, HATCH_NONE);
-    ck_assert_uint_eq(back.materials[2].base_texture, 0);
-    ck_assert_uint_eq(back.materials[3].base_texture, 1);
+    ck_assert_uint_eq(back.materials[1].base.texture, HATCH_NONE);
+    ck_assert_uint_eq(back.materials[2].base.texture, 0);
+    ck_assert_uint_eq(back.materials[3].base.texture, 1);
+    ck_assert(back.materials[3].normals.used && !back.materials[0].normals.used);
     ck_assert_uint_eq(back.skin_count + back.animation_count, 0);
 }
 END_TEST

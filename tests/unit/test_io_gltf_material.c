@@ -48,12 +48,12 @@ START_TEST(textures_are_placed)
                        "\"KHR_texture_transform\":{\"offset\":[0.25,0.5],\"rotation\":0.5,\"texCoord\":1}}}}},"
                        "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]}");
     const struct hatch_material *m = &scene.materials[0];
-    ck_assert(m->base_placed && m->base_texture == 0 && m->base_texcoord == 1);
-    ck_assert_float_eq(m->base_offset[0], 0.25f);
-    ck_assert_float_eq(m->base_offset[1], 0.5f);
-    ck_assert_float_eq(m->base_turn_rad, 0.5f);
-    ck_assert(m->base_scale[0] == 1 && m->base_scale[1] == 1);
-    ck_assert(!scene.materials[1].base_placed);
+    ck_assert(m->base.placed && m->base.texture == 0 && m->base.texcoord == 1);
+    ck_assert_float_eq(m->base.offset[0], 0.25f);
+    ck_assert_float_eq(m->base.offset[1], 0.5f);
+    ck_assert_float_eq(m->base.turn_rad, 0.5f);
+    ck_assert(m->base.scale[0] == 1 && m->base.scale[1] == 1);
+    ck_assert(!scene.materials[1].base.placed);
     static const char crooked[] =
         HEAD TEXTURE ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":"
                      "{\"KHR_texture_transform\":{\"scale\":[1]}}}}}]}";
@@ -70,8 +70,8 @@ START_TEST(the_older_colours_count)
     const struct hatch_material *m = &scene.materials[0];
     ck_assert_float_eq(m->base_color[0], 0.5f);
     ck_assert_float_eq(m->base_color[1], 0);
-    ck_assert(m->base_texture == 0 && m->base_texcoord == 1 && m->base_placed);
-    ck_assert_float_eq(m->base_scale[1], 3);
+    ck_assert(m->base.texture == 0 && m->base.texcoord == 1 && m->base.placed);
+    ck_assert_float_eq(m->base.scale[1], 3);
     static const char astray[] =
         HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
                      "\"diffuseTexture\":{\"index\":7}}}}]}";

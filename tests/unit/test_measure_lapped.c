@@ -12,7 +12,7 @@
 static struct hatch_scene scene;
 static struct hatch_scene_mesh patches[4];
 static struct hatch_node nodes[2];
-static struct hatch_material material = {.base_texture = 0, .base_texcoord = 1, .outline = true};
+static struct hatch_material material = {.base.texture = 0, .base.texcoord = 1, .outline = true};
 static struct hatch_image masks[1];
 static struct hatch_lapped_figures figures;
 

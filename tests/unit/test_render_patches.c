@@ -212,7 +212,7 @@ START_TEST(scenes_stand_in_a_row)
     ck_assert_uint_eq(joined.nodes[5].parent, 4);
     ck_assert_uint_eq(joined.nodes[5].first_mesh, CAPS);
     ck_assert_uint_eq(joined.meshes[CAPS].material, 2);
-    ck_assert_uint_eq(joined.materials[2].base_texture, 1);
+    ck_assert_uint_eq(joined.materials[2].base.texture, 1);
     hatch_scene_pose(&joined, HATCH_NONE, 0, world);
     /* A fifth as large, and its middle beside the first by two half widths and a gap. */
     const float *place = world + 16 * 5;
