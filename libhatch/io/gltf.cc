@@ -127,16 +127,16 @@ enum hatch_status fail_with(const std::string &text, struct hatch_err *err)
     return hatch_fail(err, HATCH_BAD_INPUT, "%s", line.empty() ? "not glTF" : line.c_str());
 }
 
-bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &parts,
-                 struct hatch_bytes file, tinygltf::Model *model, std::string *err)
+bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &parts, tinygltf::Model *model,
+                 std::string *err)
 {
     std::string warnings;
     if (parts.binary.size == 0) /* the package refuses a GLB whose binary part is empty */
         return parser.LoadASCIIFromString(model, err, &warnings,
                                           reinterpret_cast<const char *>(parts.json.data),
                                           static_cast<unsigned int>(parts.json.size), "");
-    return parser.LoadBinaryFromMemory(model, err, &warnings, file.data,
-                                       static_cast<unsigned int>(file.size), "");
+    return parser.LoadBinaryFromMemory(model, err, &warnings, parts.file.data,
+                                       static_cast<unsigned int>(parts.file.size), "");
 }
 
 /* JSON values in memory take up to this many times their text's size. */
@@ -159,25 +159,10 @@ enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void
     parser.SetImageLoader(keep_image, nullptr);
     parser.SetFsCallbacks({file_exists, keep_path, read_file, nullptr, &files});
     std::string text;
-    bool parsed = parse_parts(parser, parts, file, model, &text);
+    bool parsed = parse_parts(parser, parts, model, &text);
     if (files.left_folder || (!parsed && files.err.status != HATCH_OK))
         return hatch_fail(err, files.err.status, "%s", files.err.text);
     return parsed ? HATCH_OK : fail_with(text, err);
-}
-
-enum hatch_status check_extensions(Reader &r)
-{
-    static const char *const known[] = {"KHR_lights_punctual",   "KHR_mesh_quantization", "KHR_texture_basisu",
-                                        "KHR_texture_transform", "EXT_texture_avif",      "EXT_texture_webp"};
-    for (const std::string &name : r.model.extensionsRequired) {
-        /* How a material shines is nothing that strokes show. */
-        bool found = name.compare(0, 14, "KHR_materials_") == 0;
-        for (const char *k : known)
-            found = found || name == k;
-        if (!found)
-            return bad(r, "extensionsRequired", name + " is not supported");
-    }
-    return HATCH_OK;
 }
 
 enum hatch_status read_all(Reader &r)
@@ -187,7 +172,6 @@ enum hatch_status read_all(Reader &r)
     if (!r.model.asset.minVersion.empty() && r.model.asset.minVersion != "2.0")
         return bad(r, "asset", "needs a reader of glTF " + r.model.asset.minVersion + ", this one is of 2.0");
     uint32_t *first_mesh;
-    HATCH_TRY(check_extensions(r));
     HATCH_TRY(read_nodes(r));
     HATCH_TRY(read_images(r));
     HATCH_TRY(read_materials(r));
@@ -196,6 +180,7 @@ enum hatch_status read_all(Reader &r)
     HATCH_TRY(read_skins(r));
     HATCH_TRY(read_meshes(r, &first_mesh));
     HATCH_TRY(attach(r, first_mesh));
+    HATCH_TRY(add_instances(r));
     return read_animations(r);
 }
 

@@ -16,8 +16,10 @@ typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
  * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
  * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
  * per the specification's rule. Morph targets count as they rest, and are noted; points and lines are skipped.
- * Known extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform of the base colour, and
- * of KHR_materials_* what changes that colour.
+ * Images that are not there are noted once where a material wants them, and it does without.
+ * Known extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform,
+ * EXT_mesh_gpu_instancing (a node for each instance), EXT_texture_webp and _avif, of KHR_texture_basisu
+ * the image that it replaces, and of KHR_materials_* what changes the base colour.
  * HATCH_BAD_INPUT for what the format forbids and for a required extension that is not known, by
  * name. resolve: NULL where there is no folder. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,

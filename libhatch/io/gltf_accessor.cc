@@ -118,8 +118,9 @@ void load_element(const Elements &e, uint32_t i, float *out)
             load_number(at + size * static_cast<size_t>(c), e.component_type, e.normalized));
 }
 
-enum hatch_status lay_sparse(Reader &r, const tinygltf::Accessor &a, const Elements &base,
-                             const std::string &where, float *data)
+/* Where the sparse elements of an accessor go, and what they are. */
+enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elements &base,
+                              const std::string &where, Elements *places, Elements *elements)
 {
     Elements indices = base, values = base;
     if (a.sparse.count < 1 || static_cast<uint32_t>(a.sparse.count) > base.count)
@@ -142,9 +143,15 @@ enum hatch_status lay_sparse(Reader &r, const tinygltf::Accessor &a, const Eleme
             return bad(r, where,
                        "sparse index " + std::to_string(static_cast<int64_t>(index)) + " of " +
                            std::to_string(base.count));
-        load_element(values, i, data + static_cast<size_t>(index) * base.components);
     }
+    *places = indices;
+    *elements = values;
     return HATCH_OK;
+}
+
+uint32_t load_index(const Elements &e, uint32_t i)
+{
+    return static_cast<uint32_t>(load_number(e.data + i * e.stride, e.component_type, false));
 }
 
 } // namespace
@@ -187,8 +194,12 @@ enum hatch_status read_floats(Reader &r, int accessor, int components, const std
     for (uint32_t i = 0; e.data && i < e.count; i++)
         load_element(e, i, floats + i * static_cast<size_t>(components));
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(accessor)];
-    if (a.sparse.isSparse)
-        HATCH_TRY(lay_sparse(r, a, e, where, floats));
+    if (a.sparse.isSparse) {
+        Elements places, elements;
+        HATCH_TRY(find_sparse(r, a, e, where, &places, &elements));
+        for (uint32_t i = 0; i < places.count; i++)
+            load_element(elements, i, floats + load_index(places, i) * static_cast<size_t>(components));
+    }
     for (size_t i = 0; i < all; i++)
         if (!std::isfinite(floats[i]))
             return bad(r, where,
@@ -203,23 +214,27 @@ enum hatch_status read_indices(Reader &r, int accessor, const std::string &where
 {
     Elements e;
     HATCH_TRY(find_elements(r, accessor, where, &e));
-    double restart = e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? UINT8_MAX
+    uint32_t restart = e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? UINT8_MAX
                      : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? UINT16_MAX
                      : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? UINT32_MAX
                                                                                   : 0;
     if (e.components != 1 || restart == 0 || e.normalized)
         return bad(r, where, "indices must be unsigned integers");
-    if (!e.data || r.model.accessors[static_cast<size_t>(accessor)].sparse.isSparse)
-        return bad(r, where, "sparse indices are not supported");
     uint32_t *indices = HATCH_NEW(r.scratch, uint32_t, e.count, r.err);
     if (!indices)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; i < e.count; i++) {
-        double index = load_number(e.data + i * e.stride, e.component_type, false);
-        if (index >= restart)
-            return bad(r, where, place("index", i) + " is the primitive restart value");
-        indices[i] = static_cast<uint32_t>(index);
+    for (uint32_t i = 0; e.data && i < e.count; i++)
+        indices[i] = load_index(e, i);
+    const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(accessor)];
+    if (a.sparse.isSparse) {
+        Elements places, elements;
+        HATCH_TRY(find_sparse(r, a, e, where, &places, &elements));
+        for (uint32_t i = 0; i < places.count; i++)
+            indices[load_index(places, i)] = load_index(elements, i);
     }
+    for (uint32_t i = 0; i < e.count; i++)
+        if (indices[i] >= restart)
+            return bad(r, where, place("index", i) + " is the primitive restart value");
     *data = indices;
     *count = e.count;
     return HATCH_OK;

@@ -25,10 +25,20 @@ static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type,
     return HATCH_OK;
 }
 
+/* Zeros that a program or a disk put behind the end. */
+static bool is_padding(struct hatch_bytes file, size_t from)
+{
+    while (from < file.size && file.data[from] == 0)
+        from++;
+    return from == file.size;
+}
+
 enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_parts *parts,
                                    struct hatch_err *err)
 {
-    *parts = (struct hatch_gltf_parts){.json = file};
+    *parts = (struct hatch_gltf_parts){.file = file, .json = file};
+    while (parts->json.size > 0 && file.data[parts->json.size - 1] == 0)
+        parts->json.size--;
     if (file.size < 4 || memcmp(file.data, MAGIC, 4) != 0)
         return HATCH_OK;
     struct hatch_reader reader = hatch_reader_of(file);
@@ -38,9 +48,10 @@ enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_pa
         return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes", file.size);
     if (version != 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "glTF version %u, want 2", version);
-    if (length != file.size)
+    if (length > file.size || !is_padding(file, length))
         return hatch_fail(err, HATCH_BAD_INPUT, "the header says %u bytes, the file has %zu", length,
                           file.size);
+    parts->file.size = reader.size = length;
     HATCH_TRY(read_chunk(&reader, &type, &parts->json, err));
     if (type != CHUNK_JSON)
         return hatch_fail(err, HATCH_BAD_INPUT, "the first chunk is not JSON");
@@ -156,6 +167,26 @@ static bool in_buffer(const struct scan *s)
     return s->depth == 3 && s->levels[3].object && is(s->levels[2].name, "buffers");
 }
 
+/* What a file needs of its reader is asked first: without it the rest may not look like glTF. How a material shines
+ * is nothing that strokes show. */
+static enum hatch_status check_extension(struct text name, struct hatch_err *err)
+{
+    static const char materials[] = "KHR_materials_";
+    static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_texture_avif",      "EXT_texture_webp",
+                                        "KHR_lights_punctual",     "KHR_mesh_quantization", "KHR_texture_basisu",
+                                        "KHR_texture_transform",   NULL};
+    size_t begins = sizeof materials - 1;
+    if (in_list(name, known) || (name.length > begins && memcmp(name.start, materials, begins) == 0))
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "extensionsRequired: %.*s is not supported",
+                      (int)(name.length < 64 ? name.length : 64), name.start);
+}
+
+static bool in_required(const struct scan *s)
+{
+    return s->depth == 2 && !s->levels[2].object && is(s->levels[2].name, "extensionsRequired");
+}
+
 static enum hatch_status check_value(struct scan *s, struct text word, struct hatch_err *err)
 {
     static const char data[] = "\"data:";
@@ -163,6 +194,8 @@ static enum hatch_status check_value(struct scan *s, struct text word, struct ha
     uint64_t most = rule == RULE_SIZE ? (uint64_t)1 << 53 : INT32_MAX, number = 0;
     const struct level *level = &s->levels[s->depth];
     bool good = rule == RULE_NONE || is_whole_number(word, most, &number);
+    if (in_required(s) && word.length > 1 && word.start[0] == '"')
+        HATCH_TRY(check_extension((struct text){word.start + 1, word.length - 1}, err));
     if (in_buffer(s) && is(level->key, "uri"))
         s->buffer_has_file = word.length < strlen(data) || memcmp(word.start, data, strlen(data)) != 0;
     if (in_buffer(s) && is(level->key, "byteLength"))

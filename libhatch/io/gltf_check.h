@@ -13,6 +13,7 @@ extern "C" {
 #define HATCH_GLTF_DEPTH_MAX 64u
 
 struct hatch_gltf_parts {
+    struct hatch_bytes file; /* without zeros behind its end */
     struct hatch_bytes json;
     struct hatch_bytes binary; /* the BIN chunk; size 0 where there is none */
 };
@@ -27,11 +28,11 @@ struct hatch_gltf_lengths {
     struct hatch_buffer bytes; /* of uint64_t */
 };
 
-/* Refuses nesting deeper than HATCH_GLTF_DEPTH_MAX, and every index, count and offset that is not
- * written as a whole number within 0 .. 2^31 - 1 (offsets and lengths: 2^53): the package cuts larger
- * ones to 32 bits and skips others, both without a word. What stands in extras and in other
- * extensions than lights is let be. The syntax itself is the package's to check. lengths: begun with
- * an arena, or NULL. */
+/* Refuses by its name an extension that the file requires and that is not known here, nesting deeper than
+ * HATCH_GLTF_DEPTH_MAX, and every index, count and offset that is not written as a whole number within
+ * 0 .. 2^31 - 1 (offsets and lengths: 2^53): the package cuts larger ones to 32 bits and skips others, both
+ * without a word. What stands in extras and in other extensions than lights is let be. The syntax itself is
+ * the package's to check. lengths: begun with an arena, or NULL. */
 enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_lengths *lengths,
                                         struct hatch_err *err) HATCH_MUST_USE;
 

@@ -48,8 +48,8 @@ enum hatch_status read_times(Reader &r, int accessor, const std::string &where,
     HATCH_TRY(read_floats(r, accessor, 1, where + ", input", &channel->times_s,
                           &channel->key_count));
     for (uint32_t k = 0; k < channel->key_count; k++)
-        if (channel->times_s[k] < 0 || (k > 0 && channel->times_s[k] <= channel->times_s[k - 1]))
-            return bad(r, where, "time " + std::to_string(k) + " is negative or does not rise");
+        if (channel->times_s[k] < 0 || (k > 0 && channel->times_s[k] < channel->times_s[k - 1]))
+            return bad(r, where, "time " + std::to_string(k) + " is negative or falls");
     return HATCH_OK;
 }
 

@@ -57,10 +57,14 @@ enum hatch_status find_view(Reader &r, int view, const std::string &where,
 enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count,
                                const std::string &where, const char *what, float *to);
 
+/* Brings a node's rotation to length 1; one of no length is refused. */
+enum hatch_status set_rotation(Reader &r, struct hatch_node *node, const std::string &where);
+
 /* Each fills its part of the scene. Nodes come first. */
 enum hatch_status read_nodes(Reader &r);
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);
 enum hatch_status attach(Reader &r, const uint32_t *first_mesh);
+enum hatch_status add_instances(Reader &r);
 enum hatch_status read_materials(Reader &r);
 enum hatch_status read_images(Reader &r);
 enum hatch_status read_cameras(Reader &r);

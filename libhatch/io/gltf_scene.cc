@@ -85,15 +85,7 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
     HATCH_TRY(copy_numbers(r, from.scale, 3, where, "scale", node->scale));
     HATCH_TRY(copy_numbers(r, from.matrix, 16, where, "matrix", node->matrix));
     node->has_matrix = !from.matrix.empty();
-    double length = 0;
-    for (float q : node->rotation)
-        length += static_cast<double>(q) * static_cast<double>(q);
-    if (!(length > 0))
-        return bad(r, where, "rotation is zero");
-    /* What is a unit but for rounding stays, so that reading what was written changes nothing. */
-    for (float &q : node->rotation)
-        q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
-    return HATCH_OK;
+    return set_rotation(r, node, where);
 }
 
 /* The light of a node, in its extension, or -1. */
@@ -131,6 +123,19 @@ bool is_ktx2(struct hatch_bytes bytes)
 }
 
 } // namespace
+
+enum hatch_status set_rotation(Reader &r, struct hatch_node *node, const std::string &where)
+{
+    double length = 0;
+    for (float q : node->rotation)
+        length += static_cast<double>(q) * static_cast<double>(q);
+    if (!(length > 0))
+        return bad(r, where, "rotation is zero");
+    /* What is a unit but for rounding stays, so that reading what was written changes nothing. */
+    for (float &q : node->rotation)
+        q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
+    return HATCH_OK;
+}
 
 enum hatch_status read_nodes(Reader &r)
 {

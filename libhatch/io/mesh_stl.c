@@ -85,40 +85,62 @@ static enum hatch_status read_binary(struct hatch_bytes file, struct hatch_arena
     return HATCH_OK;
 }
 
+/* Where reading text stands. */
+struct solids {
+    struct hatch_mesh_text text;
+    struct hatch_buffer positions;
+    uint32_t corners; /* of the facet being read */
+    bool first;       /* the next word begins a line */
+    bool naming;      /* words are a solid's name, up to the line's end or a facet */
+    bool ended;
+};
+
+static enum hatch_status take_word(struct solids *s, struct hatch_text word, struct hatch_err *err)
+{
+    bool first = s->first, facet = is(word, "facet");
+    s->first = false;
+    if (s->naming && !facet)
+        return HATCH_OK;
+    s->naming = is(word, "solid") || is(word, "endsolid");
+    s->ended = s->naming ? is(word, "endsolid") : s->ended;
+    if (is(word, "vertex")) {
+        float p[3];
+        for (int k = 0; k < 3; k++)
+            HATCH_TRY(hatch_mesh_text_float(&s->text, "vertex", &p[k], err));
+        s->corners++;
+        return hatch_buffer_add(&s->positions, p, sizeof p, err);
+    }
+    if (is(word, "endfacet")) {
+        if (s->corners != 3)
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3", s->text.line,
+                              s->corners, s->corners == 1 ? "" : "s");
+        s->corners = 0;
+        return HATCH_OK;
+    }
+    /* Normals, and whatever else programs put behind a line's first word. */
+    if (!first || s->naming || facet || is(word, "outer") || is(word, "endloop"))
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", s->text.line,
+                      hatch_mesh_text_shown(word), word.at);
+}
+
+/* Lines mean nothing but where a solid's name ends: some programs write none. */
 static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                    struct hatch_err *err)
 {
-    struct hatch_mesh_text text = hatch_mesh_text_of(file);
-    struct hatch_buffer positions = {.arena = scratch};
-    uint32_t corners = 0; /* of the facet being read */
-    bool ended = false;
+    struct solids s = {.text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
     do {
-        struct hatch_text word = hatch_mesh_text_word(&text);
-        if (is(word, "vertex")) {
-            float p[3];
-            for (int k = 0; k < 3; k++)
-                HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &p[k], err));
-            HATCH_TRY(hatch_buffer_add(&positions, p, sizeof p, err));
-            corners++;
-        } else if (is(word, "endfacet")) {
-            if (corners != 3)
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3",
-                                  text.line, corners, corners == 1 ? "" : "s");
-            corners = 0;
-        } else if (word.length && !is(word, "solid") && !is(word, "facet") &&
-                   !is(word, "outer") && !is(word, "endloop") &&
-                   !is(word, "endsolid")) {
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text.line,
-                              hatch_mesh_text_shown(word), word.at);
-        }
-        ended = word.length ? is(word, "endsolid") : ended;
-    } while (hatch_mesh_text_next_line(&text));
-    if (!ended || corners)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", text.line);
+        s.first = true;
+        s.naming = false;
+        for (struct hatch_text word; (word = hatch_mesh_text_word(&s.text)).length > 0;)
+            HATCH_TRY(take_word(&s, word, err));
+    } while (hatch_mesh_text_next_line(&s.text));
+    if (!s.ended || s.corners)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", s.text.line);
     struct hatch_mesh made;
-    HATCH_TRY(make(positions.size / (9 * sizeof(float)), arena, &made, err));
-    memcpy(made.attributes[0].data, positions.data, positions.size);
+    HATCH_TRY(make(s.positions.size / (9 * sizeof(float)), arena, &made, err));
+    memcpy(made.attributes[0].data, s.positions.data, s.positions.size);
     *mesh = made;
     return HATCH_OK;
 }

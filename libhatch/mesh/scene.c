@@ -122,7 +122,7 @@ static void between(const struct hatch_animation_channel *channel, int n, double
 {
     uint32_t k = find_key(channel, time_s);
     double start = (double)channel->times_s[k], end = (double)channel->times_s[k + 1];
-    double t = (time_s - start) / (end - start);
+    double t = end > start ? (time_s - start) / (end - start) : 1;
     t = t > 1 ? 1 : t > 0 ? t : 0;
     uint32_t stride = (uint32_t)n * (channel->interpolation == HATCH_CUBIC ? 3 : 1);
     const float *key = &channel->values[(size_t)k * stride], *next = key + stride;

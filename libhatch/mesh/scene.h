@@ -99,7 +99,7 @@ struct hatch_animation_channel {
     enum hatch_channel_path path;
     enum hatch_interpolation interpolation;
     uint32_t key_count;
-    float *times_s;           /* rising */
+    float *times_s;           /* rising; of equal ones the last counts */
     float *values;            /* 3 or 4 floats a key; for CUBIC three such groups a key */
 };
 

@@ -28,4 +28,13 @@ meshgen plane --faces 50 -o plane.glb
 ok "several in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
 ok "a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
 is "its pictures" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
+meshgen torus --faces 2000 -o smooth.glb
+perl "$TOP/tests/cli/bumpy.pl" <smooth.glb >bumpy.glb
+dirfield -q bumpy.glb | lapped-param -q -o bumpy.lapped.glb
+for file in smooth bumpy bumpy.lapped; do
+    render-gl $file.glb -t gouraud --pixel-light --size 200x150 -o $file.png
+done
+away=$(hatchstat diff smooth.png bumpy.png | awk 'NR == 2 {print ($2 > 0.05)}')
+near=$(hatchstat diff bumpy.png bumpy.lapped.png | awk 'NR == 2 {print ($2 < 0.005)}')
+is "a normal map is seen, and goes through the pipe" "$away $near" "1 1"
 finish

@@ -147,7 +147,7 @@ static const struct {
     "\"indices\":{\"bufferView\":3,\"componentType\":5121},\"values\":{\"bufferView\":4}}},"       \
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                   \
     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                     \
-    "{\"bufferView\":0,\"byteOffset\":4,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"      \
+    "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"     \
     "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},"      \
     "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"}]"
 #define MESH(rest) HEAD ",\"meshes\":[{\"primitives\":[{" rest "}]}],\"nodes\":[{\"mesh\":0}]}"
@@ -279,7 +279,7 @@ END_TEST
 START_TEST(motion_is_checked)
 {
     ck_assert_int_eq(read_text(MOVING("\"node\":0,\"path\":\"translation\"")), HATCH_BAD_INPUT);
-    ck_assert_str_eq(err.text, "animation 0, channel 0: time 1 is negative or does not rise");
+    ck_assert_str_eq(err.text, "animation 0, channel 0: time 1 is negative or falls");
     HATCH_TEST_OK(read_text(MOVING("\"node\":0,\"path\":\"weights\"")), &err);
     ck_assert_uint_eq(scene.animations[0].channel_count, 0);
     ck_assert_float_eq(scene.skins[0].inverse_bind[15], 1);

@@ -261,6 +261,12 @@ START_TEST(what_real_files_have)
                               "Vertex 0 1 0\nENDLOOP\nENDFACET\nENDSOLID x\n";
     HATCH_TEST_OK(hatch_mesh_read(text(stl), HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err), &err);
     ck_assert_uint_eq(mesh.face_count, 1);
+    static const char one_line[] = "solid a vertex of a loop facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
+                                   "vertex 0 1 0 endloop endfacet facet normal 0 0 1 outer loop vertex 1 0 0 vertex "
+                                   "1 1 0 vertex 0 1 0 endloop endfacet endsolid a vertex";
+    HATCH_TEST_OK(hatch_mesh_read(text(one_line), HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err), &err);
+    ck_assert_uint_eq(mesh.face_count, 2);
+    ck_assert_float_eq(mesh.attributes[0].data[3 * 4 + 1], 1);
     struct hatch_bytes file = binary_stl("solid, with more at the end");
     struct hatch_buffer longer = {.arena = &keep};
     HATCH_TEST_OK(hatch_buffer_add(&longer, file.data, file.size, &err), &err);
