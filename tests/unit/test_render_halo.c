@@ -160,26 +160,33 @@ END_TEST
 
 #define LINE_PX 3.0
 
-/* White surfaces and black lines: those of a square behind the ball end before it, its own does not. */
-START_TEST(lines_behind_end_at_haloes)
+/* White surfaces and black lines. */
+static void draw_lines(const struct hatch_mesh *mesh, double halo_px, struct hatch_image *image)
 {
-    const double halo = 8;
-    struct hatch_image image;
     struct lines lines;
-    struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 20000), plane = plane_at(0.35, -1);
-    move(&ball, (float)RADIUS, 0);
-    for (uint32_t v = 0; v < 4; v++)
-        plane.attributes[0].data[3 * v] *= 2; /* a border runs from left to right below the middle */
-    struct hatch_mesh mesh = both(&plane, &ball);
-    show(&mesh);
     const struct line_style style = {
         .kinds = LINES_ALL, .haloes = true, .asked = true, .width_px = LINE_PX, .crease_rad = 0.7};
+    show(mesh);
     HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30, &frame.arena,
                              &frame.scratch, &lines, &frame.err),
                   &frame.err);
     frame.renderer.lines = &lines;
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0;
-    draw(&map_facing, halo, 2, &image);
+    draw(&map_facing, halo_px, 2, image);
+    lines_free(&lines);
+}
+
+/* Those of a square behind the ball end before it, its own does not. */
+START_TEST(lines_behind_end_at_haloes)
+{
+    const double halo = 8;
+    struct hatch_image image;
+    struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 20000), plane = plane_at(0.35, -1);
+    move(&ball, (float)RADIUS, 0);
+    for (uint32_t v = 0; v < 4; v++)
+        plane.attributes[0].data[3 * v] *= 2; /* a border runs from left to right below the middle */
+    struct hatch_mesh mesh = both(&plane, &ball);
+    draw_lines(&mesh, halo, &image);
     double rim = rim_px(&map_facing), down = 0.35 * SIZE / 2;
     double side = sqrt(rim * rim - down * down), first = 0, last = 0;
     int row = (int)(SIZE / 2 + down);
@@ -197,8 +204,36 @@ START_TEST(lines_behind_end_at_haloes)
         double a = 6.283185307 * k / 64, x = SIZE / 2 + rim * cos(a), y = SIZE / 2 + rim * sin(a);
         ck_assert_msg(light_at(&image, (int)x, (int)y) < 0.5, "the ball's line is cut at %d/64", k);
     }
-    lines_free(&lines);
     frame_end(&frame);
+}
+END_TEST
+
+/* A border seen between two balls: what their haloes leave of it is a line when it is long enough, and else nothing. */
+START_TEST(crumbs_between_haloes_are_dropped)
+{
+    const double halo = 8;
+    for (int left_px = 5; left_px <= 30; left_px += 25) {
+        struct hatch_image image;
+        double gap_px = left_px + 2 * halo + LINE_PX, middle = RADIUS + gap_px / SIZE;
+        struct hatch_mesh plane = plane_at(8, -1), balls[2];
+        for (int k = 0; k < 2; k++) {
+            balls[k] = bare_shape(HATCH_SHAPE_SPHERE, 20000);
+            move(&balls[k], (float)RADIUS, 0);
+            for (uint32_t v = 0; v < balls[k].vertex_count; v++)
+                balls[k].attributes[0].data[3 * v] += (float)(k ? middle : -middle);
+        }
+        for (uint32_t v = 0; v < 4; v++)
+            plane.attributes[0].data[3 * v + 1] -= 8; /* its upper border lies at the balls' middle */
+        struct hatch_mesh pair = both(&balls[0], &balls[1]), mesh = both(&plane, &pair);
+        draw_lines(&mesh, halo, &image);
+        double dark = 0;
+        for (int y = -2; y < 2; y++)
+            for (int x = -left_px / 2; x < left_px / 2; x++)
+                dark += 1 - light_at(&image, SIZE / 2 + x, SIZE / 2 + y);
+        double want = left_px > 12 ? LINE_PX * left_px : 0;
+        ck_assert_msg(fabs(dark - want) <= 0.1 * want, "%g of a line of %d pixels", dark, left_px);
+        frame_end(&frame);
+    }
 }
 END_TEST
 
@@ -211,6 +246,7 @@ static Suite *suite(void)
     tcase_add_test(tests, one_surface_has_none);
     tcase_add_test(tests, tiles_are_one_picture);
     tcase_add_test(tests, lines_behind_end_at_haloes);
+    tcase_add_test(tests, crumbs_between_haloes_are_dropped);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -105,6 +105,14 @@ static uint32_t sum(const uint8_t *visible, uint32_t count)
     return total;
 }
 
+/* visible: becomes what is left of it. */
+static void smooth(const struct line_strips *strips, double gap_px, double crumb_px, double trim_px, uint8_t *visible)
+{
+    uint8_t seen[268];
+    memcpy(seen, visible, sizeof seen);
+    line_strips_smooth(strips, gap_px, crumb_px, trim_px, seen, visible);
+}
+
 START_TEST(gaps_are_closed_and_crumbs_are_dropped)
 {
     struct line_strips strips = square();
@@ -112,17 +120,17 @@ START_TEST(gaps_are_closed_and_crumbs_are_dropped)
     memset(visible, 1, sizeof visible);
     visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner is one of two pieces */
     memset(visible + 100, 0, 40);
-    line_strips_smooth(&strips, 4, 8, 0, visible);
+    smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 228);
     memset(visible, 0, sizeof visible);
     memset(visible + 20, 1, 5);
     memset(visible + 200, 1, 30);
     visible[0] = visible[267] = 1;
-    line_strips_smooth(&strips, 4, 8, 0, visible);
+    smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 30);
     ck_assert_uint_eq(visible[215], 1);
     memset(visible, 0, sizeof visible);
-    line_strips_smooth(&strips, 1e9, 8, 0, visible);
+    smooth(&strips, 1e9, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 0);
 }
 END_TEST
@@ -133,17 +141,17 @@ START_TEST(ends_at_hidden_parts_are_trimmed)
     uint8_t visible[268];
     memset(visible, 1, sizeof visible);
     memset(visible + 100, 0, 40);
-    line_strips_smooth(&strips, 4, 8, 2, visible); /* pieces are 1.49 long: two on each side */
+    smooth(&strips, 4, 8, 2, visible); /* pieces are 1.49 long: two on each side */
     ck_assert_uint_eq(sum(visible, 268), 224);
     ck_assert_uint_eq(visible[97] + visible[142], 2);
     ck_assert_uint_eq(visible[98] + visible[141], 0);
     memset(visible, 1, sizeof visible);
     memset(visible, 0, 40);
-    line_strips_smooth(&strips, 4, 8, 2, visible);
+    smooth(&strips, 4, 8, 2, visible);
     ck_assert_uint_eq(visible[267] + visible[41], 0);
     strips.strips[0].closed = false;
     memset(visible, 1, sizeof visible);
-    line_strips_smooth(&strips, 4, 8, 2, visible);
+    smooth(&strips, 4, 8, 2, visible);
     ck_assert_uint_eq(sum(visible, 268), 268);
 }
 END_TEST
@@ -156,7 +164,7 @@ START_TEST(what_another_line_joins_is_no_crumb)
     strips.strips[0].joined[0] = true;
     strips.strips[0].joined[1] = false;
     visible[266] = visible[267] = 1;
-    line_strips_smooth(&strips, 4, 8, 0, visible);
+    smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(visible[0], 1);
     ck_assert_uint_eq(visible[267], 0);
 }
@@ -169,9 +177,46 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
     struct line_segment segments[268];
     memset(visible, 1, sizeof visible);
     visible[30] = 0;
-    ck_assert_uint_eq(line_strips_visible(&strips, visible, segments), 5);
+    ck_assert_uint_eq(line_strips_visible(&strips, visible, visible, segments), 5);
     ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[31].a[0], 1e-6f);
     ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[66].b[0], 1e-6f);
+}
+END_TEST
+
+/* Haloes cut a line into parts; what is shorter than a crumb goes, however long it is under the halo. */
+START_TEST(what_haloes_leave_is_no_crumb)
+{
+    struct line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    memset(seen, LINE_VISIBLE, sizeof seen);
+    memset(seen + 100, LINE_VISIBLE | LINE_TOUCHED | LINE_COVERED, 20);
+    memset(seen + 103, LINE_VISIBLE, 3);
+    memset(seen + 110, LINE_VISIBLE, 7);
+    line_strips_smooth(&strips, 4, 8, 2, seen, visible);
+    ck_assert_uint_eq(sum(visible + 101, 8), 0);   /* 4.5 pixels are dropped */
+    ck_assert_uint_eq(sum(visible + 109, 9), 9);   /* 10.4 stay, with a piece on either side to be cut */
+    ck_assert_uint_eq(visible[108] + visible[118], 0);
+    ck_assert_uint_eq(sum(visible, 101), 101);     /* no trimming either: the halo says where it ends */
+    ck_assert_uint_eq(sum(visible + 119, 149), 149);
+    memset(seen + 110, LINE_TOUCHED | LINE_COVERED, 7);
+    line_strips_smooth(&strips, 4, 8, 0, seen, visible);
+    ck_assert_uint_eq(sum(visible + 101, 18), 0);
+}
+END_TEST
+
+START_TEST(only_pieces_near_haloes_are_asked_again)
+{
+    struct line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    struct line_segment segments[268];
+    memset(seen, LINE_VISIBLE, sizeof seen);
+    memset(visible, 1, sizeof visible);
+    seen[30] |= LINE_TOUCHED;
+    ck_assert_uint_eq(line_strips_visible(&strips, visible, seen, segments), 6);
+    for (uint32_t i = 0; i < 6; i++)
+        ck_assert_uint_eq(segments[i].in_halo > 0, i == 1);
+    ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[29].a[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[31].b[0], 1e-6f);
 }
 END_TEST
 
@@ -227,6 +272,8 @@ static Suite *suite(void)
     tcase_add_test(tests, ends_at_hidden_parts_are_trimmed);
     tcase_add_test(tests, what_another_line_joins_is_no_crumb);
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
+    tcase_add_test(tests, what_haloes_leave_is_no_crumb);
+    tcase_add_test(tests, only_pieces_near_haloes_are_asked_again);
     tcase_add_test(tests, chains_go_straight_on);
     tcase_add_test(tests, strips_survive_every_failed_allocation);
     suite_add_tcase(suite, tests);

@@ -45,13 +45,13 @@ enum hatch_status line_gl_make(const struct shader_source *shaders, bool haloes,
     glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, sizeof(struct line_segment));
     for (GLuint i = 0; i < 2; i++) {
         glEnableVertexArrayAttrib(made.array, i);
-        glVertexArrayAttribFormat(made.array, i, i ? 2 : 4, GL_FLOAT, GL_FALSE,
+        glVertexArrayAttribFormat(made.array, i, i ? 3 : 4, GL_FLOAT, GL_FALSE,
                                   i ? offsetof(struct line_segment, depth) : 0);
         glVertexArrayAttribBinding(made.array, i, 0);
     }
     glVertexArrayBindingDivisor(made.array, 0, 1);
     glCreateTextures(GL_TEXTURE_2D, 1, &made.samples);
-    glTextureStorage2D(made.samples, 1, GL_RGB32F, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
+    glTextureStorage2D(made.samples, 1, GL_RGBA32F, (GLsizei)LINE_BATCH, (GLsizei)RESULT_ROWS);
     make_texture(GL_R8UI, LINE_BATCH, RESULT_ROWS, &made.result, &made.result_framebuffer);
     *gl = made;
     return HATCH_OK;
@@ -63,14 +63,14 @@ static void upload(const struct line_gl *gl, const struct line_sample *samples, 
     GLsizei rows = (GLsizei)(count / LINE_BATCH), rest = (GLsizei)(count % LINE_BATCH);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     if (rows)
-        glTextureSubImage2D(gl->samples, 0, 0, 0, (GLsizei)LINE_BATCH, rows, GL_RGB, GL_FLOAT, samples);
+        glTextureSubImage2D(gl->samples, 0, 0, 0, (GLsizei)LINE_BATCH, rows, GL_RGBA, GL_FLOAT, samples);
     if (rest)
-        glTextureSubImage2D(gl->samples, 0, 0, rows, rest, 1, GL_RGB, GL_FLOAT,
+        glTextureSubImage2D(gl->samples, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT,
                             samples + (size_t)rows * LINE_BATCH);
 }
 
 void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct line_sample *samples, size_t count, uint8_t *visible)
+                  const struct line_sample *samples, size_t count, uint8_t *seen)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->result_framebuffer);
     glDisable(GL_DEPTH_TEST);
@@ -91,7 +91,7 @@ void line_gl_test(const struct line_gl *gl, const struct target *target,
         glViewport(0, 0, (GLsizei)LINE_BATCH, rows);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glReadPixels(0, 0, (GLsizei)LINE_BATCH, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                     visible + done);
+                     seen + done);
     }
 }
 

@@ -26,11 +26,11 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* Finds which samples the surfaces in the target's depth leave visible: those where at least one
- * texel around is not nearer than the limit. visible: per sample, 0 or 1; room for count rounded up
- * to LINE_BATCH. */
+ * texel around is not nearer than the limit; and those that haloes lie over. seen: per sample, sums of enum
+ * line_seen; room for count rounded up to LINE_BATCH. */
 #define LINE_BATCH 1024u
 void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct line_sample *samples, size_t count, uint8_t *visible);
+                  const struct line_sample *samples, size_t count, uint8_t *seen);
 
 /* Empty coverage of the target's size. HATCH_LIMIT when the GPU has no memory for it. */
 enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,

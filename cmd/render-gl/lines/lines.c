@@ -129,8 +129,8 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
     double width_px = lines->style.width_px;
     size_t count = frame->piece_count, at = 0, segment_count = 0;
     struct line_sample *samples = HATCH_NEW(&lines->frame, struct line_sample, count, err);
-    uint8_t *visible =
-        samples ? HATCH_NEW(&lines->frame, uint8_t, count + LINE_BATCH, err) : NULL;
+    uint8_t *seen = samples ? HATCH_NEW(&lines->frame, uint8_t, count + LINE_BATCH, err) : NULL;
+    uint8_t *visible = seen ? HATCH_NEW(&lines->frame, uint8_t, count, err) : NULL;
     struct line_segment *segments = visible ? HATCH_NEW(&lines->frame, struct line_segment, count, err) : NULL;
     if (!segments)
         return HATCH_LIMIT;
@@ -138,11 +138,11 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
         memcpy(samples + at, part->strips.samples, part->strips.piece_count * sizeof *samples);
         at += part->strips.piece_count;
     }
-    line_gl_test(&lines->gl, target, samples, count, visible);
+    line_gl_test(&lines->gl, target, samples, count, seen);
     at = 0;
     for (const struct part *part = frame->parts; part; part = part->next) {
-        line_strips_smooth(&part->strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, visible + at);
-        segment_count += line_strips_visible(&part->strips, visible + at, segments + segment_count);
+        line_strips_smooth(&part->strips, GAP_PX, CRUMB_PX + 2 * width_px, TRIM_PX, seen + at, visible + at);
+        segment_count += line_strips_visible(&part->strips, visible + at, seen + at, segments + segment_count);
         at += part->strips.piece_count;
     }
     line_gl_stroke(&lines->gl, segments, segment_count, width_px);

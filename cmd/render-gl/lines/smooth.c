@@ -4,6 +4,9 @@
 
 #include "render-gl/lines/strip.h"
 
+#define TRIMMED 2u
+#define CUT 3u /* visible, but for a halo */
+
 /* A closed strip is gone round from where visibility changes, so that no run is cut in two. */
 static uint32_t piece_at(const struct line_strip *strip, uint32_t start, uint32_t i)
 {
@@ -46,7 +49,15 @@ static void drop_runs(const struct line_strips *strips, const struct line_strip 
     }
 }
 
-/* Shortens visible runs where hidden ones follow. Marks what goes with 2 first, so that one run's end
+/* Whether what stays goes on before or after a piece, given by its number in the strip. */
+static bool is_beside(const struct line_strip *strip, uint32_t i, const uint8_t *visible)
+{
+    uint32_t before = i > 0 ? i - 1 : strip->closed ? strip->count - 1 : i;
+    uint32_t after = i + 1 < strip->count ? i + 1 : strip->closed ? 0 : i;
+    return visible[strip->first + before] == LINE_VISIBLE || visible[strip->first + after] == LINE_VISIBLE;
+}
+
+/* Shortens visible runs where hidden ones follow. Marks what goes first, so that one run's end
  * is not taken for the next one's. */
 static void trim_runs(const struct line_strips *strips, const struct line_strip *strip,
                       double trim_px, uint8_t *visible)
@@ -59,25 +70,49 @@ static void trim_runs(const struct line_strips *strips, const struct line_strip 
             if (visible[at] == 0)
                 left_px = trim_px;
             else if (left_px > 0)
-                visible[at] = 2;
+                visible[at] = TRIMMED;
             left_px -= visible[at] ? length_of(&strips->pieces[at]) : 0;
         }
     }
     for (uint32_t i = strip->first; i < strip->first + count; i++)
-        visible[i] = visible[i] == 1;
+        visible[i] = visible[i] == TRIMMED ? 0 : visible[i];
+}
+
+/* What haloes cover is no more than the end of what they leave beside it. */
+static void keep_beside(const struct line_strip *strip, uint8_t *visible)
+{
+    for (uint32_t i = 0; i < strip->count; i++)
+        if (visible[strip->first + i] == CUT && !is_beside(strip, i, visible))
+            visible[strip->first + i] = 0;
+    for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
+        visible[i] = visible[i] != 0;
 }
 
 void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
-                        double trim_px, uint8_t *visible)
+                        double trim_px, const uint8_t *seen, uint8_t *visible)
 {
+    for (uint32_t i = 0; i < strips->piece_count; i++)
+        visible[i] = seen[i] & LINE_VISIBLE;
     for (uint32_t s = 0; s < strips->strip_count; s++) {
-        drop_runs(strips, &strips->strips[s], 0, gap_px, visible);
-        drop_runs(strips, &strips->strips[s], 1, crumb_px, visible);
-        trim_runs(strips, &strips->strips[s], trim_px, visible);
+        const struct line_strip *strip = &strips->strips[s];
+        drop_runs(strips, strip, 0, gap_px, visible);
+        for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
+            if (visible[i] && seen[i] & LINE_COVERED)
+                visible[i] = CUT;
+        drop_runs(strips, strip, LINE_VISIBLE, crumb_px, visible);
+        trim_runs(strips, strip, trim_px, visible);
+        keep_beside(strip, visible);
     }
 }
 
-uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible,
+/* Fragments ask for haloes within their own piece, whose ends lie halfway to where the next ones were asked. */
+static bool near_halo(const struct line_strip *strip, uint32_t i, const uint8_t *seen)
+{
+    uint32_t last = strip->first + strip->count - 1;
+    return ((seen[i] | seen[i > strip->first ? i - 1 : i] | seen[i < last ? i + 1 : i]) & LINE_TOUCHED) != 0;
+}
+
+uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                              struct line_segment *segments)
 {
     uint32_t count = 0;
@@ -86,11 +121,14 @@ uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *vi
         bool goes_on = false;
         for (uint32_t i = strip->first; i < strip->first + strip->count; i++) {
             const struct line_piece *piece = &strips->pieces[i];
-            goes_on = goes_on && visible[i] && piece->segment == piece[-1].segment;
+            float in_halo = near_halo(strip, i, seen) ? 1.0f : 0.0f;
+            goes_on = goes_on && visible[i] && piece->segment == piece[-1].segment &&
+                      segments[count - 1].in_halo == in_halo;
             if (!visible[i])
                 continue;
             if (!goes_on)
-                segments[count++] = (struct line_segment){.a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}};
+                segments[count++] = (struct line_segment){
+                    .a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}, .in_halo = in_halo};
             struct line_segment *segment = &segments[count - 1];
             memcpy(segment->b, piece->b, sizeof segment->b);
             segment->depth[1] = piece->depth[1];

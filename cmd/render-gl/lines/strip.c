@@ -165,6 +165,7 @@ static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
         mix(cut->at[0], cut->at[1], (k + 1) / cut->count, piece->b);
         mix(cut->at[0], cut->at[1], middle, sample->at);
         sample->limit = limit_at(cut, middle);
+        sample->turn_rad = (float)atan2(cut->at[1][1] - cut->at[0][1], cut->at[1][0] - cut->at[0][0]);
         for (int end = 0; end < 2; end++)
             piece->depth[end] = limit_at(cut, (k + end) / cut->count);
     }

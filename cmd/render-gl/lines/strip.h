@@ -17,12 +17,20 @@ struct line_piece {
 /* A straight line of pieces, as it is drawn. */
 struct line_segment {
     float a[2], b[2], depth[2];
+    float in_halo; /* 1: a halo may lie over some of it; 0 */
 };
 
 /* Where a piece's visibility is tested, and the depth that hides it: what the depth buffer holds
- * there is nearer than limit. */
+ * there is nearer than limit. turn_rad: the direction of its line. */
 struct line_sample {
-    float at[2], limit;
+    float at[2], limit, turn_rad;
+};
+
+/* What is known of a piece: sums of these. */
+enum line_seen {
+    LINE_VISIBLE = 1, /* no surface hides it */
+    LINE_TOUCHED = 2, /* a halo lies over its middle */
+    LINE_COVERED = 4  /* over more than half of that */
 };
 
 /* Pieces that hang together. */
@@ -46,15 +54,18 @@ enum hatch_status line_strips_make(const struct line_trace *trace, const struct 
                                    double margin_px, struct hatch_arena *arena, struct line_strips *strips,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes visibility even along each strip. visible: per piece, 0 or 1. A hidden gap shorter than gap_px
- * between visible parts is closed; then a visible crumb shorter than crumb_px, which nothing joins, is
- * hidden; then the ends of visible parts at hidden ones lose the pieces that begin within trim_px. */
+/* Makes visibility even along each strip. A hidden gap shorter than gap_px between visible parts is closed; then a
+ * visible crumb shorter than crumb_px, which nothing joins, is hidden, and so is one that haloes leave; then the
+ * ends of visible parts at hidden ones lose the pieces that begin within trim_px. Of what haloes cover pieces beside
+ * the rest stay, to end where the halo begins. seen: per piece, sums of enum line_seen; visible: the same, becomes
+ * 0 or 1. */
 void line_strips_smooth(const struct line_strips *strips, double gap_px, double crumb_px,
-                        double trim_px, uint8_t *visible);
+                        double trim_px, const uint8_t *seen, uint8_t *visible);
 
 /* Writes the visible parts as segments, and returns how many there are: at most piece_count. Pieces of
- * one straight segment become one. */
-uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible,
+ * one straight segment become one, those that haloes touch and those beside them apart from the rest. seen: as
+ * above. */
+uint32_t line_strips_visible(const struct line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                              struct line_segment *segments);
 
 #endif

@@ -6,7 +6,7 @@
 layout(location = 1) uniform float width_px;
 
 flat in vec4 v_ends;
-flat in vec2 v_depth;
+flat in vec3 v_depth;
 out float o_coverage;
 
 void main()
@@ -19,7 +19,8 @@ void main()
     float inside = 0.5 * max(width_px, 1.0) - distance_px;
     o_coverage = clamp(inside / ramp + 0.5, 0.0, 1.0) * min(width_px, 1.0);
 #ifdef HALOES
-    if (o_coverage > 0.0)
+    int asked = o_coverage > 0.0 && v_depth.z > 0.0 ? 1 : 0;
+    for (int i = 0; i < asked; i++) // an `if` that software renderers skip, too
         o_coverage *= 1.0 - halo_over_line(v_ends.xy + share * along, mix(v_depth.x, v_depth.y, share), along);
 #endif
 }

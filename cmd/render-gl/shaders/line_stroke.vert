@@ -3,10 +3,10 @@ layout(location = 0) uniform vec2 size_px;
 layout(location = 1) uniform float width_px;
 
 layout(location = 0) in vec4 a_ends; // pixels
-layout(location = 1) in vec2 a_depth;
+layout(location = 1) in vec3 a_depth; // z: whether a halo may lie over it
 
 flat out vec4 v_ends;
-flat out vec2 v_depth;
+flat out vec3 v_depth;
 
 void main()
 {
