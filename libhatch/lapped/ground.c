@@ -196,8 +196,18 @@ static double radius_of_faces(double faces, double area)
     return sqrt(faces * area / 3.14159265358979) / SHOWN;
 }
 
-static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_options *options,
-                         const double *area)
+/* The radius whose core holds a face and neighbours like it. Were it to hold the one alone, long faces side by
+ * side would each be in three patches. */
+static double radius_to_hold(const struct hatch_ground *ground, const struct hatch_outline *outline, uint32_t face)
+{
+    double at[3][2], middle[2];
+    for (uint32_t c = 0; c < 3; c++)
+        hatch_ground_corner(ground, face, c, at[c]);
+    return HATCH_LAPPED_HOLD * hatch_patch_circle((const double(*)[2])at, middle) / (2 * outline->core_min);
+}
+
+static void choose_radii(struct hatch_ground *ground, const struct hatch_outline *outline,
+                         const struct hatch_lapped_options *options, const double *area)
 {
     const struct hatch_surface *surface = ground->surface;
     double diagonal = diagonal_of(surface);
@@ -214,13 +224,14 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_lapped_
             else
                 radius = fmin(fmax(radius, radius_of_faces(FACES_WANTED, area[f])),
                               fmin(radius_of_faces(FACES_MOST, area[f]), SIZE_MOST * whole));
-            ground->wish[f] = radius;
+            ground->wish[f] = fmax(radius, radius_to_hold(ground, outline, f));
         }
     }
 }
 
 enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const double *direction, const struct hatch_lapped_options *options,
+                                    const double *direction, const struct hatch_outline *outline,
+                                    const struct hatch_lapped_options *options,
                                     struct hatch_pool *pool, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_ground *ground,
                                     struct hatch_err *err)
@@ -256,7 +267,7 @@ enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const s
             made.rough[f] = sqrt(made.rough[f]);
             made.grain[f] = sqrt(area[f] * EDGE_SQUARED);
         }
-        choose_radii(&made, options, area);
+        choose_radii(&made, outline, options, area);
         *ground = made;
     }
     hatch_arena_rewind(scratch, mark);

@@ -236,7 +236,7 @@ static enum hatch_status plant(struct hatch_growth *growth, struct hatch_err *er
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *corner = &growth->ground->surface->corners[(size_t)patch->seed * 3];
     patch->face_count = patch->vertex_count = growth->heap.count = growth->unfolded = 0;
-    patch->measured = patch->past_count = 0;
+    patch->measured = patch->past_count = patch->wide_count = 0;
     growth->round++;
     for (uint32_t c = 0; c < 3; c++) {
         double place[2];

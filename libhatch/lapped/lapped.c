@@ -62,7 +62,7 @@ static enum hatch_status lay(struct making *of, struct hatch_err *err)
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double mask[3][2];
         /* Outside the outline faces may be past the limits. */
-        if (f > 0 && patch->past[f])
+        if (f > 0 && patch->past[f] == HATCH_LAPPED_PAST)
             continue;
         for (uint32_t c = 0; c < 3; c++)
             hatch_patch_mask(patch, &patch->place[2 * patch->corners[3 * f + c]], mask[c]);
@@ -209,7 +209,8 @@ static enum hatch_status prepare(struct making *of, const struct hatch_surface *
                                  struct hatch_err *err)
 {
     struct hatch_arena *arena = of->arena;
-    HATCH_TRY(hatch_ground_make(surface, frames, direction, of->options, pool, arena, arena, &of->ground, err));
+    HATCH_TRY(hatch_ground_make(surface, frames, direction, outline, of->options, pool, arena, arena, &of->ground,
+                                err));
     HATCH_TRY(hatch_cover_make(outline, surface->face_count, arena, &of->cover, err));
     HATCH_TRY(hatch_growth_make(&of->ground, outline, of->cover.covered, arena, &of->growth, err));
     of->solver.arena = arena;

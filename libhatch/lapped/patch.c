@@ -12,6 +12,9 @@
 /* Nor may a face that shows be so small a part, or so many times, of what it should be. */
 #define AREA_MIN 0.25
 #define AREA_MAX 4.0
+/* One face in so many of a patch may be farther off the field than this share of the limit. */
+#define WIDE_ONE_IN 12
+#define WIDE_SHARE 0.57
 /* How deep a way is halved before it counts as touched. */
 #define HALVINGS 4
 /* What the outline shrinks by each time that something was wrong. */
@@ -66,8 +69,7 @@ bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_out
     return way_touches(outline, ends[0], ends[1], HALVINGS);
 }
 
-/* The smallest circle around a triangle. */
-static double circle_around(const double at[3][2], double center[2])
+double hatch_patch_circle(const double at[3][2], double center[2])
 {
     for (int c = 0; c < 3; c++) {
         const double *a = at[c], *b = at[(c + 1) % 3], *o = at[(c + 2) % 3];
@@ -102,7 +104,7 @@ static void center_on_seed(struct hatch_growth *growth)
         for (uint32_t i = 0; i < 2; i++)
             at[c][i] = patch->place[2 * c + i];
     }
-    patch->seed_radius = SEED_ROOM * circle_around((const double(*)[2])at, middle);
+    patch->seed_radius = SEED_ROOM * hatch_patch_circle((const double(*)[2])at, middle);
     for (int i = 0; i < 2; i++)
         patch->center[i] = middle[i] + patch->offset[i];
     patch->radius = fmax(patch->radius, hatch_patch_least(patch, growth->outline));
@@ -147,28 +149,39 @@ static enum hatch_status judge_rim(const struct hatch_growth *growth, struct hat
     return HATCH_OK;
 }
 
-static bool past_limits(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
-                        uint32_t local)
+static enum hatch_past past_limits(const struct hatch_growth *growth, const struct hatch_lapped_options *options,
+                                   uint32_t local)
 {
     struct hatch_fit fit;
     uint32_t face = growth->patch.faces[local];
     hatch_patch_fit(growth->ground, &growth->patch, local, &fit);
     if (!(fit.determinant >= DETERMINANT_MIN))
-        return true;
+        return HATCH_LAPPED_PAST;
     if (growth->covered[face])
-        return false;
-    return !(fit.stretch <= options->stretch_max && fit.determinant >= AREA_MIN && fit.determinant <= AREA_MAX) ||
-           (!growth->ground->singular[face] && !(fit.turn <= tan(options->turn_max_rad)));
+        return HATCH_LAPPED_WITHIN;
+    if (!(fit.stretch <= options->stretch_max && fit.determinant >= AREA_MIN && fit.determinant <= AREA_MAX))
+        return HATCH_LAPPED_PAST;
+    if (growth->ground->singular[face] || fit.turn <= tan(WIDE_SHARE * options->turn_max_rad))
+        return HATCH_LAPPED_WITHIN;
+    return fit.turn <= tan(options->turn_max_rad) ? HATCH_LAPPED_WIDE : HATCH_LAPPED_PAST;
 }
 
-/* Finds which faces are past a limit, where that is not known yet. */
+/* Finds which faces are past a limit, where that is not known yet. Those that are near it are where they are
+ * many: a patch of few faces, as on a crease, would not be that patch without them. */
 static void measure_faces(struct hatch_growth *growth, const struct hatch_lapped_options *options)
 {
     struct hatch_patch *patch = &growth->patch;
     for (; patch->measured < patch->face_count; patch->measured++) {
-        patch->past[patch->measured] = past_limits(growth, options, patch->measured);
-        patch->past_count += patch->past[patch->measured];
+        patch->past[patch->measured] = (uint8_t)past_limits(growth, options, patch->measured);
+        patch->past_count += patch->past[patch->measured] == HATCH_LAPPED_PAST;
+        patch->wide_count += patch->past[patch->measured] == HATCH_LAPPED_WIDE;
     }
+    if (patch->wide_count * WIDE_ONE_IN <= patch->face_count)
+        return;
+    for (uint32_t f = 0; f < patch->face_count; f++)
+        patch->past[f] = patch->past[f] != HATCH_LAPPED_WITHIN;
+    patch->past_count += patch->wide_count;
+    patch->wide_count = 0;
 }
 
 /* The first face is; another one only where its sides are. */
@@ -192,7 +205,7 @@ static enum hatch_status judge(struct hatch_growth *growth, const struct hatch_l
     measure_faces(growth, options);
     HATCH_TRY(judge_rim(growth, obstacles, verdict, err));
     for (uint32_t f = 0, left = patch->past_count; left > 0; f++) {
-        if (!patch->past[f])
+        if (patch->past[f] != HATCH_LAPPED_PAST)
             continue;
         left--;
         if (verdict->bad == UINT32_MAX && face_touched(growth, f))
@@ -241,7 +254,7 @@ static bool retreat(struct hatch_growth *growth, struct trial *trial)
         trial->halved = true;
     }
     for (uint32_t f = 0; f < patch->face_count; f++)
-        if (patch->past[f])
+        if (patch->past[f] == HATCH_LAPPED_PAST)
             growth->barred[patch->faces[f]] = growth->number;
     trial->anew = true;
     return verdict->bad != UINT32_MAX;
@@ -268,7 +281,8 @@ static void begin(struct hatch_growth *growth, const struct hatch_lapped_options
     double wide = 2 * growth->outline->reach_max * patch->radius / growth->ground->grain[seed];
     double expected = fmax(BUDGET_EXPECTED * FACES_IN_CIRCLE * wide * wide, BUDGET_MIN);
     patch->faces_max = expected < patch->faces_max ? (uint32_t)expected : patch->faces_max;
-    *notes = (struct hatch_patch_notes){.enlarged = patch->radius > growth->ground->wish[seed]};
+    double hold = HATCH_LAPPED_HOLD * patch->seed_radius / (SEED_ROOM * 2 * growth->outline->core_min);
+    *notes = (struct hatch_patch_notes){.enlarged = hold > 0.999 * patch->radius};
 }
 
 /* Notes what the patch tried to take, for those that begin there later. */

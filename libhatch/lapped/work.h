@@ -16,7 +16,8 @@ struct hatch_ground {
     const struct hatch_surface *surface;
     double *flat;       /* 4 a face: corners 1 and 2 seen from corner 0, in the frame of the face's line */
     double *rough;      /* per face: turning of normals and of the field, smoothed, per length */
-    double *wish;       /* per face: radius wanted of a patch that begins there */
+    double *wish;       /* per face: radius wanted of a patch that begins there; one that holds it, and neighbours
+                           of its size */
     double *grain;      /* per face: the length of an edge around it */
     uint8_t *singular;  /* per face: the field has an index */
     int8_t *bend;       /* per side: the sign with which the line of the face behind goes on in this one; doubled
@@ -25,7 +26,8 @@ struct hatch_ground {
 };
 
 enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const double *direction, const struct hatch_lapped_options *options,
+                                    const double *direction, const struct hatch_outline *outline,
+                                    const struct hatch_lapped_options *options,
                                     struct hatch_pool *pool, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_ground *ground,
                                     struct hatch_err *err) HATCH_MUST_USE;
@@ -39,6 +41,12 @@ static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32
     at[1] = corner == 0 ? 0 : flat[2 * corner - 1];
 }
 
+/* The smallest circle around a triangle of the plane; returns its radius. */
+double hatch_patch_circle(const double at[3][2], double center[2]);
+
+/* By how much the core of a patch is larger than a face must be for it to hold neighbours of its size as well. */
+#define HATCH_LAPPED_HOLD 1.9
+
 /* A side of the patch behind which it has no face but there is one. */
 struct hatch_rim {
     uint32_t side;      /* the surface's */
@@ -46,6 +54,9 @@ struct hatch_rim {
     bool covered;       /* the face behind is */
     bool may;           /* growth may take it */
 };
+
+/* How a face lies: nearly as the field is, past a limit, or between. */
+enum hatch_past { HATCH_LAPPED_WITHIN, HATCH_LAPPED_PAST, HATCH_LAPPED_WIDE };
 
 /* The patch that grows. Local faces and vertices are numbered in order of growth: any first part of
  * the faces is a disk too. */
@@ -61,11 +72,11 @@ struct hatch_patch {
     uint32_t *points;  /* surface's points of local vertices */
     double *place;     /* 2 a vertex: in the plane */
     uint8_t *steps;    /* per face: how far it lies inside covered ground, in faces from one that is bare */
-    uint8_t *past;     /* per face: past a limit */
+    uint8_t *past;     /* per face: enum hatch_past */
     struct hatch_rim *rim;
     uint32_t rim_count;
     uint32_t measured; /* faces at the beginning of which it is known whether they are past a limit */
-    uint32_t past_count; /* of them */
+    uint32_t past_count, wide_count; /* of them */
     uint32_t face_room, point_room, rim_room; /* of what there is per face, per vertex, per side of the rim */
     uint32_t faces_max;  /* growth ends at so many */
 };

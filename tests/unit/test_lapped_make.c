@@ -179,8 +179,8 @@ START_TEST(every_patch_is_a_disk)
     options.size = 0.6; /* more than the tube is around */
     hatch_outline_make(3, 1, 0.05, &outline);
     uint8_t *covered = HATCH_NEW(&keep, uint8_t, of.surface.face_count, &err);
-    HATCH_TEST_OK(hatch_ground_make(&of.surface, &of.frames, of.direction, &options, NULL, &keep, &scratch, &ground,
-                                    &err), &err);
+    HATCH_TEST_OK(hatch_ground_make(&of.surface, &of.frames, of.direction, &outline, &options, NULL, &keep, &scratch,
+                                    &ground, &err), &err);
     HATCH_TEST_OK(hatch_growth_make(&ground, &outline, covered, &keep, &growth, &err), &err);
     for (uint32_t seed = 0; seed < of.surface.face_count; seed += 97) {
         HATCH_TEST_OK(hatch_patch_make(&growth, &solver, &options, seed, 0, &done, &err), &err);
