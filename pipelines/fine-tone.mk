@@ -21,34 +21,39 @@ VOLUME   ?=
 BINS     ?=
 OPTIONS  ?=
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-map   := $(OUT)/fine-$(STYLE).tam.exr
+base  := $(OUT)/fine-$(notdir $(STYLE))
+map   := $(base).tam.exr
 scene := $(if $(SCENE),"$(SCENE)",$(OUT)/fine.glb)
 light := $(if $(MODULATE),--modulate "$(MODULATE)")
-# --pixel-light is for the two that have a tone at every pixel.
-wishes = $(if $(filter tam,$(1)),$(filter-out --pixel-light,$(OPTIONS)),$(OPTIONS))
-draw   = render-gl $(scene) --technique $(1) --tam $(2) --size $(SIZE) $(light) $(wishes) -o $@
+draw   = render-gl $(scene) --technique $(1) --tam "$(2)" --size $(SIZE) $(light) $(OPTIONS) -o $@
 
-.PHONY: all
+# What the files between are made of stands in a file of its own, which changes with it.
+words  := $(OUT)/fine.words
+wanted := $(SHAPE); $(STYLE) $(TONES) $(SEED) $(TAM); $(VOLUME); $(BINS)
+
+.PHONY: all always
 all: $(if $(COLOUR),,$(OUT)/fine-tam.png $(OUT)/fine-threshold.png) $(OUT)/fine-volume.png
 
-$(OUT)/fine-tam.png: $(map) $(if $(SCENE),,$(OUT)/fine.glb)
+$(OUT)/fine-tam.png: $(map) $(if $(SCENE),,$(OUT)/fine.glb) always
 	$(call draw,tam,$(map)) --quiet
-$(OUT)/fine-volume.png: $(OUT)/fine-$(STYLE).volume.ktx2 $(if $(SCENE),,$(OUT)/fine.glb)
+$(OUT)/fine-volume.png: $(base).volume.ktx2 $(if $(SCENE),,$(OUT)/fine.glb) always
 	$(call draw,volume,$<)
-$(OUT)/fine-threshold.png: $(OUT)/fine-$(STYLE).thresholds.ktx2 $(if $(SCENE),,$(OUT)/fine.glb)
+$(OUT)/fine-threshold.png: $(base).thresholds.ktx2 $(if $(SCENE),,$(OUT)/fine.glb) always
 	$(call draw,threshold,$<)
 
 %.volume.ktx2: %.tam.exr
 	tamvol $(VOLUME) $< -o $@
 %.thresholds.ktx2: %.tam.exr
 	tamthresh $(BINS) $< -o $@
-$(map):
-	mkdir -p $(OUT)
+$(map): $(words) $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
 	tamgen --style $(STYLE) --tones $(TONES) --seed $(SEED) $(TAM) -o $@
-$(OUT)/fine.glb:
-	mkdir -p $(OUT)
+$(OUT)/fine.glb: $(words)
 	meshgen $(SHAPE) -o $@
+$(words): always
+	@mkdir -p $(OUT)
+	@printf '%s\n' "$(wanted)" | cmp -s - $@ || printf '%s\n' "$(wanted)" >$@

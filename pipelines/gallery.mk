@@ -6,6 +6,7 @@ OUT  ?= .
 DRAWING ?= tests/drawings/hatching.svg
 SIZE ?= 640x480
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:

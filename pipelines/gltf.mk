@@ -2,7 +2,7 @@
 #
 #     make -f gltf.mk SCENE=duck.glb
 #     make -f gltf.mk SCENE=walk.glb FRAMES=48 STYLE=pencil      walk-000.png ... walk-047.png
-#     make -f gltf.mk SCENE=duck.glb FRAMES=90 TURN=1
+#     make -f gltf.mk SCENE=duck.glb FRAMES=90 TURN=1 STYLE=./my.style
 #
 # The scene's surfaces need texture coordinates: strokes run along them. The commands are looked for on
 # PATH. Copy this file and change it.
@@ -16,11 +16,13 @@ SEED      ?= 1
 OUT       ?= .
 OPTIONS   ?=
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-map := $(OUT)/$(STYLE).tam.exr
+# A style may be a file of yours; the map of another style or seed has another name.
+map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 # A file's name may hold spaces, which make would take for two files: the shell takes it apart.
 name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
@@ -33,6 +35,6 @@ else
 	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$$name-%03d.png" "$(SCENE)"
 endif
 
-$(map):
+$(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
 	mkdir -p $(OUT)
 	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@

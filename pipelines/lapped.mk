@@ -3,6 +3,7 @@
 #     make -f lapped.mk MESH=bunny.ply                        bunny.png
 #     make -f lapped.mk MESH=bunny.ply STYLE=pencil TURN=90   and once around it: bunny-000.png ... bunny-089.png
 #     make -f lapped.mk MESH=walk.glb FRAMES=48               the scene's animation: walk-000.png ...
+#     make -f lapped.mk MESH=bunny.ply STYLE=./my.style       a style of yours
 #     make -f lapped.mk MESHES='bunny.ply horse.ply'          both in one picture: row.png
 #     make -f lapped.mk MESH=bunny.ply FIELD='--direction min' LAPPED='--size .2' OPTIONS='--hatch-turn 30'
 #
@@ -23,11 +24,13 @@ FIELD     ?=
 LAPPED    ?=
 OPTIONS   ?=
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-map := $(OUT)/$(STYLE).tam.exr
+# A style may be a file of yours; the map of another style or seed has another name.
+map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 cover = dirfield $(FIELD) "$(1)" | lapped-param --seed $(SEED) $(LAPPED)
 # A file's name may hold spaces, which make would take for two files: the shell takes it apart.
@@ -64,6 +67,6 @@ $(OUT)/$(basename $(notdir $(1))).lapped.glb: $(1)
 endef
 $(foreach m,$(MESHES),$(eval $(call lapped_rule,$(m))))
 
-$(map):
+$(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
 	mkdir -p $(OUT)
 	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@

@@ -22,16 +22,17 @@ FRAMES  ?= 0
 OUT     ?= .
 OPTIONS ?=
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-sets := $(OUT)/$(STYLE)-$(SEEDS)x$(LAYERS)-$(SEED).seeds
+sets := $(OUT)/$(notdir $(STYLE))-$(SEEDS)x$(LAYERS)-$(SEED).seeds
 draw = render-gl --technique rptam --style $(STYLE) --seeds "$(sets)" --size $(SIZE) --camera $(CAMERA) $(OPTIONS) \
     "$(MODEL)"
 
 .PHONY: strip
-strip: $(sets) $(MODEL)
+strip: $(sets) $(filter $(OUT)/teapot.glb,$(MODEL))
 	$(draw) --frames 4 --animate zoom=1..$(NEAREST) -o "$(OUT)/zoom-%d.png"
 ifneq ($(FRAMES),0)
 	$(draw) --frames $(FRAMES) -o "$(OUT)/zoom-way-%03d.png" \

@@ -10,17 +10,22 @@ SIZE      ?= 1280x720
 SEED      ?= 1
 OUT       ?= .
 
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-$(OUT)/teapot.png: $(OUT)/teapot.glb $(OUT)/$(STYLE).tam.exr
-	render-gl --technique $(TECHNIQUE) --tam $(OUT)/$(STYLE).tam.exr --size $(SIZE) -o $@ $<
+# A style may be a file of yours; the map of another style or seed has another name.
+map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
+
+.PHONY: picture
+picture: $(OUT)/teapot.glb $(map)
+	render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) -o $(OUT)/teapot.png $<
 
 $(OUT)/teapot.glb:
 	mkdir -p $(OUT)
 	meshgen teapot --faces 20000 -o $@
 
-$(OUT)/%.tam.exr:
+$(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
 	mkdir -p $(OUT)
-	tamgen --style $* --size 512 --seed $(SEED) -o $@
+	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@

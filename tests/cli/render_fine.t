@@ -58,6 +58,9 @@ within "on a fine ball it is the vertices'" 0 20 "$(figure bias pixels.png thres
 ok "fine-tone.mk" make -s -f "$TOP/pipelines/fine-tone.mk" SIZE=64x64 TONES=32 TAM='--size 64 --levels 2' \
     VOLUME='-q --tones 16' BINS=-q OPTIONS=--pixel-light
 is "its pictures" "$(echo fine-*.png)" "fine-tam.png fine-threshold.png fine-volume.png"
+ok "fine-tone.mk of another shape" make -s -f "$TOP/pipelines/fine-tone.mk" SIZE=64x48 TONES=32 TAM='--size 64 --levels 2' \
+    VOLUME='-q --tones 16' BINS=-q SHAPE=cone
+is "which is drawn" "$(meshgen cone | cmp - fine.glb && echo yes)" yes
 
 try render-gl ball.glb -t volume -T map.exr -o no.png
 is "a map is no volume" "$status $(cat .err)" \

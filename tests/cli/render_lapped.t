@@ -28,6 +28,11 @@ meshgen plane --faces 50 -o plane.glb
 ok "several in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
 ok "a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
 is "its pictures" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
+printf 'width 3\n' >my.style
+ok "a style of one's own, elsewhere" make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=./my.style OUT=away SIZE=48x48
+is "its map and picture" "$(echo away/*)" "away/ball.png away/my.style.tam.exr"
+try make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb OUT='a way'
+is "a folder that make would take for two" "$status $(ls -d a way 2>/dev/null)" "2 "
 meshgen torus --faces 2000 -o smooth.glb
 perl "$TOP/tests/cli/bumpy.pl" <smooth.glb >bumpy.glb
 dirfield -q bumpy.glb | lapped-param -q -o bumpy.lapped.glb
