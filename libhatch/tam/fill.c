@@ -11,6 +11,8 @@
 /* After this many choices in a row that found no paper to darken, or nothing small enough, an image is
  * as close to its target as it gets: the ink may be too thin to reach it. */
 #define FRUITLESS_MAX 8u
+/* How much less a stroke may darken than the one tried before it did, on paper that others darkened since. */
+#define OVERLAP_SHARE 0.8
 
 struct filler {
     const struct hatch_style *style;
@@ -19,6 +21,7 @@ struct filler {
     struct hatch_potential field;                        /* method FIELD */
     float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
     float targets[HATCH_TAM_TONES_MAX];
+    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on each level; 0: none was */
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
     uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
@@ -96,8 +99,10 @@ static uint32_t directions_of(const struct hatch_style *style, float target, flo
 
 static struct hatch_stroke place(struct filler *f, const struct hatch_choice *choice)
 {
-    if (f->options->method == HATCH_FILL_FIELD)
+    if (f->options->method == HATCH_FILL_FIELD) {
+        hatch_potential_start(&f->field, choice->level);
         return hatch_place_by_field(f->style, &f->field, choice);
+    }
     return hatch_place_exhaustively(&f->canvas, f->pyramids, choice);
 }
 
@@ -152,6 +157,15 @@ static double room_for_stroke(const struct filler *f, uint32_t level, double tar
     return room;
 }
 
+/* Whether the shortest stroke would be too dark, so that trying is in vain: where columns lie closer than that, most
+ * images wait for a darker one. */
+static bool is_hopeless(const struct filler *f, uint32_t tone, uint32_t level, double room)
+{
+    double shortest = f->gain_per_length[level] * (double)f->style->length_min * OVERLAP_SHARE;
+    double step = (double)f->targets[tone] - (tone ? (double)f->targets[tone - 1] : 0);
+    return shortest > step && shortest > 2 * room;
+}
+
 /* Whether one more stroke brings the image closer to its target; else what to try instead. */
 enum verdict { TAKE, SHORTER, FRUITLESS };
 
@@ -175,16 +189,15 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     choice.direction_count = directions_of(f->style, f->targets[tone], choice.directions);
     if (f->options->color)
         hatch_style_color_at(f->style, f->targets[tone], choice.rgb);
-    if (f->options->method == HATCH_FILL_FIELD && f->canvas.darkness[level] < target)
-        hatch_potential_start(&f->field, level);
     grow_strokes(f, tone, level);
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
         double room = room_for_stroke(f, level, target);
-        if (!(room > 0))
+        if (!(room > 0) || is_hopeless(f, tone, level, room))
             return HATCH_OK;
         choice.number = f->choices++;
         struct hatch_stroke stroke = place(f, &choice);
         double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);
+        f->gain_per_length[level] = gain / (double)stroke.length;
         switch (judge(gain, room)) {
         case TAKE:
             fruitless = 0;

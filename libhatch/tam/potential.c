@@ -30,7 +30,7 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
                                    const struct hatch_brush *brush, struct hatch_potential *field,
                                    struct hatch_err *err)
 {
-    struct hatch_potential made = {.canvas_size_px = canvas_size_px, .levels = levels};
+    struct hatch_potential made = {.canvas_size_px = canvas_size_px, .levels = levels, .reach = levels};
     /* Measured: cells of two pixels at 256, of four at 1024, of eight at 4096 are as even as finer ones,
      * for a fraction of the time. */
     made.size = canvas_size_px / 4;
@@ -93,7 +93,8 @@ void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_c
         uint32_t x = f->at[i] % size_px / px_per_cell, y = f->at[i] / size_px / px_per_cell;
         float amount = canvas->change[i] * share;
         field->darkness[level][y * grid + x] += amount;
-        spread(field, grid, x, y, amount * weight);
+        if (level < field->reach)
+            spread(field, grid, x, y, amount * weight);
     }
 }
 
@@ -106,10 +107,11 @@ static void spread_all(struct hatch_potential *field, uint32_t level)
         const float *from = field->darkness[level] + (size_t)(y / cells) * grid;
         float *row = field->octave[0] + (size_t)y * size;
         field->used[y] = true;
-        if (y % cells == 0)
-            for (uint32_t x = 0; x < grid; x++)
-                for (uint32_t i = 0; i < cells; i++)
-                    repeated[x * cells + i] = from[x] * weight;
+        for (uint32_t x = 0; cells == 1 && x < size; x++)
+            repeated[x] = from[x] * weight;
+        for (uint32_t x = 0; cells > 1 && y % cells == 0 && x < grid; x++)
+            for (uint32_t i = 0; i < cells; i++)
+                repeated[x * cells + i] = from[x] * weight;
         for (uint32_t x = 0; x < size; x++)
             row[x] += repeated[x];
     }
@@ -117,6 +119,9 @@ static void spread_all(struct hatch_potential *field, uint32_t level)
 
 void hatch_potential_start(struct hatch_potential *field, uint32_t level)
 {
+    if (field->reach == level + 1)
+        return;
+    field->reach = level + 1;
     size_t cells = (size_t)field->size * field->size;
     memset(field->potential, 0, cells * sizeof *field->potential);
     for (uint32_t l = 0; l <= level; l++)

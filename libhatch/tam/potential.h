@@ -25,20 +25,23 @@ struct hatch_potential {
     bool *used;         /* rows of octave[0] that hold something */
     float *row;         /* work: one row and a cell on either side */
     uint32_t canvas_size_px, levels;
+    uint32_t reach;     /* the potential is that of levels 0 .. reach - 1 */
     float *darkness[HATCH_MIP_LEVELS_MAX];  /* of each canvas level, averaged over cells */
     uint32_t grid[HATCH_MIP_LEVELS_MAX];    /* its size: the field's, or the level's if smaller */
 };
 
-/* A field for a white canvas, and for strokes of that brush. canvas_size_px: a power of two. */
+/* A field for a white canvas, turned to all its levels, and for strokes of that brush. canvas_size_px: a power of
+ * two. */
 enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
                                    const struct hatch_brush *brush, struct hatch_potential *field,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
- * those levels. */
+ * those levels. Costs nothing where it was the last that the field turned to. */
 void hatch_potential_start(struct hatch_potential *field, uint32_t level);
 
-/* Takes in canvas->change of the stroke just drawn on that level, one of those of the last start. */
+/* Takes in canvas->change of the stroke just drawn on that level; what lies beyond the levels of the last
+ * start shows from the next one on. */
 void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_canvas *canvas, uint32_t level);
 
 /* Spreads what was deposited over all scales: once per stroke. */
