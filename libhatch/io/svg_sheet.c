@@ -29,14 +29,15 @@ static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_ar
 {
     char *made = HATCH_NEW(arena, char, text->length, err);
     bool comment = false;
+    size_t begin = 0;
     if (!made)
         return HATCH_LIMIT;
     for (size_t i = 0; i < text->length; i++) {
-        bool pair = i + 1 < text->length, ends = false;
-        if (!comment && pair && text->at[i] == '/' && text->at[i + 1] == '*')
+        bool ends = comment && i >= begin + 3 && text->at[i - 1] == '*' && text->at[i] == '/';
+        if (!comment && i + 1 < text->length && text->at[i] == '/' && text->at[i + 1] == '*') {
             comment = true;
-        else if (comment && i > 2 && text->at[i - 1] == '*' && text->at[i] == '/')
-            ends = true;
+            begin = i;
+        }
         made[i] = comment ? ' ' : text->at[i];
         comment &= !ends;
     }

@@ -84,6 +84,7 @@ static const char *const same_ends[] = {
     "<path transform='rotate(90)' stroke='black' d='M20-10 60-50'/>",
     "<path transform='rotate(90,30,40)' stroke='black' d='M10 60 50 20'/>",
     "<path transform='skewX(45) translate(-20,0)' stroke='black' d='M10 20 10 60'/>",
+    "<path transform='skewY(45) translate(0,-10)' stroke='black' d='M10 20 50 20'/>",
 };
 
 START_TEST(every_way_to_say_it_says_it)
@@ -160,6 +161,8 @@ static const struct {
     {"<g color='blue' stroke='currentColor'><path d='M0 0 9 9' stroke-width='3pt'/></g>", {0, 0, 1}, 4, 1},
     {"<g stroke='#000' stroke-width='2' transform='scale(3 .75)'><path d='M0 0 9 9'/></g>", {0, 0, 0}, 3, 1},
     {"<path d='M0 0 9 9' stroke='black' stroke-width='5%'/>", {0, 0, 0}, 5, 1},
+    {"<path d='M0 0 9 9' stroke='black' stroke-width='.25em'/>", {0, 0, 0}, 4, 1},
+    {"<path d='M0 0 9 9' stroke='black' stroke-width='.25ex'/>", {0, 0, 0}, 2, 1},
     /* style sheets: stronger than attributes, weaker than style; ids over classes over elements, then the later */
     {"<defs><style>.cls-1{fill:none;stroke:lime;stroke-width:3px;}</style></defs><path class='cls-1' d='M0 0 9 9'/>",
      {0, 1, 0}, 3, 1},
@@ -175,6 +178,7 @@ static const struct {
     {"<style>.a{stroke:red}</style><path class='a' style='stroke:lime' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     {"<style>/* .a{stroke:red} */ .a{/**/stroke:lime;/*;*/stroke-width/*x*/:4}</style><path class='a' d='M0 0 9 9'/>",
      {0, 1, 0}, 4, 1},
+    {"<style>.a/*/*/{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     {"<style>*{stroke-width:3}.a{stroke:lime;opacity:.5}</style><g class='a' opacity='.1'><path d='M0 0 9 9'/></g>",
      {0, 1, 0}, 3, .5f},
     {"<style>@import url(http://example.org/a.css);@media print{.a{stroke:red}}.b .a{stroke:red}.a{stroke:lime}</style>"
@@ -221,6 +225,8 @@ START_TEST(the_rest_is_counted)
     ck_assert_uint_eq(notes.gradients, 1);
     ck_assert_uint_eq(notes.others, 2);
     ck_assert_uint_eq(notes.outside, 1);
+    read_page("<style>@import 'a.css';@media print{.a{stroke:red}}.b .a,g>g,.a{fill:none}</style>");
+    ck_assert_uint_eq(notes.others, 4);
 }
 END_TEST
 
