@@ -30,6 +30,15 @@ static void check_scene(const struct job *job)
     }
 }
 
+/* As when somebody takes --frames for a film of a scene in which nothing moves. */
+static void warn_of_stillness(const struct job *job)
+{
+    const struct options *options = &job->options;
+    if (options->frames > 1 && !options->turntable && !options->change_count && !job->scene.animation_count)
+        cmd_warn(cmd_input_name(options->scene_path),
+                 "no animation: all frames are alike without --turntable or --animate");
+}
+
 /* What is wrong with a map, and what a technique that packs six grey columns leaves out of it. */
 static void warn_of_map(struct cmd_args *args, const struct options *options, const struct hatch_tam *map)
 {
@@ -97,6 +106,7 @@ void job_read(struct job *job)
         read_strokes(job);
     check_scene(job);
     cmd_warn_mesh(cmd_input_name(options->scene_path), &notes);
+    warn_of_stillness(job);
 }
 
 static double time_of(const struct job *job, uint32_t frame)

@@ -55,7 +55,7 @@ enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct h
         if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
             return hatch_fail(err, HATCH_BAD_INPUT,
                               "mesh %u has no texture coordinates for strokes to follow: "
-                              "dirfield FILE | lapped-param | render-gl - --tam MAP gives it some",
+                              "dirfield FILE | lapped-param -o NEW.glb gives it some",
                               i);
     return HATCH_OK;
 }

@@ -30,7 +30,7 @@ static struct cmd_texts changes;
 static const char *lines, *line_color;
 static double line_width = 2, crease = 40;
 static bool show_given, technique_given, samples_given, time_given, animation_given, fov_given;
-static bool frames_given, from_given;
+static bool frames_given, from_given, of_seeds;
 
 static const char *const shown[] = {"patches", "field", NULL}; /* TECHNIQUE_PATCHES and the next */
 
@@ -44,28 +44,28 @@ static struct cmd_option table[] = {
     {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it",
      &map_path, NULL, NULL},
     {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
-     &seeds, NULL, NULL},
+     &seeds, NULL, &of_seeds},
     {0, "layers", CMD_TEXT, 0, 0, "FILE", "+rptam: strokes and tones of each layer, a line each", &layers_path, NULL,
-     NULL},
+     &of_seeds},
     {0, "style", CMD_TEXT, 0, 0, "STYLE", "rptam: the drawing style of the strokes (default ink)", &drawing,
-     NULL, NULL},
+     NULL, &of_seeds},
     {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "+rptam: length and width in pixels (default: the style's)",
-     stroke, NULL, NULL},
+     stroke, NULL, &of_seeds},
     {0, "stroke-ink", CMD_REAL, 0.01, 1, "X", "+rptam: how dark a stroke is (default: the style's)", &stroke_ink,
-     NULL, NULL},
+     NULL, &of_seeds},
     {0, "stroke-turn", CMD_REAL, -360, 360, "DEGREES", "+rptam: turn the strokes about their middles (default 0)",
-     &stroke_turn, NULL, NULL},
+     &stroke_turn, NULL, &of_seeds},
     {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "+rptam: side of a set's tile (default: to suit the strokes)", &seed_tile,
-     NULL, NULL},
+     NULL, &of_seeds},
     {0, "seed-layers", CMD_INT, 0, HATCH_RPTAM_LAYERS_MAX, "N", "+rptam: draw no more than the first N sets",
-     &seed_layers, NULL, NULL},
+     &seed_layers, NULL, &of_seeds},
     {0, "fade", CMD_CHOICE, 0, 0, "LAW", "+rptam: even (default) or weighted, which keep the tone, or paper", &fade,
-     fades, NULL},
-    {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "+rptam: opacity (default) or size", &fade_by, fades_by, NULL},
+     fades, &of_seeds},
+    {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "+rptam: opacity (default) or size", &fade_by, fades_by, &of_seeds},
     {0, "overlap", CMD_REAL, 0, 1, "X", "+rptam: strokes fade together, 1, or one by one, 0 (default 0.3)",
-     &overlap, NULL, NULL},
+     &overlap, NULL, &of_seeds},
     {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "+rptam: coverage (default), or brute: every seed everywhere",
-     &seed_loop, seed_loops, NULL},
+     &seed_loop, seed_loops, &of_seeds},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
      NULL, NULL},
     {0, "samples", CMD_INT, 1, 64, "N",
@@ -211,6 +211,8 @@ static void read_style(struct style *style)
     if (style->inks.two)
         words_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)},
                    style->inks.light_ink);
+    if (!style->inks.two && memcmp(style->inks.paper, style->inks.ink, sizeof style->inks.ink) == 0)
+        cmd_warn(NULL, "ink and paper have the same colour: strokes will not be seen");
     if (specular_given && specular[0] > 10)
         cmd_usage("--specular %g:%g: strength outside 0 to 10", specular[0], specular[1]);
 }
@@ -300,6 +302,9 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
     if (pixel_light && !techniques[technique]->pixel_light)
         cmd_usage("--pixel-light goes with tam, gouraud, rptam, volume and threshold, not with %s",
                   techniques[technique]->name);
+    if (of_seeds && !techniques[technique]->seeds && !window)
+        cmd_usage("--seeds, --style, --stroke and what else is for strokes at seeds go with --technique rptam, "
+                  "not with %s", techniques[technique]->name);
     if (modulate && base_tone)
         cmd_usage("--modulate takes the place of --texture-tone");
     if (probe && !map_path)

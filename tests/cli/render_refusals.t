@@ -70,6 +70,11 @@ refuses "an animated option twice" 2 2 "one way only" $many torus.glb -t rptam -
 refuses "seeds of a technique without" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
 refuses "strokes of a technique without" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
 refuses "the width of no lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
+refuses "what is for seeds alone" 2 2 "not with tam" $draw torus.glb --tam map.exr --style pencil
+try $many torus.glb --tam map.exr
+is "frames in which nothing moves" "$status $(grep -c 'all frames are alike' .err)" "0 1"
+try render-gl --size 32x24 -o p0.png torus.glb --tam map.exr --ink white
+is "white ink on white paper" "$status $(grep -c 'same colour' .err)" "0 1"
 refuses "an animation of one picture" 2 2 "--frames 2" $draw torus.glb -t rptam --animate zoom=1..2
 refuses "a picture that memory does not hold" 5 1 memory \
     render-gl --size 65536x65536 torus.glb --tam map.exr --max-memory 100M -o picture.png
