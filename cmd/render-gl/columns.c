@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "image/color.h"
+
 const char *columns_name(enum columns_form form)
 {
     if (form == COLUMNS_VOLUME)
@@ -16,7 +18,7 @@ static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t ch
     const float *at = image->pixels + texel * image->channel_count;
     float light = channel < 3 && color ? at[channel] : at[0];
     if (channel == 3 && color)
-        light = 0.2126f * at[0] + 0.7152f * at[1] + 0.0722f * at[2];
+        light = hatch_color_luminance(at);
     float ink = 255.0f * (1.0f - light);
     return ink <= 0.0f ? 0 : ink >= 255.0f ? 255 : (uint8_t)lrintf(ink);
 }

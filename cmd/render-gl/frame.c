@@ -3,10 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-static float luminance(const float rgb[3])
-{
-    return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-}
+#include "image/color.h"
+#include "math/vector.h"
 
 void frame_set_style(struct frame_block *block, const struct inks *inks,
                      const struct tone_curve *curve, const struct gpu_columns *columns)
@@ -22,7 +20,8 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     block->shade[3] = (float)curve->shininess;
     block->counts[1] = columns ? (int32_t)columns->count : 0;
     block->counts[3] = columns && columns->whole;
-    block->counts[2] = luminance(inks->ink) > luminance(inks->paper) ? INK_LIGHTENS : INK_DARKENS;
+    block->counts[2] = hatch_color_luminance(inks->ink) > hatch_color_luminance(inks->paper) ? INK_LIGHTENS
+                                                                                             : INK_DARKENS;
     if (inks->two)
         block->counts[2] = INK_BOTH;
     for (uint32_t i = 0; columns && i < columns->count; i++) {
@@ -53,14 +52,9 @@ void frame_set_view(struct frame_block *block, const struct view *view, const st
     block->eye[3] = view->orthographic ? 0.0f : 1.0f;
 }
 
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 static void set_directional(struct frame_light *light, const double to_light[3])
 {
-    double length = length_of(to_light);
+    double length = hatch_vec_length(to_light);
     *light = (struct frame_light){.direction = {0, 1, 0, 0}, .cone = {0, 1, 0, 0}};
     for (int k = 0; k < 3 && length > 0 && isfinite(length); k++)
         light->direction[k] = (float)(to_light[k] / length);
@@ -74,7 +68,7 @@ static void set_directional(struct frame_light *light, const double to_light[3])
 static double set_scene_light(struct frame_light *light, const struct hatch_light *from,
                               const double world[16], const struct bounds *bounds)
 {
-    double power = (double)from->intensity * (double)luminance(from->color);
+    double power = (double)from->intensity * (double)hatch_color_luminance(from->color);
     double away[3] = {world[8], world[9], world[10]}, at[3];
     if (from->type == HATCH_LIGHT_DIRECTIONAL) {
         set_directional(light, away);
@@ -83,13 +77,13 @@ static double set_scene_light(struct frame_light *light, const struct hatch_ligh
     for (int k = 0; k < 3; k++)
         at[k] = (world[12 + k] - bounds->center[k]) / bounds->radius;
     power = power / bounds->radius / bounds->radius;
-    double distance = length_of(at), range = (double)from->range / bounds->radius;
+    double distance = hatch_vec_length(at), range = (double)from->range / bounds->radius;
     if (!(distance < FAR_AWAY)) {
         set_directional(light, at);
         power = range > 0 && range <= distance ? 0.0 : power / distance / distance;
         return power;
     }
-    double length = length_of(away);
+    double length = hatch_vec_length(away);
     *light = (struct frame_light){.position = {(float)at[0], (float)at[1], (float)at[2], 1.0f},
                                   .cone = {0.0f, 1.0f, 0.0f, (float)(1 / (FAR_AWAY * FAR_AWAY))}};
     for (int k = 0; k < 3; k++)

@@ -91,14 +91,12 @@ enum hatch_status halo_find(struct halo *halo, const struct target *target, cons
                             double reach_px, struct hatch_err *err)
 {
     double reach = reach_px * target->side, half = 1 / view->half_height;
+    HATCH_TRY(make_room(halo, target, (uint32_t)fmax(target->side, ceil(reach / CELLS_MOST)), err));
     const struct halo_block block = {
-        .sizes = {(float)reach, 0, (float)target->side, 0},
+        .sizes = {(float)reach, (float)halo->cell, (float)target->side, 0},
         .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
                   view->orthographic ? 0.0f : (float)half, (float)DEPTH, 0}};
-    struct halo_block sent = block;
-    HATCH_TRY(make_room(halo, target, (uint32_t)fmax(target->side, ceil(reach / CELLS_MOST)), err));
-    sent.sizes[1] = (float)halo->cell;
-    glNamedBufferSubData(halo->buffer, 0, sizeof sent, &sent);
+    glNamedBufferSubData(halo->buffer, 0, sizeof block, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, HALO_BINDING, halo->buffer);
     use_texture(HALO_UNIT_DEPTHS, target->depth);
     reduce(halo, CELLS, halo->width, halo->height, target->no_vertices);

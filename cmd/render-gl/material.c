@@ -5,6 +5,7 @@
 
 #include "cmd_picture.h"
 #include "filter/pyramid.h"
+#include "image/color.h"
 #include "io/foreign.h"
 
 static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap[2])
@@ -174,7 +175,7 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint
             continue;
         const struct hatch_material *material = &scene->materials[mesh->material];
         const float *color = material->base_color;
-        item->base_lightness = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
+        item->base_lightness = hatch_color_luminance(color);
         bool outline = gpu->meshes[item->mesh].patches != NULL;
         if (material->base.texture == HATCH_NONE ||
             !(as_tone || material->alpha_cutoff > 0 || outline))

@@ -3,26 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
+
 #define TURNS 24
 #define FLOAT_ERROR 0x1p-22 /* of places in the unit scene, when floats have carried them to the picture */
 #define MARGIN 0.92 /* share of the picture that a framed scene fills */
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 static bool make_unit(double v[3])
 {
-    double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3 && length > 0; k++)
-        v[k] /= length;
+    double length = hatch_vec_normalize(v);
     return length > 0 && isfinite(length);
 }
 
@@ -32,11 +21,11 @@ void view_set_back(struct view *view, const double back[3])
     memcpy(view->back, back, sizeof view->back);
     if (!make_unit(view->back))
         memcpy(view->back, depth, sizeof depth);
-    cross(vertical, view->back, view->right);
-    if (dot(view->right, view->right) < 1e-12)
-        cross(view->back[1] > 0 ? (const double[3]){0, 0, -1} : depth, view->back, view->right);
+    hatch_vec_cross(vertical, view->back, view->right);
+    if (hatch_vec_dot(view->right, view->right) < 1e-12)
+        hatch_vec_cross(view->back[1] > 0 ? (const double[3]){0, 0, -1} : depth, view->back, view->right);
     make_unit(view->right);
-    cross(view->back, view->right, view->up);
+    hatch_vec_cross(view->back, view->right, view->up);
 }
 
 struct fit {
@@ -59,7 +48,7 @@ static void fit_point(void *context, const double point[3])
     for (int turn = 0; turn < fit->turns; turn++) {
         double angle = 2.0 * 3.14159265358979324 * turn / fit->turns, c = cos(angle), s = sin(angle);
         double q[3] = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0]};
-        double x = dot(q, view->right), y = dot(q, view->up), z = dot(q, view->back);
+        double x = hatch_vec_dot(q, view->right), y = hatch_vec_dot(q, view->up), z = hatch_vec_dot(q, view->back);
         fit->right = fit->any ? fmax(fit->right, x + z * tan_x) : x + z * tan_x;
         fit->left = fit->any ? fmax(fit->left, z * tan_x - x) : z * tan_x - x;
         fit->up = fit->any ? fmax(fit->up, y + z * tan_y) : y + z * tan_y;
@@ -134,15 +123,15 @@ static enum hatch_status look_through(uint32_t index, const struct pose *pose,
     if (!make_unit(back) || !make_unit(up))
         return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: its node has no size", index);
     memcpy(view->back, back, sizeof back);
-    cross(up, back, view->right);
+    hatch_vec_cross(up, back, view->right);
     make_unit(view->right);
-    cross(back, view->right, view->up);
+    hatch_vec_cross(back, view->right, view->up);
     for (int k = 0; k < 3; k++) {
         struct hatch_pair eye = view_unit(bounds, k, world[12 + k]);
         view->eye[k] = eye.high;
         view->eye_rest[k] = eye.low;
     }
-    view->pivot = fmax(dot(view->eye, view->back), 0.05);
+    view->pivot = fmax(hatch_vec_dot(view->eye, view->back), 0.05);
     set_lens(&scene->cameras[index], bounds->radius, aspect, view);
     return HATCH_OK;
 }
@@ -158,14 +147,14 @@ static enum hatch_status look_from(const struct view_choice *choice, const struc
         view->eye[k] = eye.high;
         view->eye_rest[k] = eye.low;
     }
-    if (!(dot(back, back) > 0))
+    if (!(hatch_vec_dot(back, back) > 0))
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "the camera stands on what it looks at: "
                           "--camera X,Y,Z:X,Y,Z names the place and something else to look at");
     view->half_height = tan(0.5 * choice->fov_rad);
     view->near = VIEW_NEAR;
     view->near_is_own = true;
-    view->pivot = sqrt(dot(back, back));
+    view->pivot = sqrt(hatch_vec_dot(back, back));
     view_set_back(view, back);
     return HATCH_OK;
 }
@@ -252,7 +241,7 @@ void view_matrix(const struct view *view, const struct tile *tile, float clip_fr
     for (int column = 0; column < 4; column++) {
         double camera[4] = {0, 0, 0, column == 3 ? 1.0 : 0.0};
         for (int row = 0; row < 3; row++)
-            camera[row] = column < 3 ? axes[row][column] : -dot(axes[row], view->eye);
+            camera[row] = column < 3 ? axes[row][column] : -hatch_vec_dot(axes[row], view->eye);
         through_lens(view, tile, camera, clip_from_unit + 4 * column);
     }
 }
@@ -274,16 +263,16 @@ double view_float_error(const struct view *view, const struct tile *tile)
 bool view_sees(const struct view *view, const double point[3])
 {
     double to[3] = {point[0] - view->eye[0], point[1] - view->eye[1], point[2] - view->eye[2]};
-    double depth = -dot(to, view->back);
+    double depth = -hatch_vec_dot(to, view->back);
     double high = 1.1 * view->half_height * (view->orthographic ? 1.0 : depth);
-    return depth > view->near && fabs(dot(to, view->up)) < high &&
-           fabs(dot(to, view->right)) < high * view->aspect;
+    return depth > view->near && fabs(hatch_vec_dot(to, view->up)) < high &&
+           fabs(hatch_vec_dot(to, view->right)) < high * view->aspect;
 }
 
 double view_pixels_per_unit(const struct view *view, const double point[3], double height_px)
 {
     double from[3] = {view->eye[0] - point[0], view->eye[1] - point[1], view->eye[2] - point[2]};
-    double depth = dot(from, view->back);
-    double distance = depth > view->near ? depth : fmax(sqrt(dot(from, from)), view->near);
+    double depth = hatch_vec_dot(from, view->back);
+    double distance = depth > view->near ? depth : fmax(sqrt(hatch_vec_dot(from, from)), view->near);
     return height_px / (2 * view->half_height * (view->orthographic ? 1.0 : distance));
 }

@@ -9,6 +9,12 @@
  * was, for anything else. */
 bool hatch_color_from_hex(struct hatch_text digits, float rgb[3]);
 
+/* How light a linear colour is, by the weights of ITU-R BT.709. */
+static inline float hatch_color_luminance(const float rgb[3])
+{
+    return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+}
+
 /* The mean of the first three channels, R, G and B, as a vector whose length is the chroma and whose angle the
  * hue: (R - (G + B) / 2, (G - B) sqrt(3) / 2). image: of at least three channels. */
 void hatch_color_chroma(const struct hatch_image *image, double chroma[2]);

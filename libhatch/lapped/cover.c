@@ -102,14 +102,6 @@ static bool corners_held(const struct union_of *of)
     return true;
 }
 
-bool hatch_cover_holds(const struct hatch_outline *outline, const double mask[3][2])
-{
-    struct hatch_cover_entry entry = {.next = UINT32_MAX};
-    memcpy(entry.mask, mask, sizeof entry.mask);
-    struct union_of of = {outline, &entry, 0};
-    return corners_held(&of) && union_holds(&of, WHOLE, 0);
-}
-
 /* Whether opacity over 0 may be found in a part of a triangle where no earlier core lies over it. Never
  * false where it is. */
 static bool may_show(const struct union_of *of, const double mask[3][2], const double part[3][3], int cuts)

@@ -220,10 +220,8 @@ enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t
                                    struct hatch_arena *arena, struct hatch_cover *cover,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Whether the core holds a whole triangle of mask coordinates. Never true where it does not. */
-bool hatch_cover_holds(const struct hatch_outline *outline, const double mask[3][2]);
-
-/* Adds a face of a patch. *shows: whether the patch may be seen on it. */
+/* Adds a face of a patch. *shows: whether the patch may be seen on it. covered[face] is set once the cores hold
+ * the whole face, and never where they do not. */
 enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2],
                                   bool *shows, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "image/color.h"
+
 #define INKED 0.1f
 #define EDGE_BELOW 0.9f
 #define GREY 0.25f
@@ -18,7 +20,7 @@ static float *darkness_of(const struct hatch_image *image, struct hatch_arena *s
     float *dark = HATCH_NEW(scratch, float, count, err);
     for (size_t i = 0; dark && i < count; i++) {
         const float *at = image->pixels + i * channels;
-        float light = channels < 3 ? at[0] : 0.2126f * at[0] + 0.7152f * at[1] + 0.0722f * at[2];
+        float light = channels < 3 ? at[0] : hatch_color_luminance(at);
         dark[i] = fminf(fmaxf(1 - light, 0), 1);
     }
     return dark;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "image/color.h"
 
 #define ENVELOPE_WIDTH 64u
 #define ENVELOPE_HEIGHT 32u
@@ -163,7 +164,7 @@ enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_aren
 static float ink_at(const struct hatch_image *image, size_t pixel, int alpha)
 {
     const float *p = image->pixels + pixel * image->channel_count;
-    float paper = image->channel_count >= 3 ? 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2] : p[0];
+    float paper = image->channel_count >= 3 ? hatch_color_luminance(p) : p[0];
     float ink = alpha >= 0 ? p[alpha] : 1 - paper;
     return ink > 0 ? (ink < 1 ? ink : 1) : 0; /* NaN is no ink */
 }

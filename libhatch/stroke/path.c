@@ -107,12 +107,6 @@ float hatch_path_length(const struct hatch_path *path)
     return (float)length;
 }
 
-static float wrap_unit(double x)
-{
-    float wrapped = (float)(x - floor(x));
-    return wrapped < 1 ? wrapped : 0;
-}
-
 enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct hatch_arena *arena,
                                     struct hatch_stroke *stroke, struct hatch_err *err)
 {
@@ -128,8 +122,8 @@ enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct h
     if (!(length <= HATCH_PATH_LENGTH_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a line of %g tiles", (double)length);
     const double *end = b->xy + 2 * (size_t)b->count - 2;
-    stroke->x = wrap_unit(middle[0]);
-    stroke->y = wrap_unit(middle[1]);
+    stroke->x = hatch_stroke_wrap(middle[0]);
+    stroke->y = hatch_stroke_wrap(middle[1]);
     stroke->length = length;
     stroke->angle_rad = (float)atan2(end[1] - b->xy[1], end[0] - b->xy[0]);
     stroke->bend_rad = 0;

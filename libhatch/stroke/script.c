@@ -218,17 +218,10 @@ static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *
     return HATCH_OK;
 }
 
-/* A centre outside the tile is the same place inside it. */
-static float wrap_unit(double x)
-{
-    float wrapped = (float)(x - floor(x));
-    return wrapped < 1 ? wrapped : 0;
-}
-
 static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
 {
-    return (struct hatch_stroke){.x = wrap_unit(v[X]),
-                                 .y = wrap_unit(v[Y]),
+    return (struct hatch_stroke){.x = hatch_stroke_wrap(v[X]),
+                                 .y = hatch_stroke_wrap(v[Y]),
                                  .length = (float)v[LENGTH],
                                  .angle_rad = (float)v[ANGLE],
                                  .bend_rad = (float)v[BEND] + 0.0f, /* no -0: a column of zeros is not printed */

@@ -3,6 +3,7 @@
 #ifndef HATCH_STROKE_STROKE_H
 #define HATCH_STROKE_STROKE_H
 
+#include <math.h>
 #include <stdint.h>
 
 #include "base/arena.h"
@@ -29,6 +30,13 @@ struct hatch_stroke {
                                                fall with the level; 0 beyond `level` */
     const struct hatch_path *path; /* around (x, y), or NULL; not owned */
 };
+
+/* The same place of the tile, in [0, 1), as the fraction x of its side, which may lie outside. */
+static inline float hatch_stroke_wrap(double x)
+{
+    float wrapped = (float)(x - floor(x));
+    return wrapped < 1 ? wrapped : 0;
+}
 
 /* A growing list in an arena, in drawing order. */
 struct hatch_stroke_list {

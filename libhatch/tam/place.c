@@ -66,17 +66,11 @@ static uint32_t insert(struct scored *list, uint32_t count, const struct scored 
     return count < SHORTLIST ? count + 1 : count;
 }
 
-static float wrap_unit(float x)
-{
-    x -= floorf(x);
-    return x < 1 ? x : 0;
-}
-
 static struct hatch_stroke moved_across(const struct hatch_stroke *stroke, float distance)
 {
     struct hatch_stroke moved = *stroke;
-    moved.x = wrap_unit(stroke->x - (float)sin((double)stroke->angle_rad) * distance);
-    moved.y = wrap_unit(stroke->y + (float)cos((double)stroke->angle_rad) * distance);
+    moved.x = hatch_stroke_wrap(stroke->x - (float)sin((double)stroke->angle_rad) * distance);
+    moved.y = hatch_stroke_wrap(stroke->y + (float)cos((double)stroke->angle_rad) * distance);
     return moved;
 }
 

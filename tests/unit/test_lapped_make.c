@@ -173,6 +173,7 @@ START_TEST(every_patch_is_a_disk)
     struct hatch_outline outline;
     struct hatch_ground ground;
     struct hatch_growth growth;
+    struct hatch_cover cover;
     struct hatch_solver solver = {.arena = &keep};
     struct hatch_patch_notes done;
     struct hatch_lapped_options options = LAPPED_PLAIN;
@@ -182,6 +183,7 @@ START_TEST(every_patch_is_a_disk)
     HATCH_TEST_OK(hatch_ground_make(&of.surface, &of.frames, of.direction, &outline, &options, NULL, &keep, &scratch,
                                     &ground, &err), &err);
     HATCH_TEST_OK(hatch_growth_make(&ground, &outline, covered, &keep, &growth, &err), &err);
+    HATCH_TEST_OK(hatch_cover_make(&outline, of.surface.face_count, &keep, &cover, &err), &err);
     for (uint32_t seed = 0; seed < of.surface.face_count; seed += 97) {
         HATCH_TEST_OK(hatch_patch_make(&growth, &solver, &options, seed, 0, &done, &err), &err);
         const struct hatch_patch *patch = &growth.patch;
@@ -198,7 +200,9 @@ START_TEST(every_patch_is_a_disk)
         double mask[3][2];
         for (uint32_t c = 0; c < 3; c++)
             hatch_patch_mask(patch, &patch->place[2 * patch->corners[c]], mask[c]);
-        ck_assert(hatch_cover_holds(&outline, (const double(*)[2])mask));
+        bool shows;
+        HATCH_TEST_OK(hatch_cover_add(&cover, seed, (const double(*)[2])mask, &shows, &err), &err);
+        ck_assert(shows && cover.covered[seed]);
     }
 }
 END_TEST
