@@ -73,11 +73,14 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
                                   &args->keep, &args->scratch, scene, notes, &err),
                   name, &err);
     } else {
-        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, notes, &err),
+        double origin[3];
+        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, origin, notes, &err),
                   name, &err);
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
+        for (int k = 0; k < 3; k++) /* a survey's coordinates stay what they are in the scene */
+            scene->nodes[0].translation[k] = (float)origin[k];
         scene->meshes[0].loose = format == HATCH_MESH_STL;
         if (scene->meshes[0].loose)
             notes->vertices_apart = 0;

@@ -1,10 +1,13 @@
 #include "io/mesh_file.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "io/mesh_polygon.h"
 #include "io/mesh_text.h"
+
+#define FAR 256 /* extents: floats are wrong there by 2^-16 of an extent */
 
 static bool starts_with(struct hatch_bytes file, const char *magic)
 {
@@ -83,9 +86,26 @@ enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char 
     return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
 }
 
+/* Whether a mesh lies so far out that floats are coarse beside its own size. origin: its middle then, else zeros. */
+static bool is_far(const struct hatch_mesh *mesh, double origin[3])
+{
+    float low[3], high[3];
+    double extent = 0;
+    bool far = false, any = hatch_mesh_bounds(mesh, low, high);
+    for (int k = 0; k < 3 && any; k++)
+        extent = fmax(extent, (double)high[k] - (double)low[k]);
+    for (int k = 0; k < 3; k++) {
+        double middle = any ? 0.5 * ((double)low[k] + (double)high[k]) : 0;
+        bool apart = fabs(middle) > FAR * extent;
+        origin[k] = apart ? (double)(float)middle : 0;
+        far = far || apart;
+    }
+    return far;
+}
+
 enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format,
                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
                                   struct hatch_err *err)
 {
     static const hatch_mesh_reader readers[] = {[HATCH_MESH_PLY] = hatch_ply_read,
@@ -97,16 +117,25 @@ enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_forma
         return hatch_fail(err, HATCH_BAD_INPUT, "empty");
     if (format == HATCH_MESH_UNKNOWN)
         return hatch_fail(err, HATCH_BAD_INPUT, "not a GLB, glTF, PLY, OBJ, OFF or STL file");
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch), kept = hatch_arena_mark(arena);
     struct hatch_mesh_notes said = *notes;
     struct hatch_mesh made;
-    enum hatch_status status = readers[format](file, arena, scratch, &made, &said, err);
+    double middle[3] = {0, 0, 0};
+    enum hatch_status status = readers[format](file, middle, arena, scratch, &made, &said, err);
     hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK && origin && is_far(&made, middle)) {
+        hatch_arena_rewind(arena, kept);
+        said = *notes;
+        status = readers[format](file, middle, arena, scratch, &made, &said, err);
+        hatch_arena_rewind(scratch, mark);
+    }
     if (status == HATCH_OK)
         status = hatch_mesh_check(&made, err);
     if (status != HATCH_OK)
         return status;
     *mesh = made;
     *notes = said;
+    if (origin)
+        memcpy(origin, middle, sizeof middle);
     return HATCH_OK;
 }

@@ -17,6 +17,7 @@ struct corner {
 
 struct obj {
     struct hatch_mesh_text text;
+    const double *origin;
     struct hatch_arena *scratch;
     struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 each */
     bool plain;                        /* faces name positions alone */
@@ -45,7 +46,9 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
     float value[3];
     if (o->values[kind].size / sizeof value >= INT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "line %u: too many %s", o->text.line, names[kind]);
-    for (uint32_t k = 0; k < widths[kind]; k++) {
+    if (kind == V)
+        HATCH_TRY(hatch_mesh_text_position(&o->text, names[V], o->origin, value, err));
+    for (uint32_t k = 0; k < widths[kind] && kind != V; k++) {
         struct hatch_mesh_text before = o->text;
         if (kind == VT && k == 1 && hatch_mesh_text_word(&before).length == 0)
             value[k] = 0; /* one-dimensional texture */
@@ -264,12 +267,12 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
     return HATCH_OK;
 }
 
-enum hatch_status hatch_obj_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     struct obj o = {
-        .text = hatch_mesh_text_of(file), .scratch = scratch, .plain = !names_more(file)};
+        .text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .plain = !names_more(file)};
     o.text.comment = '#';
     o.text.continues = true;
     for (int kind = 0; kind < KINDS; kind++)

@@ -82,7 +82,7 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     return HATCH_OK;
 }
 
-enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
@@ -98,8 +98,7 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *ar
         if (!find_line(&text))
             return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld vertices", (long long)v,
                               (long long)counts[0]);
-        for (int k = 0; k < 3; k++)
-            HATCH_TRY(hatch_mesh_text_float(&text, "vertex", &positions[v * 3 + k], err));
+        HATCH_TRY(hatch_mesh_text_position(&text, "vertex", origin, &positions[v * 3], err));
         hatch_mesh_text_next_line(&text);
     }
     struct hatch_faces faces = hatch_faces_in(scratch);

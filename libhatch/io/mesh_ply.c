@@ -10,6 +10,7 @@
 
 struct ply {
     struct hatch_ply_header header;
+    const double *origin;
     struct hatch_mesh_text text;             /* ascii */
     struct hatch_reader reader;              /* binary */
     const struct hatch_ply_element *element; /* being read, and which of it: for messages */
@@ -167,7 +168,7 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
                 return fail(p, err, "a number is not finite");
             size_t v = (size_t)p->item, k = (size_t)property->use;
             if (k <= HATCH_PLY_Z)
-                p->positions[v * 3 + k - HATCH_PLY_X] = value;
+                p->positions[v * 3 + k - HATCH_PLY_X] = (float)(number - p->origin[k - HATCH_PLY_X]);
             else if (k <= HATCH_PLY_NZ && p->normals)
                 p->normals[v * 3 + k - HATCH_PLY_NX] = value;
             else if (k >= HATCH_PLY_U && p->texcoords)
@@ -265,7 +266,7 @@ static enum hatch_status read_body(struct ply *p, struct hatch_err *err)
     return HATCH_OK;
 }
 
-enum hatch_status hatch_ply_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
@@ -274,6 +275,7 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, struct hatch_arena *ar
         return HATCH_LIMIT;
     p->scratch = p->corners.arena = scratch;
     p->faces = hatch_faces_in(scratch);
+    p->origin = origin;
     p->text = hatch_mesh_text_of(file);
     HATCH_TRY(hatch_ply_read_header(&p->text, &p->header, err));
     p->reader = hatch_reader_of(file);

@@ -41,24 +41,24 @@ enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_are
 /* How long the word is that OFF files begin with: ST, C, N, each or none, and OFF. 0: it does not stand there. */
 size_t hatch_off_word(const char *at, size_t left);
 
-/* The readers, each as hatch_mesh_read for its format. */
-typedef enum hatch_status (*hatch_mesh_reader)(struct hatch_bytes file, struct hatch_arena *arena,
-                                               struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                               struct hatch_mesh_notes *notes,
+/* The readers, each as hatch_mesh_read for its format; origin is not NULL. */
+typedef enum hatch_status (*hatch_mesh_reader)(struct hatch_bytes file, const double origin[3],
+                                               struct hatch_arena *arena, struct hatch_arena *scratch,
+                                               struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                                struct hatch_err *err);
-enum hatch_status hatch_ply_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
     HATCH_MUST_USE;
-enum hatch_status hatch_obj_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
     HATCH_MUST_USE;
-enum hatch_status hatch_off_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
     HATCH_MUST_USE;
-enum hatch_status hatch_stl_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_stl_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
     HATCH_MUST_USE;

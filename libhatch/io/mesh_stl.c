@@ -58,7 +58,7 @@ static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct ha
     return HATCH_OK;
 }
 
-static enum hatch_status read_binary(struct hatch_bytes file, struct hatch_arena *arena,
+static enum hatch_status read_binary(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                      struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct hatch_reader reader = hatch_reader_of(file);
@@ -75,7 +75,7 @@ static enum hatch_status read_binary(struct hatch_bytes file, struct hatch_arena
     for (uint32_t f = 0; f < count; f++) {
         hatch_read_bytes(&reader, 12);
         for (int i = 0; i < 9; i++) {
-            *to = hatch_read_f32(&reader);
+            *to = (float)((double)hatch_read_f32(&reader) - origin[i % 3]);
             if (!isfinite(*to++))
                 return hatch_fail(err, HATCH_BAD_INPUT, "triangle %u: a position is not finite", f);
         }
@@ -87,6 +87,7 @@ static enum hatch_status read_binary(struct hatch_bytes file, struct hatch_arena
 
 /* Where reading text stands. */
 struct solids {
+    const double *origin;
     struct hatch_mesh_text text;
     struct hatch_buffer positions;
     uint32_t corners; /* of the facet being read */
@@ -105,8 +106,7 @@ static enum hatch_status take_word(struct solids *s, struct hatch_text word, str
     s->ended = s->naming ? is(word, "endsolid") : s->ended;
     if (is(word, "vertex")) {
         float p[3];
-        for (int k = 0; k < 3; k++)
-            HATCH_TRY(hatch_mesh_text_float(&s->text, "vertex", &p[k], err));
+        HATCH_TRY(hatch_mesh_text_position(&s->text, "vertex", s->origin, p, err));
         s->corners++;
         return hatch_buffer_add(&s->positions, p, sizeof p, err);
     }
@@ -125,11 +125,11 @@ static enum hatch_status take_word(struct solids *s, struct hatch_text word, str
 }
 
 /* Lines mean nothing but where a solid's name ends: some programs write none. */
-static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *arena,
+static enum hatch_status read_text(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                    struct hatch_err *err)
 {
-    struct solids s = {.text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
+    struct solids s = {.origin = origin, .text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
     do {
         s.first = true;
         s.naming = false;
@@ -145,11 +145,11 @@ static enum hatch_status read_text(struct hatch_bytes file, struct hatch_arena *
     return HATCH_OK;
 }
 
-enum hatch_status hatch_stl_read(struct hatch_bytes file, struct hatch_arena *arena,
+enum hatch_status hatch_stl_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     (void)notes;
-    return is_binary(file) ? read_binary(file, arena, mesh, err)
-                           : read_text(file, arena, scratch, mesh, err);
+    return is_binary(file) ? read_binary(file, origin, arena, mesh, err)
+                           : read_text(file, origin, arena, scratch, mesh, err);
 }

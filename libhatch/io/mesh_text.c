@@ -106,8 +106,8 @@ bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number)
     return true;
 }
 
-enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what,
-                                        float *number, struct hatch_err *err)
+static enum hatch_status next_number(struct hatch_mesh_text *text, const char *what, double *number,
+                                     struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_word(text);
     double value;
@@ -120,6 +120,26 @@ enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char
     if (!isfinite((float)value))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is too large", text->line, what,
                           hatch_mesh_text_shown(word), word.at);
+    *number = value;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what,
+                                        float *number, struct hatch_err *err)
+{
+    double value = 0;
+    HATCH_TRY(next_number(text, what, &value, err));
     *number = (float)value;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_text_position(struct hatch_mesh_text *text, const char *what, const double origin[3],
+                                           float position[3], struct hatch_err *err)
+{
+    double value = 0;
+    for (int k = 0; k < 3; k++) {
+        HATCH_TRY(next_number(text, what, &value, err));
+        position[k] = (float)(value - origin[k]);
+    }
     return HATCH_OK;
 }

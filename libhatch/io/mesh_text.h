@@ -36,4 +36,8 @@ bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* The same for the three numbers of a position, less origin, which is taken off before they become floats. */
+enum hatch_status hatch_mesh_text_position(struct hatch_mesh_text *text, const char *what, const double origin[3],
+                                           float position[3], struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

@@ -10,6 +10,7 @@
 
 static struct hatch_mesh mesh;
 static struct hatch_mesh_notes notes;
+static double origin[3];
 
 static void begin_reading(void)
 {
@@ -25,7 +26,7 @@ static struct hatch_bytes text(const char *words)
 static enum hatch_status read_bytes(struct hatch_bytes file)
 {
     enum hatch_mesh_format format = hatch_mesh_format_of(file, NULL);
-    return hatch_mesh_read(file, format, &keep, &scratch, &mesh, &notes, &err);
+    return hatch_mesh_read(file, format, &keep, &scratch, &mesh, origin, &notes, &err);
 }
 
 static void reads(struct hatch_bytes file, uint32_t vertices, uint32_t faces)
@@ -120,7 +121,7 @@ START_TEST(one_mesh_in_every_format)
     const char *names[] = {"made by nobody", "solid, and yet binary"};
     for (int i = 0; i < 2; i++) {
         struct hatch_bytes file = binary_stl(names[i]);
-        HATCH_TEST_OK(hatch_mesh_read(file, HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err),
+        HATCH_TEST_OK(hatch_mesh_read(file, HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err),
                       &err);
         ck_assert_uint_eq(mesh.vertex_count, 12);
         ck_assert_double_eq_tol(area(), 1.5 + sqrt(3.0) / 2, 1e-7);
@@ -158,7 +159,7 @@ START_TEST(every_cut_is_seen)
         struct hatch_bytes cut = files[i].file;
         enum hatch_mesh_format format = hatch_mesh_format_of(cut, "x.stl");
         for (cut.size = 0; cut.size < files[i].file.size - files[i].spare; cut.size++)
-            ck_assert_msg(hatch_mesh_read(cut, format, &keep, &scratch, &mesh, &notes, &err) ==
+            ck_assert_msg(hatch_mesh_read(cut, format, &keep, &scratch, &mesh, origin, &notes, &err) ==
                               HATCH_BAD_INPUT,
                           "file %zu, cut after %zu bytes, is read", i, cut.size);
     }
@@ -259,12 +260,12 @@ START_TEST(what_real_files_have)
     reads(text(ply), 3, 1);
     static const char stl[] = " \n\tSOLID x\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
                               "Vertex 0 1 0\nENDLOOP\nENDFACET\nENDSOLID x\n";
-    HATCH_TEST_OK(hatch_mesh_read(text(stl), HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_read(text(stl), HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
     ck_assert_uint_eq(mesh.face_count, 1);
     static const char one_line[] = "solid a vertex of a loop facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
                                    "vertex 0 1 0 endloop endfacet facet normal 0 0 1 outer loop vertex 1 0 0 vertex "
                                    "1 1 0 vertex 0 1 0 endloop endfacet endsolid a vertex";
-    HATCH_TEST_OK(hatch_mesh_read(text(one_line), HATCH_MESH_STL, &keep, &scratch, &mesh, &notes, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_read(text(one_line), HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
     ck_assert_uint_eq(mesh.face_count, 2);
     ck_assert_float_eq(mesh.attributes[0].data[3 * 4 + 1], 1);
     struct hatch_bytes file = binary_stl("solid, with more at the end");
@@ -371,7 +372,7 @@ static enum hatch_status read_one(void *context, struct hatch_arena *kept,
     struct hatch_mesh_notes said = {0};
     struct hatch_bytes file = *(const struct hatch_bytes *)context;
     const char *name = file.data[0] == 's' ? "x.stl" : NULL;
-    return hatch_mesh_read(file, hatch_mesh_format_of(file, name), kept, temporary, &mesh, &said,
+    return hatch_mesh_read(file, hatch_mesh_format_of(file, name), kept, temporary, &mesh, origin, &said,
                            error);
 }
 
@@ -383,6 +384,35 @@ START_TEST(every_failed_allocation_is_a_limit)
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         hatch_test_fail_alloc(read_one, &files[i], &mesh, sizeof mesh);
+}
+END_TEST
+
+/* A tetrahedron in a survey's coordinates: as floats its corners would be one point, and with them its form. */
+START_TEST(what_lies_far_out_keeps_its_shape)
+{
+    static const double at[3] = {5e8, 0, -4e6};
+    static const char *const files[] = {
+        "v 500000000 0 -4000000\nv 500000001 0 -4000000\nv 500000000 1 -4000000\nv 500000000 0 -3999999\n"
+        "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+        "OFF\n4 4 6\n500000000 0 -4000000\n500000001 0 -4000000\n500000000 1 -4000000\n500000000 0 -3999999\n"
+        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face 4\nproperty list uchar int vertex_indices\nend_header\n500000000 0 -4000000\n"
+        "500000001 0 -4000000\n500000000 1 -4000000\n500000000 0 -3999999\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        reads(text(files[i]), 4, 4);
+        ck_assert_uint_eq(notes.degenerate_dropped, 0);
+        for (int v = 0; v < 4; v++)
+            for (int k = 0; k < 3; k++)
+                ck_assert_double_eq(origin[k] + (double)mesh.attributes[0].data[3 * v + k],
+                                    at[k] + (double)corners[v][k]);
+    }
+    reads(text("solid\nfacet\nvertex 500000000 0 0\nvertex 500000001 0 0\nvertex 500000000 1 0\nendfacet\nendsolid\n"),
+          3, 1);
+    ck_assert_double_eq(area(), 0.5);
+    reads(text(plain_obj), 4, 4);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq(origin[k], 0);
 }
 END_TEST
 
@@ -402,6 +432,7 @@ static Suite *suite(void)
     tcase_add_test(tests, obj_corners_become_vertices_once_each);
     tcase_add_test(tests, polygons_are_cut_without_loss);
     tcase_add_test(tests, a_large_polygon_takes_no_time);
+    tcase_add_test(tests, what_lies_far_out_keeps_its_shape);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
