@@ -118,11 +118,13 @@ struct cmd_output *cmd_open_output(const char *path, bool binary);
  * a picture called teapot.jpg that holds PNG misleads. Other names, and NULL, pass. */
 void cmd_check_ending(const char *path, const char *endings);
 
-/* An output and all that goes into it. */
+/* An output and all that goes into it: size bytes of data, and after them pieces, if there are any. */
 struct cmd_file {
     struct cmd_output *output;
     const void *data;
     size_t size;
+    const struct hatch_bytes *pieces;
+    size_t piece_count;
 };
 
 /* Writes every file whole, closes it and checks each step; only when all of them are on disk do hidden

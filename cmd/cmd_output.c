@@ -270,6 +270,8 @@ static void put(const struct cmd_file *file)
             die_errno(output->name, "cannot write", errno);
     }
     write_all(output, file->data, file->size);
+    for (size_t i = 0; i < file->piece_count; i++)
+        write_all(output, (const char *)file->pieces[i].data, file->pieces[i].size);
     if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
         die_errno(output->name, "cannot write", errno);
 }
@@ -312,7 +314,7 @@ void cmd_write_all(const struct cmd_file *files, size_t count)
 
 void cmd_write(struct cmd_output *output, const void *data, size_t size)
 {
-    cmd_write_all(&(struct cmd_file){output, data, size}, 1);
+    cmd_write_all(&(struct cmd_file){.output = output, .data = data, .size = size}, 1);
 }
 
 void cmd_close_stdout(void)

@@ -50,7 +50,7 @@ void pictures_write(struct job *job)
                   NULL, &err);
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);
-        files[frame] = (struct cmd_file){job->outputs[frame], bytes.data, bytes.size};
+        files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
     }
     if (job->strokes_made)
         cmd_note("the model of strokes was made %u times, %.2f ms each", job->strokes_made,

@@ -83,10 +83,10 @@ int main(int argc, char **argv)
              (long long)count, (long long)layers, (long long)candidates, methods[method],
              (unsigned long long)args.seed);
     cmd_check(hatch_seeds_write(&seeds, comment, &file, &err), NULL, &err);
-    struct cmd_file files[2] = {{output, file.data, file.size}};
+    struct cmd_file files[2] = {{.output = output, .data = file.data, .size = file.size}};
     if (plot) {
         struct hatch_bytes drawing = plot_seeds(&args, &seeds);
-        files[1] = (struct cmd_file){plot, drawing.data, drawing.size};
+        files[1] = (struct cmd_file){.output = plot, .data = drawing.data, .size = drawing.size};
     }
     cmd_write_all(files, plot ? 2 : 1);
     return cmd_end(&args, HATCH_OK);

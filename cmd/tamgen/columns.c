@@ -8,6 +8,8 @@
 /* Copies are floats, twice what a column takes in the file: with many threads they would outweigh the
  * map itself. A third of its columns at once is more than the filling can feed. */
 #define COPIES_DIVISOR 3u
+/* With one copy a thread the others run dry while this one compresses a column itself, since all were taken. */
+#define COPIES_PER_THREAD 2u
 
 /* A column that waits for its compression: the canvas goes on changing, so its pixels are copied. */
 struct column_copy {
@@ -33,7 +35,8 @@ static enum hatch_status begin(struct columns *columns, const struct hatch_mipma
 {
     HATCH_TRY(hatch_exr_begin(column, columns->tones, columns->arena, &columns->writer, err));
     uint32_t threads = hatch_pool_threads(columns->pool), most = columns->tones / COPIES_DIVISOR;
-    columns->copy_count = threads < 2 ? 0 : threads < most ? threads : most;
+    uint32_t useful = threads < 2 ? 0 : threads * COPIES_PER_THREAD;
+    columns->copy_count = useful < most ? useful : most;
     columns->copies = HATCH_NEW(columns->arena, struct column_copy, columns->copy_count, err);
     if (!columns->copies)
         return HATCH_LIMIT;
@@ -96,15 +99,14 @@ enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_
     return HATCH_OK;
 }
 
-enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *file,
+enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *head, struct hatch_bytes *pieces,
                                  struct hatch_err *err)
 {
     hatch_pool_wait(columns->pool);
     for (uint32_t i = 0; i < columns->copy_count; i++)
         if (columns->copies[i].status != HATCH_OK) {
             *err = columns->copies[i].err;
-            hatch_exr_abandon(columns->writer);
             return columns->copies[i].status;
         }
-    return hatch_exr_end(columns->writer, file, err);
+    return hatch_exr_pieces(columns->writer, head, pieces, err);
 }

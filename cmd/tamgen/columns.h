@@ -24,8 +24,9 @@ struct columns {
 enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                struct hatch_err *err) HATCH_MUST_USE;
 
-/* Waits for the other threads and encodes the file. */
-enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *file,
+/* Waits for the other threads and tells the file's bytes: those of head, then those of pieces[tones], which live
+ * until hatch_exr_abandon(columns->writer). */
+enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *head, struct hatch_bytes *pieces,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -30,8 +30,9 @@ void begin_columns(struct job *job)
 void write_outputs(struct job *job, const struct outputs *outputs)
 {
     struct hatch_err err;
+    struct hatch_bytes pieces[HATCH_TAM_TONES_MAX];
     struct hatch_buffer map = {.arena = &job->args.keep}, script = map, picture = map;
-    cmd_check(columns_finish(&job->columns, &map, &err), job->args.output, &err);
+    cmd_check(columns_finish(&job->columns, &map, pieces, &err), job->args.output, &err);
     if (job->strokes_path)
         cmd_check(hatch_script_print(job->strokes.items, job->strokes.count, job->size_px, NULL, &script, &err),
                   job->strokes_path, &err);
@@ -39,11 +40,12 @@ void write_outputs(struct job *job, const struct outputs *outputs)
         cmd_check(hatch_png_write(&job->sheet.picture, HATCH_PNG_SRGB, 8, NULL, &job->args.scratch, &picture,
                                   &err),
                   job->sheet_path, &err);
-    struct cmd_file files[] = {{outputs->map, map.data, map.size}, {NULL, NULL, 0}, {NULL, NULL, 0}};
+    struct cmd_file files[3] = {{outputs->map, map.data, map.size, pieces, job->tones}};
     size_t count = 1;
     if (job->strokes_path)
-        files[count++] = (struct cmd_file){outputs->strokes, script.data, script.size};
+        files[count++] = (struct cmd_file){.output = outputs->strokes, .data = script.data, .size = script.size};
     if (job->sheet_path)
-        files[count++] = (struct cmd_file){outputs->sheet, picture.data, picture.size};
+        files[count++] = (struct cmd_file){.output = outputs->sheet, .data = picture.data, .size = picture.size};
     cmd_write_all(files, count);
+    hatch_exr_abandon(job->columns.writer);
 }

@@ -110,7 +110,8 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     struct cmd_file *written = HATCH_NEW(&job->args->keep, struct cmd_file, count, &err);
     cmd_check(written ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++)
-        written[i] = (struct cmd_file){files[i].output, files[i].bytes.data, files[i].bytes.size};
+        written[i] = (struct cmd_file){
+            .output = files[i].output, .data = files[i].bytes.data, .size = files[i].bytes.size};
     cmd_write_all(written, count);
     for (uint32_t i = 0; i < count; i++)
         hatch_arena_free(&files[i].arena);

@@ -40,8 +40,14 @@ enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t p
 enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees what the writer holds outside its arena; for the way out after a failure. NULL is allowed.
- */
+/* The same bytes where they lie, for a file that is too large to be laid out once more: what comes first goes into an
+ * empty head, and pieces[part_count] are what follows, in this order. They live until hatch_exr_abandon, which the
+ * caller owes in any case. */
+enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch_buffer *head,
+                                   struct hatch_bytes *pieces, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Frees what the writer holds outside its arena: after hatch_exr_pieces, or on the way out after a failure. NULL is
+ * allowed. */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
 /* A whole file of one part. */

@@ -27,8 +27,8 @@ struct workspace {
 struct part {
     struct hatch_arena arena;  /* what follows lives in it: threads add parts side by side */
     struct hatch_mipmap label; /* name and attributes; its levels are not used */
-    uint32_t *chunk_sizes;
-    uint8_t *packed;
+    uint32_t *chunk_sizes;     /* with what stands before each chunk in the file */
+    struct hatch_bytes packed; /* the chunks as they stand in the file */
 };
 
 /* The texels of one chunk: a tile, or a few whole rows. */
@@ -230,7 +230,23 @@ static void give_workspace_back(struct hatch_exr_writer *writer, struct workspac
     free_workspace(work);
 }
 
-static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, struct part *part,
+/* What stands before a chunk in the file ("OpenEXR File Layout", Chunk Layout): where it belongs, and its bytes. */
+static enum hatch_status add_chunk_head(const struct hatch_exr_writer *writer, uint32_t part, const struct area *area,
+                                        size_t size, struct hatch_buffer *out, struct hatch_err *err)
+{
+    if (writer->part_count > 1)
+        HATCH_TRY(hatch_buffer_add_u32le(out, part, err));
+    if (writer->level_count > 1) {
+        const uint32_t place[] = {area->x, area->y, area->level, area->level};
+        for (uint32_t i = 0; i < 4; i++)
+            HATCH_TRY(hatch_buffer_add_u32le(out, place[i], err));
+    } else {
+        HATCH_TRY(hatch_buffer_add_u32le(out, area->top, err));
+    }
+    return hatch_buffer_add_u32le(out, (uint32_t)size, err);
+}
+
+static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, uint32_t part,
                                      const struct hatch_mipmap *mipmap, struct workspace *work,
                                      struct hatch_err *err)
 {
@@ -238,10 +254,11 @@ static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, struct par
     uint8_t *filtered = work->raw + raw_size, *zipped = work->raw + 2 * raw_size;
     struct area area = {0};
     for (uint32_t chunk = 0; next_area(writer, &area); chunk++) {
-        size_t size = lay_out(writer, &mipmap->levels[area.level], &area, work->raw);
+        size_t size = lay_out(writer, &mipmap->levels[area.level], &area, work->raw), before = work->packed.size;
         size = hatch_exr_zip(work->compressor, work->raw, size, filtered, zipped);
-        part->chunk_sizes[chunk] = (uint32_t)size;
+        HATCH_TRY(add_chunk_head(writer, part, &area, size, &work->packed, err));
         HATCH_TRY(hatch_buffer_add(&work->packed, zipped, size, err));
+        writer->parts[part].chunk_sizes[chunk] = (uint32_t)(work->packed.size - before);
     }
     return HATCH_OK;
 }
@@ -263,36 +280,37 @@ static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap
     return HATCH_OK;
 }
 
-static enum hatch_status add_part(struct hatch_exr_writer *writer, struct part *part,
+static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t index,
                                   const struct hatch_mipmap *mipmap, struct workspace *work,
                                   struct hatch_err *err)
 {
+    struct part *part = &writer->parts[index];
     HATCH_TRY(keep_label(part, mipmap, err));
     part->chunk_sizes = HATCH_NEW(&part->arena, uint32_t, writer->chunk_count, err);
     if (!part->chunk_sizes)
         return HATCH_LIMIT;
-    HATCH_TRY(pack_chunks(writer, part, mipmap, work, err));
+    HATCH_TRY(pack_chunks(writer, index, mipmap, work, err));
     size_t size = work->packed.size;
     if (atomic_fetch_add(&writer->packed_bytes, size) + size > writer->limit_bytes)
         return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu",
                           writer->limit_bytes);
-    part->packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
-    if (!part->packed)
+    uint8_t *packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
+    if (!packed)
         return HATCH_LIMIT;
-    memcpy(part->packed, work->packed.data, size);
+    part->packed = (struct hatch_bytes){memcpy(packed, work->packed.data, size), size};
     return HATCH_OK;
 }
 
 enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part,
                                      const struct hatch_mipmap *mipmap, struct hatch_err *err)
 {
-    assert(part < writer->part_count && !writer->parts[part].packed);
+    assert(part < writer->part_count && !writer->parts[part].packed.data);
     assert(mipmap->level_count == writer->level_count);
     assert(mipmap->levels[0].width == writer->width && mipmap->levels[0].height == writer->height);
     assert(mipmap->levels[0].channel_count == writer->channel_count);
     struct workspace *work;
     HATCH_TRY(take_workspace(writer, &work, err));
-    enum hatch_status status = add_part(writer, &writer->parts[part], mipmap, work, err);
+    enum hatch_status status = add_part(writer, part, mipmap, work, err);
     give_workspace_back(writer, work);
     return status;
 }
@@ -348,62 +366,80 @@ static bool has_long_names(const struct hatch_exr_writer *writer)
     return is_long;
 }
 
-static exr_result_t write_part(const struct hatch_exr_writer *writer, struct part *part, int index,
-                               exr_context_t context)
-{
-    const uint8_t *at = part->packed;
-    struct area area = {0};
-    exr_result_t result = EXR_ERR_SUCCESS;
-    for (uint32_t chunk = 0; result == EXR_ERR_SUCCESS && next_area(writer, &area); chunk++) {
-        uint32_t size = part->chunk_sizes[chunk];
-        int level = (int)area.level;
-        if (writer->level_count > 1)
-            result = exr_write_tile_chunk(context, index, (int)area.x, (int)area.y, level, level,
-                                          at, size);
-        else
-            result = exr_write_scanline_chunk(context, index, (int)area.top, at, size);
-        at += size;
-    }
-    hatch_arena_free(&part->arena);
-    part->packed = NULL;
-    return result;
-}
-
-static exr_result_t write_file(struct hatch_exr_writer *writer, exr_context_t context)
+static exr_result_t write_header(struct hatch_exr_writer *writer, exr_context_t context)
 {
     exr_result_t result = EXR_ERR_SUCCESS;
     if (has_long_names(writer))
         result = exr_set_longname_support(context, 1);
     for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < writer->part_count; i++)
         result = declare_part(writer, &writer->parts[i], context);
-    if (result == EXR_ERR_SUCCESS)
-        result = exr_write_header(context);
-    for (uint32_t i = 0; result == EXR_ERR_SUCCESS && i < writer->part_count; i++)
-        result = write_part(writer, &writer->parts[i], (int)i, context);
-    return result;
+    return result == EXR_ERR_SUCCESS ? exr_write_header(context) : result;
+}
+
+/* Where each chunk begins. */
+static enum hatch_status add_offsets(const struct hatch_exr_writer *writer, struct hatch_buffer *head,
+                                     struct hatch_err *err)
+{
+    uint64_t offset = head->size + (uint64_t)writer->part_count * writer->chunk_count * sizeof offset;
+    for (uint32_t i = 0; i < writer->part_count; i++)
+        for (uint32_t chunk = 0; chunk < writer->chunk_count; chunk++) {
+            HATCH_TRY(hatch_buffer_add_u64le(head, offset, err));
+            offset += writer->parts[i].chunk_sizes[chunk];
+        }
+    return HATCH_OK;
+}
+
+static enum hatch_status make_head(struct hatch_exr_writer *writer, struct hatch_buffer *head,
+                                   struct hatch_err *err)
+{
+    struct hatch_exr_stream stream = {.buffer = head};
+    exr_context_t context = NULL;
+    exr_result_t result = hatch_exr_open_write(&stream, &context);
+    if (result == EXR_ERR_SUCCESS) {
+        result = write_header(writer, context);
+        size_t size = head->size;
+        exr_finish(&context); /* it has seen no chunk, and what it thinks of that does not matter */
+        head->size = size;
+    }
+    if (result != EXR_ERR_SUCCESS)
+        return hatch_exr_fail(&stream, result, HATCH_IO, err);
+    return add_offsets(writer, head, err);
+}
+
+enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch_buffer *head,
+                                   struct hatch_bytes *pieces, struct hatch_err *err)
+{
+    assert(head->size == 0);
+    free_workspaces(writer);
+    for (uint32_t i = 0; i < writer->part_count; i++) {
+        assert(writer->parts[i].packed.data);
+        pieces[i] = writer->parts[i].packed;
+    }
+    enum hatch_status status = make_head(writer, head, err);
+    if (status != HATCH_OK)
+        head->size = 0;
+    return status;
+}
+
+static enum hatch_status join(struct hatch_exr_writer *writer, struct hatch_buffer *file, struct hatch_err *err)
+{
+    struct hatch_bytes *pieces = HATCH_NEW(file->arena, struct hatch_bytes, writer->part_count, err);
+    if (!pieces)
+        return HATCH_LIMIT;
+    size_t overhead = (size_t)writer->part_count * (writer->chunk_count * sizeof(uint64_t) + 1024u);
+    HATCH_TRY(hatch_buffer_reserve(file, writer->packed_bytes + overhead, err));
+    HATCH_TRY(hatch_exr_pieces(writer, file, pieces, err));
+    for (uint32_t i = 0; i < writer->part_count; i++) {
+        HATCH_TRY(hatch_buffer_add(file, pieces[i].data, pieces[i].size, err));
+        hatch_arena_free(&writer->parts[i].arena);
+    }
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
                                 struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < writer->part_count; i++)
-        assert(writer->parts[i].packed);
-    assert(file->size == 0);
-    free_workspaces(writer);
-    struct hatch_exr_stream stream = {.buffer = file};
-    size_t overhead = (size_t)writer->part_count * (writer->chunk_count * 32u + 1024u);
-    enum hatch_status status = hatch_buffer_reserve(file, writer->packed_bytes + overhead, err);
-    exr_context_t context = NULL;
-    if (status == HATCH_OK) {
-        exr_result_t result = hatch_exr_open_write(&stream, &context);
-        if (result == EXR_ERR_SUCCESS) {
-            result = write_file(writer, context);
-            exr_result_t finished = exr_finish(&context);
-            result = result == EXR_ERR_SUCCESS ? finished : result;
-        }
-        if (result != EXR_ERR_SUCCESS)
-            status = hatch_exr_fail(&stream, result, HATCH_IO, err);
-    }
+    enum hatch_status status = join(writer, file, err);
     if (status != HATCH_OK)
         file->size = 0;
     hatch_exr_abandon(writer);

@@ -262,6 +262,28 @@ START_TEST(a_writer_stops_at_its_limit)
 }
 END_TEST
 
+/* Where they lie or joined, the bytes are the same, and pieces live on until the writer goes. */
+START_TEST(pieces_are_the_file)
+{
+    struct hatch_mipmap parts[PARTS];
+    for (uint32_t i = 0; i < PARTS; i++)
+        make_part(&kinds[_i], i, &parts[i]);
+    uint32_t count = _i % 2 ? 1 : PARTS;
+    struct hatch_buffer file = write_all(parts, count, 1), head = {.arena = &keep};
+    struct hatch_exr_writer *writer;
+    struct hatch_bytes pieces[PARTS];
+    HATCH_TEST_OK(hatch_exr_begin(&parts[0], count, &keep, &writer, &err), &err);
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TEST_OK(hatch_exr_add_part(writer, i, &parts[i], &err), &err);
+    HATCH_TEST_OK(hatch_exr_pieces(writer, &head, pieces, &err), &err);
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TEST_OK(hatch_buffer_add(&head, pieces[i].data, pieces[i].size, &err), &err);
+    hatch_exr_abandon(writer);
+    ck_assert_uint_eq(head.size, file.size);
+    ck_assert_mem_eq(head.data, file.data, file.size);
+}
+END_TEST
+
 struct reading {
     struct hatch_bytes file;
     struct hatch_mipmap *parts;
@@ -306,6 +328,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("exr");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, what_is_written_is_read, 0, sizeof kinds / sizeof *kinds);
+    tcase_add_loop_test(tests, pieces_are_the_file, 0, sizeof kinds / sizeof *kinds);
     tcase_add_test(tests, bytes_do_not_depend_on_the_threads);
     tcase_add_test(tests, what_is_read_does_not_depend_on_the_threads);
     tcase_add_test(tests, every_cut_is_refused);
