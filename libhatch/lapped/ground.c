@@ -13,6 +13,9 @@
 /* Chosen size: diameter over the diagonal, and the faces that a patch should at least have. */
 #define SIZE_CHOSEN 0.10
 #define FACES_WANTED 250.0
+/* More, where a face's longest side squared is over so many times that of equal sides: what a patch's border cuts
+ * through is in two patches at least, and long faces reach far in. */
+#define LONG 2.5
 /* What they should at most have, so that time stays in proportion to faces; and how much larger than
  * chosen the wish for faces may make a patch. */
 #define FACES_MOST 1000.0
@@ -196,6 +199,17 @@ static double radius_of_faces(double faces, double area)
     return sqrt(faces * area / 3.14159265358979) / SHOWN;
 }
 
+static double longest_squared(const struct hatch_ground *ground, uint32_t face)
+{
+    double longest = 0;
+    for (uint32_t c = 0; c < 3; c++) {
+        double vector[2];
+        side_vector(ground, 3 * face + c, vector);
+        longest = fmax(longest, vector[0] * vector[0] + vector[1] * vector[1]);
+    }
+    return longest;
+}
+
 /* The radius whose core holds a face and neighbours like it. Were it to hold the one alone, long faces side by
  * side would each be in three patches. */
 static double radius_to_hold(const struct hatch_ground *ground, const struct hatch_outline *outline, uint32_t face)
@@ -219,10 +233,11 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_outline
             uint32_t f = component->first_face + i;
             double bend = options->curved * CURVED_GAIN * ground->rough[f] * whole;
             double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + bend * bend));
+            double wanted = FACES_WANTED * fmax(1, longest_squared(ground, f) / (LONG * EDGE_SQUARED * area[f]));
             if (options->size > 0)
                 radius = fmax(radius, fmin(whole, radius_of_faces(FACES_WANTED, area[f])));
             else
-                radius = fmin(fmax(radius, radius_of_faces(FACES_WANTED, area[f])),
+                radius = fmin(fmax(radius, radius_of_faces(wanted, area[f])),
                               fmin(radius_of_faces(FACES_MOST, area[f]), SIZE_MOST * whole));
             ground->wish[f] = fmax(radius, radius_to_hold(ground, outline, f));
         }

@@ -181,6 +181,13 @@ awk 'BEGIN {n = 64; for (i = 0; i < n; i++) {a = 6.283185307 * i / n
             b, a, 2 * n + 1, a + 1, b + 1, 2 * n + 2}}' >can.obj
 within "a can" can.obj
 
+# Rows of long faces: with patches of as many faces as elsewhere 1.87.
+awk 'BEGIN {n = 140; m = 8; for (i = 0; i < n; i++) for (j = 0; j <= m; j++) {a = 6.283185307 * i / n
+        printf "v %.9g %.9g %.9g\n", cos(a), 3 * j / m, -sin(a)}
+    for (i = 0; i < n; i++) for (j = 0; j < m; j++) {a = i * (m + 1) + j + 1; b = (i + 1) % n * (m + 1) + j + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, b, b + 1, a, b + 1, a + 1}}' >rows.obj
+within "a tube of long faces" rows.obj
+
 # Patches of few faces, all beside creases: one face in twenty was 8.5 and 9.5 degrees off the field.
 awk 'BEGIN {n = 24; split("0 .8 .2 .8 .35 1 .65 1", p, " "); m = 4 * n
     for (i = 0; i < m; i++) {a = 6.283185307 * (int(i / 4) + p[2 * (i % 4) + 1]) / n; r = p[2 * (i % 4) + 2]
