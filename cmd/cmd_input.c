@@ -78,6 +78,10 @@ enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
 
 struct hatch_bytes cmd_read(struct cmd_args *args, const char *path)
 {
+    static bool stdin_taken;
+    if (is_standard_input(path) && stdin_taken)
+        cmd_usage("two inputs come from standard input");
+    stdin_taken = stdin_taken || is_standard_input(path);
     struct hatch_bytes bytes = {0};
     struct hatch_err err;
     cmd_check(cmd_try_read(&args->keep, path, &bytes, &err), cmd_input_name(path), &err);

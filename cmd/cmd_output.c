@@ -212,8 +212,10 @@ void cmd_check_ending(const char *path, const char *endings)
     char ending[8] = "";
     for (size_t i = 0; dot && i + 1 < sizeof ending && dot[i + 1]; i++)
         ending[i] = (char)tolower((unsigned char)dot[i + 1]);
+    int first = (int)strcspn(endings, " ");
     if (dot && *ending && is_listed(formats, ending) && !is_listed(endings, ending))
-        cmd_usage("%s: the ending is that of another format: want %s", path, endings);
+        cmd_usage("%s: the ending is that of another format: want .%.*s%s%s", path, first, endings,
+                  endings[first] ? " or ." : "", endings[first] ? endings + first + 1 : "");
 }
 
 struct cmd_output *cmd_open_output(const char *path, bool binary)

@@ -22,6 +22,8 @@ try tamgen --size 64 --strokes -
 refused "two outputs go to standard output" 2 2
 is "the old output stays" "$(cat map.exr)" old
 ok "two outputs go to a device" tamgen --size 64 -o /dev/null --strokes /dev/null
+try sh -c 'meshgen plane --faces 2 | hatchstat mesh - -'
+refused "two inputs come from standard input" 2 2
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
 
 # Files that belong together are old or new together.

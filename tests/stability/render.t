@@ -144,7 +144,8 @@ for far in 0 4000000 4000000000; do
     awk -v far="$far" 'BEGIN {for (i = 0; i <= 24; i++) for (j = 0; j <= 12; j++) {
         a = i * 0.2617993877991494; b = j * 0.5235987755982989; r = 1 + 0.4 * cos(b)
         printf "v %.9f %.9f %.9f\nvt %g %g\n", far + r * cos(a), 0.4 * sin(b), r * sin(a) - far, i / 8, j / 12
-        p = (i - 1) * 13 + j; if (i && j) printf "f %d/%d %d/%d %d/%d %d/%d\n", p, p, p+1, p+1, p+14, p+14, p+13, p+13}}' \
+        p = (i - 1) * 13 + j;
+        if (i && j) printf "f %d/%d %d/%d %d/%d %d/%d\n", p, p, p+1, p+1, p+14, p+14, p+13, p+13}}' \
         >far.obj
     render-gl far.obj --tam map.exr --size 64x48 -o "far-$far.png"
     [ "$far" = 0 ] || ok "as if it lay $far nearer" hatchstat diff --max-difference 0.05 far-0.png "far-$far.png"
