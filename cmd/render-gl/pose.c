@@ -3,17 +3,24 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
+
 enum hatch_status pose_make(const struct hatch_scene *scene, struct hatch_arena *arena,
                             struct pose *pose, struct hatch_err *err)
 {
-    uint32_t joints = 0;
+    uint32_t joints = 0, targets = 0;
     for (uint32_t i = 0; i < scene->skin_count; i++)
         if (scene->skins[i].joint_count > joints)
             joints = scene->skins[i].joint_count;
-    struct pose made = {.scene = scene};
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        uint32_t more = hatch_mesh_targets(&scene->meshes[i].mesh);
+        targets = more > targets ? more : targets;
+    }
+    struct pose made = {.scene = scene, .animation = HATCH_NONE};
     made.world = HATCH_NEW(arena, float, 16u * (size_t)scene->node_count, err);
     made.joints = made.world ? HATCH_NEW(arena, float, 16u * (size_t)joints, err) : NULL;
-    if (!made.joints)
+    made.weights = made.joints ? HATCH_NEW(arena, double, targets, err) : NULL;
+    if (!made.weights)
         return HATCH_LIMIT;
     *pose = made;
     return HATCH_OK;
@@ -21,6 +28,8 @@ enum hatch_status pose_make(const struct hatch_scene *scene, struct hatch_arena 
 
 void pose_at(struct pose *pose, uint32_t animation, double time_s)
 {
+    pose->animation = animation;
+    pose->time_s = time_s;
     hatch_scene_pose(pose->scene, animation, time_s, pose->world);
 }
 
@@ -66,12 +75,12 @@ static void blend_joints(const float *joints, const float *ids, const float *wei
         matrix[i] /= sum;
 }
 
-static void transform_normal(const double matrix[16], const float *in, float *out)
+static void transform_normal(const double matrix[16], const double in[3], float *out)
 {
     double n[9], v[3];
     pose_normal_matrix(matrix, n);
     for (int r = 0; r < 3; r++)
-        v[r] = n[r] * (double)in[0] + n[3 + r] * (double)in[1] + n[6 + r] * (double)in[2];
+        v[r] = n[r] * in[0] + n[3 + r] * in[1] + n[6 + r] * in[2];
     double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     for (int r = 0; r < 3; r++)
         out[r] = length > 0 ? (float)(v[r] / length) : 0.0f;
@@ -83,6 +92,22 @@ void pose_vertices(struct pose *pose, uint32_t node, uint32_t mesh, double *posi
     pose_mesh(pose, node, &pose->scene->meshes[mesh].mesh, positions, normals);
 }
 
+bool pose_shapes(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh)
+{
+    bool skinned = scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(mesh, "JOINTS_0", 4) &&
+                   hatch_mesh_find(mesh, "WEIGHTS_0", 4);
+    return skinned || hatch_mesh_targets(mesh) > 0;
+}
+
+/* A vertex's vector as the morph targets make it. moves: NULL where there are none. */
+static void morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights, size_t vertex,
+                  double out[3])
+{
+    hatch_vec_of(at_rest + 3 * vertex, out);
+    for (uint32_t i = 0; moves && i < moves->components; i++)
+        out[i % 3] += weights[i / 3] * (double)moves->data[moves->components * vertex + i];
+}
+
 void pose_mesh(struct pose *pose, uint32_t node, const struct hatch_mesh *from, double *positions,
                float *normals)
 {
@@ -91,22 +116,27 @@ void pose_mesh(struct pose *pose, uint32_t node, const struct hatch_mesh *from, 
     const float *normal = hatch_mesh_find(from, "NORMAL", 3);
     const float *ids = hatch_mesh_find(from, "JOINTS_0", 4);
     const float *weights = hatch_mesh_find(from, "WEIGHTS_0", 4);
+    const struct hatch_mesh_attribute *moves = hatch_mesh_attribute(from, HATCH_MORPH_POSITION);
+    const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(from, HATCH_MORPH_NORMAL);
     uint32_t skin = scene->nodes[node].skin;
     bool skinned = skin != HATCH_NONE && ids && weights;
     if (skinned)
         hatch_scene_skin(scene, skin, pose->world, pose->joints);
-    double matrix[16];
+    hatch_scene_weights(scene, node, pose->animation, pose->time_s, hatch_mesh_targets(from), pose->weights);
+    double matrix[16], p[3];
     pose_matrix(pose, node, matrix);
     for (size_t v = 0; v < from->vertex_count; v++) {
         if (skinned)
             blend_joints(pose->joints, ids + 4 * v, weights + 4 * v,
                          scene->skins[skin].joint_count, matrix);
-        const float *p = position + 3 * v;
+        morph(position, moves, pose->weights, v, p);
         for (int r = 0; r < 3; r++)
-            positions[3 * v + (size_t)r] = matrix[r] * (double)p[0] + matrix[4 + r] * (double)p[1] +
-                                           matrix[8 + r] * (double)p[2] + matrix[12 + r];
-        if (normals && normal)
-            transform_normal(matrix, normal + 3 * v, normals + 3 * v);
+            positions[3 * v + (size_t)r] = matrix[r] * p[0] + matrix[4 + r] * p[1] + matrix[8 + r] * p[2] +
+                                           matrix[12 + r];
+        if (!normals || !normal)
+            continue;
+        morph(normal, turns, pose->weights, v, p);
+        transform_normal(matrix, p, normals + 3 * v);
     }
 }
 

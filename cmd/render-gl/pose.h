@@ -12,6 +12,9 @@ struct pose {
     const struct hatch_scene *scene;
     float *world;  /* 16 per node, column-major */
     float *joints; /* 16 per joint of the largest skin */
+    double *weights; /* of the most morph targets that a mesh has */
+    uint32_t animation;
+    double time_s;
 };
 
 /* Where the scene is: what the unit scene is made with. */
@@ -37,6 +40,9 @@ void pose_vertices(struct pose *pose, uint32_t node, uint32_t mesh, double *posi
 /* The same of a mesh that is not the scene's own, but moves as the node's meshes do. */
 void pose_mesh(struct pose *pose, uint32_t node, const struct hatch_mesh *mesh, double *positions,
                float *normals);
+
+/* Is a mesh's shape at a node another one from pose to pose? */
+bool pose_shapes(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh);
 
 /* The matrix that carries a node's mesh into the world, in doubles; not for skinned nodes. */
 void pose_matrix(const struct pose *pose, uint32_t node, double matrix[16]);

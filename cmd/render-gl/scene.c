@@ -147,8 +147,7 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
         /* The colour's alpha scales the texture's: so does what is compared with it. */
         item->alpha_cutoff = material->alpha_cutoff / fmaxf(material->base_color[3], 1e-6f);
     }
-    if (scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(&from->mesh, "JOINTS_0", 4) &&
-        hatch_mesh_find(&from->mesh, "WEIGHTS_0", 4)) {
+    if (pose_shapes(scene, node, &from->mesh)) {
         glCreateBuffers(1, &item->posed);
         glNamedBufferData(item->posed,
                           (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
@@ -252,6 +251,11 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     glNamedBufferSubData(item->posed, 0, (GLsizeiptr)(sizeof *vertices * count), vertices);
     memcpy(item->to_unit, unit, sizeof unit);
     memcpy(item->normal, straight, sizeof straight);
+    if (gpu->scene->nodes[item->node].skin == HATCH_NONE) {
+        double world[16], cofactors[9];
+        pose_matrix(&gpu->pose, item->node, world);
+        item->mirrored = pose_normal_matrix(world, cofactors);
+    }
     return item->tangents ? normals_pose(gpu, item, positions, scratch, err) : HATCH_OK;
 }
 

@@ -10,7 +10,7 @@
 
 /* What the vertex stage reads; 40 bytes. */
 struct vertex {
-    float position[3]; /* minus the mesh's origin; of a skinned item: in the unit scene */
+    float position[3]; /* minus the mesh's origin; of a posed item: in the unit scene */
     float normal[3];
     float texcoord[2];
     float base_texcoord[2];
@@ -37,7 +37,7 @@ struct gpu_item {
     uint32_t mesh, node;
     GLuint vertex_array;
     GLuint surface_array; /* with patches: of the surface's faces; else 0 */
-    GLuint posed;         /* a skinned item's own vertices, renewed with the pose; else 0 */
+    GLuint posed;         /* own vertices of what skins or morph targets shape, renewed with the pose; else 0 */
     float to_unit[16];    /* what the buffer holds, to the unit scene; column-major */
     float normal[9];
     GLuint repeats;       /* two floats a vertex: tiles of the tonal art map per unit of u and of v;

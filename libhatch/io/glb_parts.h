@@ -53,8 +53,8 @@ static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct ha
 }
 
 /* The order in which a mesh's attributes are written, and read: POSITION, the others by their names; so that
- * a copy has the bytes of what it copies. order: attribute_count numbers. */
-void hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX]);
+ * a copy has the bytes of what it copies. Morph targets are no attributes of the file. Returns how many are. */
+uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX]);
 
 /* JSON: a comma is written before all but the first of a list. */
 enum hatch_status hatch_glb_next(struct hatch_glb *glb);

@@ -78,6 +78,9 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
         HATCH_TRY(hatch_glb_index(glb, "mesh", glb->group[node->first_mesh]));
         if (node->skin != HATCH_NONE)
             HATCH_TRY(hatch_glb_index(glb, "skin", glb->skin[node->skin]));
+        uint32_t targets = hatch_mesh_targets(&glb->scene->meshes[node->first_mesh].mesh);
+        if (node->weights && targets > 0)
+            HATCH_TRY(hatch_glb_numbers(glb, "weights", node->weights, targets));
     }
     if (node->camera != HATCH_NONE)
         HATCH_TRY(hatch_glb_index(glb, "camera", node->camera));
@@ -105,12 +108,28 @@ enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb)
     return hatch_glb_put(glb, "]");
 }
 
+static enum hatch_status print_targets(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t accessor)
+{
+    bool turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL) != NULL;
+    uint32_t targets = hatch_mesh_targets(mesh);
+    if (targets == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_open(glb, "targets"));
+    for (uint32_t t = 0; t < targets; t++) {
+        HATCH_TRY(open_item(glb));
+        HATCH_TRY(hatch_glb_index(glb, "POSITION", accessor++));
+        if (turns)
+            HATCH_TRY(hatch_glb_index(glb, "NORMAL", accessor++));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_glb_put(glb, "]");
+}
+
 static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
-    uint32_t first = glb->mesh_first[index], count = from->mesh.attribute_count;
-    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX];
-    hatch_glb_order(&from->mesh, order);
+    uint32_t first = glb->mesh_first[index];
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(&from->mesh, order);
     HATCH_TRY(open_item(glb));
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
@@ -120,6 +139,7 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     }
     HATCH_TRY(hatch_glb_put(glb, "}"));
     HATCH_TRY(hatch_glb_index(glb, "indices", first + count));
+    HATCH_TRY(print_targets(glb, &from->mesh, first + count + 1));
     if (from->material != HATCH_NONE)
         HATCH_TRY(hatch_glb_index(glb, "material", from->material));
     return hatch_glb_put(glb, "}");
@@ -168,7 +188,7 @@ static enum hatch_status print_skin(struct hatch_glb *glb, uint32_t index)
 static enum hatch_status print_animation(struct hatch_glb *glb, const struct hatch_animation *animation,
                                          uint32_t accessor)
 {
-    static const char *const paths[] = {"translation", "rotation", "scale"};
+    static const char *const paths[] = {"translation", "rotation", "scale", "weights"};
     static const char *const ways[] = {"STEP", "LINEAR", "CUBICSPLINE"};
     HATCH_TRY(open_item(glb));
     HATCH_TRY(hatch_glb_open(glb, "channels"));

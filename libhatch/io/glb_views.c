@@ -28,21 +28,43 @@ static void add_floats(struct hatch_glb *glb, const float *data, size_t count, u
                                           .bounds = bounds});
 }
 
-void hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX])
+uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX])
 {
+    uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->attribute_count; i++) {
-        uint32_t at = i;
-        for (; at > 1 && strcmp(mesh->attributes[order[at - 1]].name, mesh->attributes[i].name) > 0; at--)
+        const char *name = mesh->attributes[i].name;
+        if (strcmp(name, HATCH_MORPH_POSITION) == 0 || strcmp(name, HATCH_MORPH_NORMAL) == 0)
+            continue;
+        uint32_t at = count++;
+        for (; at > 1 && strcmp(mesh->attributes[order[at - 1]].name, name) > 0; at--)
             order[at] = order[at - 1];
         order[at] = i;
     }
+    return count;
 }
 
-static void add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+/* What one target moves, which lies between what others do. */
+static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_mesh *mesh,
+                                    const struct hatch_mesh_attribute *moves, uint32_t target, bool bounds)
 {
-    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX];
-    hatch_glb_order(mesh, order);
-    for (uint32_t i = 0; i < mesh->attribute_count; i++) {
+    float *data = HATCH_NEW(glb->scratch, float, (size_t)mesh->vertex_count * 3, glb->err);
+    if (!data)
+        return HATCH_LIMIT;
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        memcpy(&data[3 * v], &moves->data[moves->components * v + 3 * target], 3 * sizeof *data);
+    add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
+                                          .target = HATCH_GLB_VERTICES,
+                                          .data = data,
+                                          .count = mesh->vertex_count,
+                                          .components = 3,
+                                          .bounds = bounds});
+    return HATCH_OK;
+}
+
+static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+{
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
+    for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
         bool joints = strncmp(a->name, "JOINTS_", 7) == 0;
         add_view(glb, (struct hatch_glb_view){.component = joints ? HATCH_GLB_U16 : HATCH_GLB_F32,
@@ -59,10 +81,17 @@ static void add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
                       .data = mesh->indices,
                       .count = (size_t)mesh->face_count * 3,
                       .components = 1});
+    const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
+    for (uint32_t t = 0; t < hatch_mesh_targets(mesh); t++) {
+        HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
+        if (turns)
+            HATCH_TRY(add_target(glb, mesh, turns, t, false));
+    }
+    return HATCH_OK;
 }
 
 /* Meshes that nodes draw together are one of the file's; one that no node draws stands alone. */
-static void plan_meshes(struct hatch_glb *glb)
+static enum hatch_status plan_meshes(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     for (uint32_t n = 0; n < scene->node_count; n++) {
@@ -88,8 +117,9 @@ static void plan_meshes(struct hatch_glb *glb)
         }
         glb->mesh_first[m] = mesh->face_count > 0 ? glb->view_count : HATCH_NONE;
         if (mesh->face_count > 0)
-            add_mesh(glb, mesh);
+            HATCH_TRY(add_mesh(glb, mesh));
     }
+    return HATCH_OK;
 }
 
 static void plan_motion(struct hatch_glb *glb)
@@ -108,7 +138,11 @@ static void plan_motion(struct hatch_glb *glb)
         for (uint32_t c = 0; c < scene->animations[a].channel_count; c++) {
             const struct hatch_animation_channel *channel = &scene->animations[a].channels[c];
             size_t values = (size_t)channel->key_count * (channel->interpolation == HATCH_CUBIC ? 3 : 1);
-            uint32_t components = channel->path == HATCH_PATH_ROTATION ? 4 : 3;
+            uint32_t components = hatch_channel_width(channel);
+            if (channel->path == HATCH_PATH_WEIGHTS) {
+                values *= components;
+                components = 1;
+            }
             add_floats(glb, channel->times_s, channel->key_count, 1, true);
             add_floats(glb, channel->values, values, components, false);
         }
@@ -158,7 +192,7 @@ static size_t count_views(const struct hatch_scene *scene)
 {
     size_t count = (size_t)scene->skin_count + scene->texture_count;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        count += scene->meshes[m].mesh.attribute_count + 1;
+        count += scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_targets(&scene->meshes[m].mesh);
     for (uint32_t a = 0; a < scene->animation_count; a++)
         count += 2 * (size_t)scene->animations[a].channel_count;
     return count;
@@ -178,7 +212,7 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     glb->views = HATCH_NEW(glb->scratch, struct hatch_glb_view, count_views(scene), glb->err);
     if (!glb->views)
         return HATCH_LIMIT;
-    plan_meshes(glb);
+    HATCH_TRY(plan_meshes(glb));
     plan_motion(glb);
     glb->accessor_count = glb->view_count;
     plan_images(glb);

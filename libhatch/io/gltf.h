@@ -15,7 +15,8 @@ typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
 /* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
  * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
  * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
- * per the specification's rule. Morph targets count as they rest, and are noted; points and lines are skipped.
+ * per the specification's rule. Morph targets count as they rest; where an animation or a node moves them
+ * they are kept, with weights beside those at rest, and else noted. Points and lines are skipped.
  * Images that are not there are noted once where a material wants them, and it does without.
  * Known extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform,
  * EXT_mesh_gpu_instancing (a node for each instance), EXT_texture_webp and _avif, of KHR_texture_basisu

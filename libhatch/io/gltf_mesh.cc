@@ -178,57 +178,12 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
     return HATCH_OK;
 }
 
-/* How far each morph target counts at rest: a node may say it for its mesh. */
-const std::vector<double> &rest_weights(const Reader &r, size_t mesh)
-{
-    for (const tinygltf::Node &node : r.model.nodes)
-        if (node.mesh >= 0 && static_cast<size_t>(node.mesh) == mesh && !node.weights.empty())
-            return node.weights;
-    return r.model.meshes[mesh].weights;
-}
-
-enum hatch_status add_target(Reader &r, int accessor, float weight, const std::string &where, uint32_t count,
-                             float *values)
-{
-    float *moves;
-    uint32_t given;
-    HATCH_TRY(read_floats(r, accessor, 3, where, &moves, &given));
-    if (given != count)
-        return bad(r, where, std::to_string(given) + " elements, POSITION has " + std::to_string(count));
-    for (size_t i = 0; i < static_cast<size_t>(count) * 3; i++) {
-        values[i] += weight * moves[i];
-        if (!std::isfinite(values[i]))
-            return bad(r, where, place("element", i / 3) + " is moved too far");
-    }
-    return HATCH_OK;
-}
-
-/* Moves positions and normals as the targets do at rest. */
-enum hatch_status morph(Reader &r, const tinygltf::Primitive &primitive, const std::vector<double> &weights,
-                        const std::string &where, struct hatch_mesh *mesh)
-{
-    static const char *const names[] = {"POSITION", "NORMAL"};
-    for (size_t t = 0; t < primitive.targets.size() && t < weights.size(); t++) {
-        float weight = static_cast<float>(weights[t]);
-        for (const char *name : names) {
-            float *values = hatch_mesh_find(mesh, name, 3);
-            auto target = primitive.targets[t].find(name);
-            struct hatch_arena_mark mark = hatch_arena_mark(r.arena);
-            if (weight != 0 && values && target != primitive.targets[t].end())
-                HATCH_TRY(add_target(r, target->second, weight, where + ", " + place("target", t) + ", " + name,
-                                     mesh->vertex_count, values));
-            hatch_arena_rewind(r.arena, mark);
-        }
-    }
-    return HATCH_OK;
-}
-
-enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, const std::vector<double> &weights,
+enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, size_t index,
                                  const std::string &where, struct hatch_scene_mesh *out)
 {
     struct hatch_mesh mesh = {};
     HATCH_TRY(read_attributes(r, primitive, where, &mesh));
-    HATCH_TRY(morph(r, primitive, weights, where, &mesh));
+    HATCH_TRY(read_morph(r, primitive, index, where, &mesh));
     uint32_t *list = nullptr, count = mesh.vertex_count;
     struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
     if (primitive.indices != -1)
@@ -244,7 +199,6 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
     if (!out->had_normals && mesh.face_count > 0)
         HATCH_TRY(hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
-    r.notes->morphs_ignored += !primitive.targets.empty();
     out->mesh = mesh;
     return HATCH_OK;
 }
@@ -278,7 +232,7 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
                 r.notes->primitives_skipped++;
                 continue;
             }
-            HATCH_TRY(read_primitive(r, list[p], rest_weights(r, m), place("mesh", m, "primitive", p),
+            HATCH_TRY(read_primitive(r, list[p], m, place("mesh", m, "primitive", p),
                                      &r.scene->meshes[r.scene->mesh_count]));
             r.scene->mesh_count++;
         }

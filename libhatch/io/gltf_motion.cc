@@ -65,11 +65,12 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     else
         return bad(r, where, "unknown interpolation");
     uint32_t count;
-    int components = channel->path == HATCH_PATH_ROTATION ? 4 : 3;
+    bool weights = channel->path == HATCH_PATH_WEIGHTS;
+    int components = weights ? 1 : static_cast<int>(hatch_channel_width(channel));
     HATCH_TRY(read_floats(r, sampler.output, components, where + ", output", &channel->values,
                           &count));
     uint64_t want = static_cast<uint64_t>(channel->key_count) *
-                    (channel->interpolation == HATCH_CUBIC ? 3 : 1);
+                    (channel->interpolation == HATCH_CUBIC ? 3 : 1) * (weights ? channel->targets : 1);
     if (count != want)
         return bad(r, where,
                    std::to_string(count) + " values, the times want " + std::to_string(want));
@@ -92,12 +93,20 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
         channel->path = HATCH_PATH_ROTATION;
     else if (from.target_path == "scale")
         channel->path = HATCH_PATH_SCALE;
+    else if (from.target_path == "weights")
+        channel->path = HATCH_PATH_WEIGHTS;
     else
-        return HATCH_OK; /* weights of morph targets, and what extensions move */
+        return HATCH_OK; /* what extensions move */
+    uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
+    if (channel->path == HATCH_PATH_WEIGHTS && node != HATCH_NONE && r.scene->nodes[node].mesh_count > 0)
+        channel->targets = hatch_mesh_targets(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);
+    if (channel->path == HATCH_PATH_WEIGHTS && channel->targets == 0)
+        return HATCH_OK;
     HATCH_TRY(read_times(r, sampler.input, where, channel));
     HATCH_TRY(read_values(r, sampler, where, channel));
-    uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
-    if (node == HATCH_NONE)
+    if (channel->path == HATCH_PATH_WEIGHTS)
+        HATCH_TRY(shift_weights(r, static_cast<size_t>(from.target_node), where, channel));
+    else if (node == HATCH_NONE)
         channel->key_count = 0;
     else if (r.scene->nodes[node].has_matrix)
         return bad(r, where, "node " + std::to_string(from.target_node) + " has a matrix");

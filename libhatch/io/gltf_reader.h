@@ -60,6 +60,20 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
 /* Brings a node's rotation to length 1; one of no length is refused. */
 enum hatch_status set_rotation(Reader &r, struct hatch_node *node, const std::string &where);
 
+/* How far each morph target of a mesh counts at rest: a node may say it for its mesh; and for a node that draws one. */
+const std::vector<double> &rest_weights(const Reader &r, size_t mesh);
+const std::vector<double> &node_weights(const Reader &r, size_t node);
+
+/* Moves positions and normals as the targets do at rest, and keeps the targets where something moves them. index: of
+ * the file's mesh. */
+enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, size_t index, const std::string &where,
+                             struct hatch_mesh *mesh);
+
+/* A node's weights beside those of its mesh at rest; and an animation's, which are read. */
+enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node);
+enum hatch_status shift_weights(Reader &r, size_t node, const std::string &where,
+                                struct hatch_animation_channel *channel);
+
 /* Each fills its part of the scene. Nodes come first. */
 enum hatch_status read_nodes(Reader &r);
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);

@@ -181,6 +181,7 @@ enum hatch_status attach(Reader &r, const uint32_t *first_mesh)
             node->first_mesh = first_mesh[from.mesh];
             node->mesh_count = first_mesh[from.mesh + 1] - first_mesh[from.mesh];
             node->skin = static_cast<uint32_t>(from.skin);
+            HATCH_TRY(set_weights(r, i, node));
         }
         HATCH_TRY(check_skin(r, *node, where));
         node->camera = static_cast<uint32_t>(from.camera);

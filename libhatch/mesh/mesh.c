@@ -24,7 +24,7 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
                                  const char *name, uint32_t components, float **data,
                                  struct hatch_err *err)
 {
-    assert(components >= 1 && components <= 4);
+    assert(components >= 1);
     assert(strlen(name) < HATCH_MESH_NAME_MAX);
     if (mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
         return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh holds at most %u", name,
@@ -61,13 +61,24 @@ enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_
     return HATCH_OK;
 }
 
-float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components)
+const struct hatch_mesh_attribute *hatch_mesh_attribute(const struct hatch_mesh *mesh, const char *name)
 {
     for (uint32_t i = 0; i < mesh->attribute_count; i++)
-        if (strcmp(mesh->attributes[i].name, name) == 0 &&
-            mesh->attributes[i].components == components)
-            return mesh->attributes[i].data;
+        if (strcmp(mesh->attributes[i].name, name) == 0)
+            return &mesh->attributes[i];
     return NULL;
+}
+
+uint32_t hatch_mesh_targets(const struct hatch_mesh *mesh)
+{
+    const struct hatch_mesh_attribute *morph = hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION);
+    return morph ? morph->components / 3 : 0;
+}
+
+float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components)
+{
+    const struct hatch_mesh_attribute *found = hatch_mesh_attribute(mesh, name);
+    return found && found->components == components ? found->data : NULL;
 }
 
 bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double corners[3][3])

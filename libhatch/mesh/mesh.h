@@ -17,9 +17,12 @@
  * (3), TANGENT (4: unit direction of rising u, and the sign w that makes w * (NORMAL × TANGENT) the
  * direction of falling v, up in the picture: 1 unless the texture is mirrored), TEXCOORD_0 (2),
  * TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
+#define HATCH_MORPH_POSITION "morph POSITION" /* 3 for each morph target: how far it moves the vertex */
+#define HATCH_MORPH_NORMAL "morph NORMAL"     /* of as many targets; never without the other */
+
 struct hatch_mesh_attribute {
     char name[HATCH_MESH_NAME_MAX];
-    uint32_t components; /* 1 .. 4 */
+    uint32_t components; /* 1 .. 4, but of morph targets */
     float *data;
 };
 
@@ -44,7 +47,7 @@ struct hatch_mesh_notes {
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces no turning makes agree: a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
-    uint32_t morphs_ignored;       /* glTF: meshes with morph targets, which stay as they rest */
+    uint32_t morphs_ignored;       /* glTF: meshes with morph targets that nothing moves: they stay as they rest */
     uint32_t attributes_dropped;   /* glTF: vertex attributes of no known name, or too many */
     uint32_t transparent_dropped;  /* meshes that are less opaque than their material asks for */
     uint32_t images_missing;       /* glTF: images that could not be read: materials do without */
@@ -70,6 +73,12 @@ enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_
 
 /* The attribute's floats, or NULL. components: the number that it must have. */
 float *hatch_mesh_find(const struct hatch_mesh *mesh, const char *name, uint32_t components);
+
+/* The attribute of a name, whatever its components, or NULL. */
+const struct hatch_mesh_attribute *hatch_mesh_attribute(const struct hatch_mesh *mesh, const char *name);
+
+/* How many morph targets the mesh has. */
+uint32_t hatch_mesh_targets(const struct hatch_mesh *mesh);
 
 /* The positions of a face's corners. false when the face has no area (in doubles, which hold the
  * square of every float's product: 1e-30 and 1e30 are sizes like any other). face: below face_count. */

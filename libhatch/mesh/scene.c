@@ -106,10 +106,10 @@ static uint32_t find_key(const struct hatch_animation_channel *channel, double t
 }
 
 /* Hermite interpolation (glTF 2.0, appendix C): in-tangent, value, out-tangent per key. */
-static void cubic(const float *key, const float *next, int n, double span_s, double t, double *out)
+static void cubic(const float *key, const float *next, uint32_t n, double span_s, double t, double *out)
 {
     double t2 = t * t, t3 = t2 * t;
-    for (int i = 0; i < n; i++) {
+    for (uint32_t i = 0; i < n; i++) {
         double from = (double)key[n + i], leave = span_s * (double)key[2 * n + i];
         double to = (double)next[n + i], arrive = span_s * (double)next[i];
         out[i] = (2 * t3 - 3 * t2 + 1) * from + (t3 - 2 * t2 + t) * leave +
@@ -117,26 +117,38 @@ static void cubic(const float *key, const float *next, int n, double span_s, dou
     }
 }
 
-static void between(const struct hatch_animation_channel *channel, int n, double time_s,
-                    double out[4])
+static void between(const struct hatch_animation_channel *channel, uint32_t n, double time_s, double *out)
 {
     uint32_t k = find_key(channel, time_s);
     double start = (double)channel->times_s[k], end = (double)channel->times_s[k + 1];
     double t = end > start ? (time_s - start) / (end - start) : 1;
     t = t > 1 ? 1 : t > 0 ? t : 0;
-    uint32_t stride = (uint32_t)n * (channel->interpolation == HATCH_CUBIC ? 3 : 1);
-    const float *key = &channel->values[(size_t)k * stride], *next = key + stride;
+    size_t stride = (size_t)n * (channel->interpolation == HATCH_CUBIC ? 3 : 1);
+    const float *key = &channel->values[k * stride], *next = key + stride;
     if (channel->interpolation == HATCH_CUBIC) {
         cubic(key, next, n, end - start, t, out);
     } else if (channel->interpolation == HATCH_STEP) {
-        for (int i = 0; i < n; i++)
+        for (uint32_t i = 0; i < n; i++)
             out[i] = (double)(t < 1 ? key : next)[i];
     } else if (channel->path == HATCH_PATH_ROTATION) {
         slerp(key, next, t, out);
     } else {
-        for (int i = 0; i < n; i++)
+        for (uint32_t i = 0; i < n; i++)
             out[i] = (1 - t) * (double)key[i] + t * (double)next[i];
     }
+}
+
+/* value: of the channel's width. */
+static void value_at(const struct hatch_animation_channel *channel, double time_s, double *value)
+{
+    uint32_t n = hatch_channel_width(channel);
+    if (channel->key_count > 1) {
+        between(channel, n, time_s, value);
+        return;
+    }
+    const float *only = channel->values + (channel->interpolation == HATCH_CUBIC ? n : 0);
+    for (uint32_t i = 0; i < n; i++)
+        value[i] = (double)only[i];
 }
 
 static void sample(const struct hatch_animation_channel *channel, double time_s, float *local)
@@ -144,21 +156,14 @@ static void sample(const struct hatch_animation_channel *channel, double time_s,
     static const int place[] = {[HATCH_PATH_TRANSLATION] = LOCAL_TRANSLATION,
                                 [HATCH_PATH_ROTATION] = LOCAL_ROTATION,
                                 [HATCH_PATH_SCALE] = LOCAL_SCALE};
-    int n = channel->path == HATCH_PATH_ROTATION ? 4 : 3;
-    double value[4] = {0, 0, 0, 1};
-    if (channel->key_count == 0)
+    double value[4];
+    if (channel->key_count == 0 || channel->path == HATCH_PATH_WEIGHTS)
         return;
-    if (channel->key_count == 1) {
-        const float *only = channel->values + (channel->interpolation == HATCH_CUBIC ? n : 0);
-        for (int i = 0; i < n; i++)
-            value[i] = (double)only[i];
-    } else {
-        between(channel, n, time_s, value);
-    }
+    value_at(channel, time_s, value);
     if (channel->path == HATCH_PATH_ROTATION)
         normalize4(value);
-    for (int i = 0; i < n; i++)
-        local[place[channel->path] + i] = (float)value[i];
+    for (uint32_t i = 0; i < hatch_channel_width(channel); i++)
+        local[place[channel->path] + (int)i] = (float)value[i];
 }
 
 static double wrap_time(double time_s, double duration_s)
@@ -198,6 +203,24 @@ void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, doubl
             memcpy(&world[(size_t)i * 16], local, sizeof local);
         else
             multiply(&world[(size_t)node->parent * 16], local, &world[(size_t)i * 16]);
+    }
+}
+
+void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_t animation, double time_s,
+                         uint32_t count, double *weights)
+{
+    const float *rest = scene->nodes[node].weights;
+    for (uint32_t i = 0; i < count; i++)
+        weights[i] = rest ? (double)rest[i] : 0;
+    if (animation == HATCH_NONE)
+        return;
+    const struct hatch_animation *a = &scene->animations[animation];
+    for (uint32_t c = 0; c < a->channel_count; c++) {
+        const struct hatch_animation_channel *channel = &a->channels[c];
+        if (channel->path != HATCH_PATH_WEIGHTS || channel->node != node || channel->key_count == 0)
+            continue;
+        assert(channel->targets == count);
+        value_at(channel, wrap_time(time_s, (double)a->duration_s), weights);
     }
 }
 

@@ -61,6 +61,8 @@ struct hatch_node {
     float matrix[16];         /* column-major; used when has_matrix */
     bool has_matrix;
     uint32_t first_mesh, mesh_count; /* range of scene.meshes */
+    float *weights;           /* of its meshes' morph targets at rest, beside those that the meshes have taken in;
+                                 NULL: 0 */
     uint32_t skin;            /* or HATCH_NONE */
     uint32_t camera;          /* or HATCH_NONE */
     uint32_t light;           /* or HATCH_NONE */
@@ -91,7 +93,7 @@ struct hatch_skin {
     float *inverse_bind;      /* 16 floats each, column-major */
 };
 
-enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE };
+enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE, HATCH_PATH_WEIGHTS };
 enum hatch_interpolation { HATCH_STEP, HATCH_LINEAR, HATCH_CUBIC };
 
 struct hatch_animation_channel {
@@ -100,8 +102,15 @@ struct hatch_animation_channel {
     enum hatch_interpolation interpolation;
     uint32_t key_count;
     float *times_s;           /* rising; of equal ones the last counts */
-    float *values;            /* 3 or 4 floats a key; for CUBIC three such groups a key */
+    float *values;            /* its width of floats a key; for CUBIC three such groups a key */
+    uint32_t targets;         /* of weights: as many as the node's meshes have */
 };
+
+/* Numbers of one value. */
+static inline uint32_t hatch_channel_width(const struct hatch_animation_channel *channel)
+{
+    return channel->path == HATCH_PATH_WEIGHTS ? channel->targets : channel->path == HATCH_PATH_ROTATION ? 4 : 3;
+}
 
 struct hatch_animation {
     uint32_t channel_count;
@@ -133,6 +142,10 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
  * world: 16 * node_count floats. */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s,
                       float *world);
+
+/* How far the morph targets of a node's meshes count at that time. weights: count of them. */
+void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_t animation, double time_s,
+                         uint32_t count, double *weights);
 
 /* The skinning matrices of a node's skin (glTF 2.0 §3.7.3): joint world × inverse bind, to be applied
  * instead of the node's own matrix. joints: 16 * joint_count floats. */

@@ -146,8 +146,8 @@ static void save_pictures(const char *folder)
     }
 }
 
-/* A torus that a skin bends, with an attribute of its own and a texture; a plane under a matrix, drawn
- * twice; cameras, lights, an animation of every interpolation. */
+/* A torus that a skin bends, with an attribute of its own and a texture; a plane with morph targets and a
+ * normal map, under a matrix, drawn twice; cameras, lights, an animation of every interpolation. */
 static void make_meshes(struct hatch_scene_mesh meshes[2])
 {
     const struct hatch_shape_options how = {.faces = 300};
@@ -157,8 +157,11 @@ static void make_meshes(struct hatch_scene_mesh meshes[2])
         meshes[i].material = i;
     }
     static const char *const names[] = {"JOINTS_0", "WEIGHTS_0", "COLOR_0", "_TEMPERATURE"};
-    struct hatch_mesh *torus = &meshes[0].mesh;
-    float *data[4];
+    struct hatch_mesh *torus = &meshes[0].mesh, *plane = &meshes[1].mesh;
+    float *data[4], *moves;
+    check(hatch_mesh_add(&arena, plane, HATCH_MORPH_POSITION, 6, &moves, &err));
+    for (size_t i = 0; i < 6 * (size_t)plane->vertex_count; i++)
+        moves[i] = 0.125f * (float)(i % 3);
     for (uint32_t i = 0; i < 4; i++)
         check(hatch_mesh_add(&arena, torus, names[i], i < 3 ? 4 : 1, &data[i], &err));
     for (size_t v = 0; v < torus->vertex_count; v++) {
@@ -205,9 +208,10 @@ static void save_scene(const char *folder)
     for (uint32_t i = 0; i < 8; i++)
         bind[i / 4 * 16 + i % 4 * 5] = 1;
     struct hatch_animation_channel channels[] = {
-        {2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values},
-        {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns},
-        {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values}};
+        {2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
+        {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns, 0},
+        {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
+        {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
     struct hatch_texture texture;
     struct hatch_material materials[] = {
         {.base_color = {1, 0.5f, 0.25f, 1},
@@ -219,14 +223,16 @@ static void save_scene(const char *folder)
         {.base_color = {1, 1, 1, 1},
          .base.texture = HATCH_NONE,
          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+         .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 0.5f},
          .double_sided = true,
-         .alpha_cutoff = 0.5f}};
+         .alpha_cutoff = 0.5f,
+         .blend = true}};
     struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
     struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
                                    {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
                                    {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
     struct hatch_skin skin = {2, joints, bind};
-    struct hatch_animation animation = {3, channels, 2};
+    struct hatch_animation animation = {4, channels, 2};
     const struct hatch_scene scene = {2, 6, 2, 1, 2, 3, 1, 1, meshes, nodes, materials, &texture, cameras, lights,
                                       &skin, &animation};
     struct hatch_buffer file = {.arena = &arena};

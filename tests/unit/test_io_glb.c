@@ -20,10 +20,10 @@ static struct hatch_texture textures[4];
 static struct hatch_camera cameras[3];
 static struct hatch_light lights[3];
 static struct hatch_skin skins[1];
-static struct hatch_animation_channel channels[3];
+static struct hatch_animation_channel channels[4];
 static struct hatch_animation animations[1];
 static uint32_t joints[2] = {3, 5};
-static float inverse_bind[32], times[3] = {0, 0.1f, 2.5f}, values[36];
+static float inverse_bind[32], times[3] = {0, 0.1f, 2.5f}, values[36], weights[2] = {0.25f, 0};
 
 static void add_joints(struct hatch_mesh *mesh)
 {
@@ -33,6 +33,18 @@ static void add_joints(struct hatch_mesh *mesh)
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         joint[4 * v] = (float)(v % 2);
         weight[4 * v] = 1;
+    }
+}
+
+/* Two: how far each of them moves a vertex, and turns its normal. */
+static void add_targets(struct hatch_mesh *mesh)
+{
+    float *moves, *turns;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_POSITION, 6, &moves, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_NORMAL, 6, &turns, &err), &err);
+    for (uint32_t i = 0; i < 6 * mesh->vertex_count; i++) {
+        moves[i] = 0.5f * (float)(i % 7);
+        turns[i] = -0.1f * (float)(i % 5);
     }
 }
 
@@ -49,6 +61,7 @@ static void make_meshes(void)
         scene_meshes[i].had_texcoords = scene_meshes[i].had_normals = true;
     }
     add_joints(&scene_meshes[3].mesh);
+    add_targets(&scene_meshes[4].mesh);
     scene_meshes[3].joints_used = 2;
 }
 
@@ -144,8 +157,9 @@ static void make_motion(void)
     static const enum hatch_interpolation ways[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
     for (uint32_t i = 0; i < 3; i++)
         channels[i] = (struct hatch_animation_channel){
-            i, (enum hatch_channel_path)i, ways[i], 3, times, values};
-    animations[0] = (struct hatch_animation){3, channels, 2.5f};
+            i, (enum hatch_channel_path)i, ways[i], 3, times, values, 0};
+    channels[3] = (struct hatch_animation_channel){4, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2};
+    animations[0] = (struct hatch_animation){4, channels, 2.5f};
 }
 
 static void begin_scene(void)
@@ -176,6 +190,22 @@ static struct hatch_buffer write_and_read(const struct hatch_scene *scene)
                   &err);
     return file;
 }
+
+/* One node alone says weights: its mesh rests with them. */
+START_TEST(weights_at_rest_are_taken_in)
+{
+    nodes[4].weights = weights;
+    write_and_read(&whole);
+    const struct hatch_mesh *was = &whole.meshes[4].mesh, *is = &back.meshes[4].mesh;
+    const float *moves = hatch_mesh_find(was, HATCH_MORPH_POSITION, 6);
+    ck_assert_ptr_null(back.nodes[4].weights);
+    for (size_t i = 0; i < 3 * (size_t)was->vertex_count; i++)
+        ck_assert_float_eq(is->attributes[0].data[i], was->attributes[0].data[i] + 0.25f * moves[i / 3 * 6 + i % 3]);
+    ck_assert_float_eq(back.animations[0].channels[3].values[2], values[2] - 0.25f);
+    ck_assert_float_eq(back.animations[0].channels[3].values[3], values[3]);
+    ck_assert_float_eq(back.animations[0].channels[3].values[4], values[4]); /* a tangent */
+}
+END_TEST
 
 static void same_floats(const float *a, const float *b, size_t count)
 {
@@ -261,15 +291,15 @@ START_TEST(motion_comes_back)
     ck_assert_mem_eq(back.skins[0].joints, joints, sizeof joints);
     same_floats(back.skins[0].inverse_bind, inverse_bind, 32);
     ck_assert_uint_eq(back.animation_count, 1);
-    ck_assert_uint_eq(back.animations[0].channel_count, 3);
+    ck_assert_uint_eq(back.animations[0].channel_count, 4);
     ck_assert_float_eq(back.animations[0].duration_s, 2.5f);
-    for (uint32_t c = 0; c < 3; c++) {
+    for (uint32_t c = 0; c < 4; c++) {
         const struct hatch_animation_channel *a = &channels[c],
                                              *b = &back.animations[0].channels[c];
         ck_assert(a->node == b->node && a->path == b->path && a->interpolation == b->interpolation);
         same_floats(b->times_s, times, 3);
-        same_floats(b->values, values,
-                    (a->interpolation == HATCH_CUBIC ? 9u : 3u) * (c == 1 ? 4u : 3u));
+        ck_assert_uint_eq(b->targets, a->targets);
+        same_floats(b->values, values, (a->interpolation == HATCH_CUBIC ? 9u : 3u) * hatch_channel_width(a));
     }
 }
 END_TEST
@@ -321,7 +351,7 @@ START_TEST(what_is_too_much_is_counted)
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
     struct hatch_mesh_notes notes = {0};
     float *data;
-    while (mesh->attribute_count < HATCH_MESH_ATTRIBUTES_READ + 2) {
+    while (mesh->attribute_count < HATCH_MESH_ATTRIBUTES_READ + 2 + 2) { /* with morph targets, which do not count */
         char name[] = "_A";
         name[1] = (char)('A' + mesh->attribute_count);
         HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, name, 1, &data, &err), &err);
@@ -330,7 +360,7 @@ START_TEST(what_is_too_much_is_counted)
     HATCH_TEST_OK(hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch,
                                   &back, &notes, &err),
                   &err);
-    ck_assert_uint_eq(back.meshes[4].mesh.attribute_count, HATCH_MESH_ATTRIBUTES_READ);
+    ck_assert_uint_eq(back.meshes[4].mesh.attribute_count, HATCH_MESH_ATTRIBUTES_READ + 2);
     ck_assert_uint_eq(notes.attributes_dropped, 2);
 }
 END_TEST
@@ -440,6 +470,7 @@ static Suite *suite(void)
     tcase_add_test(tests, nodes_come_back);
     tcase_add_test(tests, looks_come_back);
     tcase_add_test(tests, motion_comes_back);
+    tcase_add_test(tests, weights_at_rest_are_taken_in);
     tcase_add_test(tests, a_copy_has_the_same_bytes);
     tcase_add_test(tests, a_mesh_drawn_twice_is_written_once);
     tcase_add_test(tests, names_are_kept);

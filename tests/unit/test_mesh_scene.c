@@ -111,6 +111,30 @@ START_TEST(cubic_keys_follow_their_tangents)
 }
 END_TEST
 
+START_TEST(weights_of_morph_targets_move)
+{
+    /* As above, of three targets; the node says something else, which counts without an animation. */
+    float times[] = {0, 2}, rest[] = {0.5f, 0, -1};
+    float values[] = {9, 9, 9, 0, 0, 1, -1, 0, 0, 11, 0, 0, 6, 0, 1, 9, 9, 9};
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
+        .path = HATCH_PATH_WEIGHTS, .interpolation = HATCH_CUBIC, .key_count = 2,
+        .times_s = times, .values = values, .targets = 3});
+    double weights[3];
+    moved_node.weights = rest;
+    for (double t = 0; t <= 2; t += 0.125) {
+        float world[16];
+        hatch_scene_pose(&scene, 0, t, world);
+        is_at(world, 0, 0, 0);
+        hatch_scene_weights(&scene, 0, 0, t, 3, weights);
+        ck_assert_double_eq_tol(weights[0], t * t * t - t, 1e-6);
+        ck_assert_double_eq(weights[1], 0);
+        ck_assert_double_eq_tol(weights[2], 1, 1e-12);
+    }
+    hatch_scene_weights(&scene, 0, HATCH_NONE, 1, 3, weights);
+    ck_assert(weights[0] == 0.5 && weights[1] == 0 && weights[2] == -1);
+}
+END_TEST
+
 START_TEST(rotations_turn_evenly_the_short_way)
 {
     float times[] = {0, 1};
@@ -241,6 +265,7 @@ static Suite *suite(void)
     tcase_add_test(tests, nodes_are_placed_by_their_parents);
     tcase_add_test(tests, keys_are_interpolated_each_way);
     tcase_add_test(tests, cubic_keys_follow_their_tangents);
+    tcase_add_test(tests, weights_of_morph_targets_move);
     tcase_add_test(tests, rotations_turn_evenly_the_short_way);
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);

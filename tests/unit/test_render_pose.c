@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "arenas.h"
@@ -12,11 +13,16 @@ static float bind[2][16] = {IDENTITY, IDENTITY};
 static struct hatch_skin skin = {2, joints, bind[0]};
 static struct hatch_scene_mesh shown;
 
+/* At one second a target counts 1 and moves up by 4, one counts 2 and moves to the front by 1; normals with them. */
+static float times[2] = {0, 1}, counts[4] = {0, 0, 1, 2};
+static struct hatch_animation_channel channel = {0, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, counts, 2};
+static struct hatch_animation animation = {1, &channel, 1};
+static struct hatch_scene scene = {.nodes = nodes, .node_count = 3, .meshes = &shown, .mesh_count = 1,
+                                   .skins = &skin, .skin_count = 1, .animations = &animation, .animation_count = 1};
+static struct pose pose;
+
 static void pose_triangle(const float weights[4], double at[3])
 {
-    struct hatch_scene scene = {
-        .nodes = nodes, .node_count = 3, .meshes = &shown, .mesh_count = 1, .skins = &skin, .skin_count = 1};
-    struct pose pose;
     double positions[9];
     float *joint, *weight;
     HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &shown.mesh, &err), &err);
@@ -57,6 +63,36 @@ START_TEST(without_weights_the_first_joint_carries)
 }
 END_TEST
 
+START_TEST(targets_move_before_joints_do)
+{
+    static const float moves[] = {0, 4, 0, 0, 0, 1};
+    float *data[3];
+    double at[3], positions[9];
+    float normals[9];
+    pose_triangle((const float[]){1, 0, 0, 0}, at);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &shown.mesh, "NORMAL", 3, &data[0], &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &shown.mesh, HATCH_MORPH_POSITION, 6, &data[1], &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &shown.mesh, HATCH_MORPH_NORMAL, 6, &data[2], &err), &err);
+    for (int v = 0; v < 3; v++) {
+        data[0][3 * v] = 1;
+        memcpy(data[1] + 6 * v, moves, sizeof moves);
+        memcpy(data[2] + 6 * v, moves, sizeof moves);
+    }
+    ck_assert(pose_shapes(&scene, 0, &shown.mesh));
+    HATCH_TEST_OK(pose_make(&scene, &keep, &pose, &err), &err);
+    for (double t = 0; t <= 1; t += 0.25) {
+        double length = sqrt(1 + 16 * t * t + 4 * t * t);
+        pose_at(&pose, 0, t);
+        pose_vertices(&pose, 0, 0, positions, normals);
+        ck_assert_double_eq(positions[0], 5);
+        ck_assert_double_eq(positions[1], 4 * t);
+        ck_assert_double_eq(positions[2], 2 * t);
+        ck_assert_double_eq_tol((double)normals[1], 4 * t / length, 1e-6);
+        ck_assert_double_eq_tol((double)normals[2], 2 * t / length, 1e-6);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render pose");
@@ -64,6 +100,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, weights_are_shares);
     tcase_add_test(tests, without_weights_the_first_joint_carries);
+    tcase_add_test(tests, targets_move_before_joints_do);
     suite_add_tcase(suite, tests);
     return suite;
 }

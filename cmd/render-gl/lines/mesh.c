@@ -20,7 +20,8 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct line_e
                               struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_mesh *mesh, struct hatch_err *err)
 {
-    static const char *const used[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
+    static const char *const used[] = {"POSITION",  "NORMAL",           "JOINTS_0",
+                                       "WEIGHTS_0", HATCH_MORPH_POSITION, HATCH_MORPH_NORMAL};
     bool keep = hatch_mesh_find(from, "NORMAL", 3) && !smooths_creases(from, edges);
     struct hatch_mesh made = *from;
     made.attribute_count = 0;

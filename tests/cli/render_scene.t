@@ -1,0 +1,58 @@
+# What a glTF file says of shapes in motion and of glass is what the picture shows; and goes through the pipe.
+. "${TOP:-.}/tests/tap.sh"
+
+# A grid of numbers, little-endian floats: 0, 1, a half and an eighth; a square of four corners in each of its uses.
+perl -e 'print pack "f<*", 0,0,0, 1,0,0, 0,1,0, 1,1,0,  (0,0,1) x 4,  0,0,0, 1,0,0, 0,1,0, 1,.5,0,  0,0,0, 0,0,0, 0,0,0, 0,-1,0,
+    0,1, 0,1;' >square.bin
+# square NAME POSITIONS MATERIAL MORE: a glTF of it
+square() {
+    cat >"$1.gltf" <<END
+{"asset":{"version":"2.0"},"buffers":[{"uri":"square.bin","byteLength":208}],"bufferViews":[
+{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},{"buffer":0,"byteOffset":96,"byteLength":48},
+{"buffer":0,"byteOffset":144,"byteLength":48},{"buffer":0,"byteOffset":192,"byteLength":16}],"accessors":[
+{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5126,"count":4,"type":"VEC3"},
+{"bufferView":2,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":3,"componentType":5126,"count":4,"type":"VEC3","min":[0,-1,0],"max":[0,0,0]},
+{"bufferView":4,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[1]},
+{"bufferView":4,"byteOffset":8,"componentType":5126,"count":2,"type":"SCALAR"}],
+"materials":[{"doubleSided":true$3}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":$2,"NORMAL":1},"material":0$4]}
+END
+}
+# draw SCENE PICTURE [OPTION ...]
+draw() {
+    scene=$1 picture=$2
+    shift 2
+    render-gl -q "$scene" -t gouraud --lines all --size 96x72 --camera 0.5,0.5,4 -o "$picture" "$@"
+}
+# apart A B: 1 where the pictures differ
+apart() {
+    hatchstat diff "$1" "$2" | awk 'NR == 2 {print ($2 > 0.003)}'
+}
+square still 0 '' '}]}'
+square half 2 '' '}]}'
+weights='"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}],"samplers":[{"input":4,"output":5}]}'
+square morph 0 '' ',"targets":[{"POSITION":3}]}]}],'"$weights"
+for scene in still half; do
+    draw $scene.gltf $scene.png
+done
+draw morph.gltf begin.png --time-s 0
+draw morph.gltf middle.png --time-s 0.5
+is "a morph target moves" \
+    "$(apart begin.png still.png)$(apart middle.png half.png)$(apart begin.png middle.png)" 001
+dirfield -q morph.gltf | lapped-param -q -o lapped.glb
+draw lapped.glb lapped.png --time-s 0.5
+is "and goes through the pipe" "$(apart lapped.png half.png)" 0
+draw morph.gltf turn%d.png --frames 3 --rate 2
+is "from frame to frame" "$(apart turn0.png still.png)$(apart turn1.png half.png)" 00
+
+square glass 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.49]}' '}]}'
+square solid 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}' '}]}'
+draw glass.gltf glass.png
+draw solid.gltf solid.png
+is "what is less than half opaque is not there" "$(hatchstat ink glass.png | awk 'NR == 2 {print ($2 > 0)}')" 0
+is "the rest is" "$(apart solid.png still.png)" 0
+try render-gl glass.gltf -t gouraud --size 32x24 -o glass.png
+is "and that is said" "$(grep -c '1 transparent mesh is left out' .err)" 1
+finish
