@@ -71,9 +71,12 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
     }
     uint32_t count = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
+        struct hatch_material *material = &scene->materials[m];
         count += textured[m];
-        scene->materials[m].base.texture = HATCH_NONE;
-        scene->materials[m].alpha_cutoff = 0;
+        material->base.texture = HATCH_NONE;
+        /* Patches blend: what was opaque stays so, and what was not to be seen is not there. */
+        material->base_color[3] = material->base_color[3] < material->alpha_cutoff ? 0 : 1;
+        material->alpha_cutoff = 0;
     }
     keep_normals(args, name, scene);
     if (count > 0)

@@ -22,7 +22,7 @@ static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes 
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
         const struct hatch_material *material =
             mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
-        if (!material || !(material->base_color[3] < material->alpha_cutoff))
+        if (!material || !(material->base_color[3] < (material->outline ? 0.5f : material->alpha_cutoff)))
             continue;
         mesh->mesh.face_count = 0;
         notes->transparent_dropped++;

@@ -1,7 +1,7 @@
 # What a glTF file says of shapes in motion and of glass is what the picture shows; and goes through the pipe.
 . "${TOP:-.}/tests/tap.sh"
 
-# A grid of numbers, little-endian floats: 0, 1, a half and an eighth; a square of four corners in each of its uses.
+# A square, its normals, the square with a corner half as high, what moves the corner twice as far, times, weights.
 perl -e 'print pack "f<*", 0,0,0, 1,0,0, 0,1,0, 1,1,0,  (0,0,1) x 4,  0,0,0, 1,0,0, 0,1,0, 1,.5,0,  0,0,0, 0,0,0, 0,0,0, 0,-1,0,
     0,1, 0,1;' >square.bin
 # square NAME POSITIONS MATERIAL MORE: a glTF of it
@@ -53,6 +53,11 @@ draw glass.gltf glass.png
 draw solid.gltf solid.png
 is "what is less than half opaque is not there" "$(hatchstat ink glass.png | awk 'NR == 2 {print ($2 > 0)}')" 0
 is "the rest is" "$(apart solid.png still.png)" 0
+dirfield -q glass.gltf | lapped-param -q -o glass.glb
+dirfield -q solid.gltf | lapped-param -q -o solid.glb
+draw glass.glb glass.png
+draw solid.glb solid.png
+is "nor behind the pipe" "$(hatchstat ink glass.png | awk 'NR == 2 {print ($2 > 0)}')$(apart solid.png still.png)" 00
 try render-gl glass.gltf -t gouraud --size 32x24 -o glass.png
 is "and that is said" "$(grep -c '1 transparent mesh is left out' .err)" 1
 finish
