@@ -73,6 +73,25 @@ bool hatch_text_is(struct hatch_text text, const char *word)
     return strlen(word) == text.length && memcmp(text.at, word, text.length) == 0;
 }
 
+static bool same_tails(struct hatch_text text, size_t from, const char *word, size_t word_from)
+{
+    size_t length = strlen(word);
+    return from <= text.length && word_from <= length && text.length - from == length - word_from &&
+           memcmp(text.at + from, word + word_from, text.length - from) == 0;
+}
+
+bool hatch_text_is_near(struct hatch_text text, const char *word)
+{
+    size_t same = 0;
+    while (same < text.length && word[same] && word[same] == text.at[same])
+        same++;
+    bool swapped = text.length - same >= 2 && word[same] && text.at[same] == word[same + 1] &&
+                   text.at[same + 1] == word[same];
+    return same_tails(text, same, word, same) || same_tails(text, same + 1, word, same) ||
+           same_tails(text, same, word, same + 1) || same_tails(text, same + 1, word, same + 1) ||
+           (swapped && same_tails(text, same + 2, word, same + 2));
+}
+
 static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';

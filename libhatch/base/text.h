@@ -28,6 +28,9 @@ bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field);
 /* Whether the text is that word, to the letter. */
 bool hatch_text_is(struct hatch_text text, const char *word);
 
+/* Whether the text is that word but for one slip at most: a letter more, less or other, or two that changed places. */
+bool hatch_text_is_near(struct hatch_text text, const char *word);
+
 /* The whole text as one decimal number ("1", "-0.5", "1e-3"; no hex, no "inf", no spaces), infinite where
  * it is too large. Rounded as strtod does; digits after the nineteenth may be lost. */
 bool hatch_text_decimal(struct hatch_text text, double *number);

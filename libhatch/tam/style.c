@@ -7,6 +7,7 @@
 #include "image/color.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
+#define SHOWN_MAX 40u /* letters of a key that is none */
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -220,17 +221,31 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
     return HATCH_OK;
 }
 
+static const struct {
+    const char *name;
+    enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
+} keys[] = {{"name", read_name},
+            {"brush", read_brush},
+            {"direction", read_direction},
+            {"overlap", read_overlap},
+            {"color", read_color},
+            {"candidates", read_candidates}};
+
+static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
+{
+    const char *near = NULL;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        near = hatch_text_is_near(key, keys[i].name) ? keys[i].name : near;
+    for (size_t i = 0; i < sizeof number_keys / sizeof *number_keys; i++)
+        near = hatch_text_is_near(key, number_keys[i].name) ? number_keys[i].name : near;
+    int shown = (int)(key.length < SHOWN_MAX ? key.length : SHOWN_MAX);
+    if (near)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s', perhaps %s", shown, key.at, near);
+    return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
+}
+
 static enum hatch_status read_line(struct hatch_text line, struct reading *r, struct hatch_err *err)
 {
-    static const struct {
-        const char *name;
-        enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
-    } keys[] = {{"name", read_name},
-                {"brush", read_brush},
-                {"direction", read_direction},
-                {"overlap", read_overlap},
-                {"color", read_color},
-                {"candidates", read_candidates}};
     struct hatch_text key, extra;
     if (!hatch_text_word(&line, &key))
         return HATCH_OK;
@@ -246,11 +261,10 @@ static enum hatch_status read_line(struct hatch_text line, struct reading *r, st
             HATCH_TRY(read_numbers(&number_keys[i], &line, r, err));
             r->style.tone_max_given |= number_keys[i].at[0] == AT(tone_max);
         }
-    int shown = (int)(key.length < 40 ? key.length : 40);
     if (!known)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
+        return fail_unknown(key, err);
     if (hatch_text_word(&line, &extra))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", shown, key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", (int)key.length, key.at);
     return HATCH_OK;
 }
 

@@ -77,6 +77,20 @@ START_TEST(a_text_is_a_word_only_whole)
 }
 END_TEST
 
+START_TEST(a_slip_leaves_a_word_near)
+{
+    static const char *const near[] = {"width", "widht", "iwdth", "wdth", "idth", "widt", "wwidth", "widths", "wiXdth",
+                                       "Width", "widtX"};
+    static const char *const far[] = {"", "w", "wid", "wdithh", "thwid", "widththx", "dwith", "WIdth", "wi"};
+    for (size_t i = 0; i < sizeof near / sizeof *near; i++)
+        ck_assert_msg(hatch_text_is_near(text_of(near[i]), "width"), "%s is far", near[i]);
+    for (size_t i = 0; i < sizeof far / sizeof *far; i++)
+        ck_assert_msg(!hatch_text_is_near(text_of(far[i]), "width"), "%s is near", far[i]);
+    ck_assert(!hatch_text_is_near((struct hatch_text){"width\0\0\0", 8}, "width"));
+    ck_assert(hatch_text_is_near((struct hatch_text){"", 0}, "x"));
+}
+END_TEST
+
 START_TEST(decimal_numbers_are_numbers)
 {
     static const struct {
@@ -147,6 +161,7 @@ static Suite *suite(void)
     tcase_add_test(tests, words_stand_between_spaces_and_tabs);
     tcase_add_test(tests, fields_may_be_empty);
     tcase_add_test(tests, a_text_is_a_word_only_whole);
+    tcase_add_test(tests, a_slip_leaves_a_word_near);
     tcase_add_test(tests, decimal_numbers_are_numbers);
     tcase_add_test(tests, numbers_are_those_of_strtod);
     tcase_add_test(tests, everything_else_is_none);

@@ -108,7 +108,10 @@ END_TEST
 static const struct {
     const char *text, *says;
 } bad[] = {
-    {"colour red", "line 1: no such key 'colour'"},
+    {"colour red", "line 1: no such key 'colour', perhaps color"},
+    {"widht 3", "line 1: no such key 'widht', perhaps width"},
+    {"candidate 30 3", "line 1: no such key 'candidate', perhaps candidates"},
+    {"wide 3", "line 1: no such key 'wide'"},
     {"# one\n\nwidth", "line 3: width: a value is missing"},
     {"width wide\r\n", "line 1: width: 'wide' is not a number"},
     {"width 3 4", "line 1: width: more values"},
