@@ -38,6 +38,9 @@ enum hatch_status read_places(Reader &r, const tinygltf::Value &attributes, cons
             continue;
         std::string at = where + ", instances' " + kind.name;
         HATCH_TRY(read_floats(r, accessor.GetNumberAsInt(), kind.components, at, kind.data, &count));
+        /* Zeros that no byte stands for: a small file would hold any number of instances. */
+        if (r.model.accessors[static_cast<size_t>(accessor.GetNumberAsInt())].bufferView == -1)
+            return bad(r, at, "its accessor has no buffer view");
         if (any && count != to->count)
             return bad(r, at, std::to_string(count) + " of them, of others there are " + std::to_string(to->count));
         to->count = count;

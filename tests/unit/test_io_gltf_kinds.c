@@ -37,7 +37,7 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
 }
 
 /* Accessors: 0 the square, 1 the square with a corner higher, 2 corners that sparse ones complete, 3 moves,
- * 4 turns, 5 times, 6 values, 7 two moves. */
+ * 4 turns, 5 times, 6 values, 7 two moves, 8 as many zeros as one likes. */
 #define HEAD                                                                                                    \
     "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":212}],\"bufferViews\":["     \
     "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"                      \
@@ -53,7 +53,8 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
     "{\"bufferView\":6,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"                                  \
     "{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                                \
     "{\"bufferView\":7,\"byteOffset\":12,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                \
-    "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"}]"
+    "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},"                                  \
+    "{\"componentType\":5126,\"count\":99999,\"type\":\"VEC3\"}]"
 #define SQUARE(rest) ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" rest "}]}]"
 
 static enum hatch_status read_bytes(const void *bytes, size_t size)
@@ -110,6 +111,8 @@ START_TEST(instances_are_nodes)
     ck_assert_float_eq(world[4 * 16 + 13], 7);
     refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":7,\"ROTATION\":4"),
             "node 0, instances' ROTATION: 3 of them, of others there are 2");
+    refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":8"),
+            "node 0, instances' TRANSLATION: its accessor has no buffer view");
 }
 END_TEST
 
