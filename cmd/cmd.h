@@ -132,6 +132,11 @@ struct cmd_file {
  * afterwards. */
 void cmd_write_all(const struct cmd_file *files, size_t count);
 
+/* Writes a file's bytes before the others are there, so that they need not be kept; it gets its name with them,
+ * from cmd_write_all, which wants it without data then. false, and nothing is done, where the output is no file
+ * but a pipe or a device. Dies on failure. */
+bool cmd_write_ahead(const struct cmd_file *file);
+
 /* The same for one output. A command that makes several writes them together, after all are encoded. */
 void cmd_write(struct cmd_output *output, const void *data, size_t size);
 

@@ -20,6 +20,7 @@ struct cmd_output {
     char *name;   /* for messages */
     char *hidden; /* NULL: write to descriptor */
     char *target; /* where hidden goes */
+    bool filled;  /* hidden holds its bytes */
     int descriptor;
 };
 
@@ -266,6 +267,8 @@ static void write_all(const struct cmd_output *output, const char *data, size_t 
 static void put(const struct cmd_file *file)
 {
     struct cmd_output *output = file->output;
+    if (output->filled)
+        return;
     if (output->hidden) {
         output->descriptor = open(output->hidden, O_WRONLY | O_CLOEXEC);
         if (output->descriptor < 0)
@@ -276,6 +279,15 @@ static void put(const struct cmd_file *file)
         write_all(output, (const char *)file->pieces[i].data, file->pieces[i].size);
     if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
         die_errno(output->name, "cannot write", errno);
+}
+
+bool cmd_write_ahead(const struct cmd_file *file)
+{
+    if (!file->output->hidden)
+        return false;
+    put(file);
+    file->output->filled = true;
+    return true;
 }
 
 static void take_name(const struct cmd_output *output)

@@ -48,9 +48,14 @@ void pictures_write(struct job *job)
         cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image,
                                &err),
                   NULL, &err);
+        struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);
         files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
+        if (cmd_write_ahead(&files[frame])) { /* a film of thousands of frames is more than memory */
+            files[frame] = (struct cmd_file){.output = job->outputs[frame]};
+            hatch_arena_rewind(keep, mark);
+        }
     }
     if (job->strokes_made)
         cmd_note("the model of strokes was made %u times, %.2f ms each", job->strokes_made,

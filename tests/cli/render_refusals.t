@@ -105,6 +105,10 @@ is "a coloured map's grey, in one warning" "$status $(wc -l <.err) $(grep -c "ta
 try $draw torus.glb --tam colours.exr --technique tam-triple
 is "its colours, in three passes" "$status $(cat .err)" "0 "
 
+ok "a film takes no more memory than a frame" render-gl torus.glb --tam map.exr --size 320x240 --frames 60 --turntable \
+    --max-memory 4M -o 'film%d.png'
+is "all of it" "$(ls film*.png | wc -l)" 60
+rm film*.png
 render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable -o 'turn%02d.png'
 is "frames have numbers" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
 is "a turntable turns" "$(cmp -s turn00.png turn01.png; echo $?)" 1
