@@ -108,7 +108,6 @@ void draw_shadows(const struct renderer *renderer)
         shadow_begin_layer(shadow, layer);
         draw_depths(renderer, shadow->programs);
     }
-    shadow_use(shadow);
 }
 
 static void set_usual(void)

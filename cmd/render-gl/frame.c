@@ -125,11 +125,22 @@ double frame_strongest_light(const struct pose *pose, const struct bounds *bound
     return strongest;
 }
 
-uint32_t frame_lights_left_out(const struct hatch_scene *scene)
+static uint32_t count_lights(const struct hatch_scene *scene)
 {
     uint32_t lights = 0;
     for (uint32_t node = 0; node < scene->node_count; node++)
         lights += scene->nodes[node].light != HATCH_NONE;
+    return lights;
+}
+
+bool frame_has_lone_sun(const struct hatch_scene *scene, const struct own_light *own)
+{
+    return own->wanted || count_lights(scene) == 0;
+}
+
+uint32_t frame_lights_left_out(const struct hatch_scene *scene)
+{
+    uint32_t lights = count_lights(scene);
     return lights > LIGHTS_MAX ? lights - LIGHTS_MAX : 0;
 }
 

@@ -71,6 +71,9 @@ void frame_set_view(struct frame_block *block, const struct view *view, const st
 void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,
                       const struct view *view, const struct own_light *own, double exposure);
 
+/* Whether the own light is all there is, instead of the scene's. */
+bool frame_has_lone_sun(const struct hatch_scene *scene, const struct own_light *own);
+
 /* How many of the scene's lights that leaves out. */
 uint32_t frame_lights_left_out(const struct hatch_scene *scene);
 

@@ -25,9 +25,11 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
     char defines[512];
     const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
     bool pixel_light = renderer->style.pixel_light || renderer->style.shadows;
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s", technique->defines,
              technique->pixel_light && pixel_light ? "#define PIXEL_LIGHT 1\n" : "",
              renderer->style.shadows ? "#define SHADOWS 1\n" : "",
+             frame_has_lone_sun(renderer->scene->scene, &renderer->style.light) ? "#define SUN 1\n" : "",
+             renderer->style.curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "",
              columns->layered ? "#define LAYERED 1\n" : "",
              columns->exact ? "#define EXACT 1\n" : "",
              renderer->style.anisotropy > 1 && !columns->exact ? "#define ANISOTROPIC 1\n" : "",
@@ -182,7 +184,10 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
     if (style->shadows) {
         HATCH_TRY(shadow_begin(&renderer->block, renderer->scene, style->shadow_edge, &renderer->shadow, err));
-        draw_shadows(renderer);
+        if (!renderer->shadow.drawn)
+            draw_shadows(renderer);
+        renderer->shadow.drawn = true;
+        shadow_use(&renderer->shadow);
         clock_end_pass(renderer->clock, "shadows");
     }
     target_begin(target, background);

@@ -13,6 +13,8 @@
 #define SIZE_MAX_PX 2048u
 #define EDGE_PX 13.0       /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
 
+static const GLuint units[2] = {SHADOW_UNIT, SHADOW_UNIT_TEXELS};
+
 enum hatch_status shadow_compile(const struct shader_source *shaders, struct shadow *shadow,
                                  struct hatch_err *err)
 {
@@ -23,6 +25,7 @@ enum hatch_status shadow_compile(const struct shader_source *shaders, struct sha
         HATCH_TRY(shader_program(shaders, &stages, defines[holes], &fresh, err));
         glDeleteProgram(shadow->programs[holes]);
         shadow->programs[holes] = fresh;
+        shadow->drawn = false;
     }
     return HATCH_OK;
 }
@@ -145,9 +148,21 @@ static void add_light(const struct frame_light *light, uint32_t index, const str
     set_map(shadow, index, &lens);
 }
 
-static enum hatch_status make_maps(uint32_t size_px, struct shadow *shadow, struct hatch_err *err)
+/* Beyond a map nothing keeps the light away. */
+static void set_reads(GLuint sampler, GLint filter)
 {
     static const GLfloat lit[4] = {1, 1, 1, 1};
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, lit);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+static enum hatch_status make_maps(uint32_t size_px, struct shadow *shadow, struct hatch_err *err)
+{
     GLint layers = 0;
     if (shadow->maps)
         glGetTextureLevelParameteriv(shadow->maps, 0, GL_TEXTURE_DEPTH, &layers);
@@ -157,13 +172,8 @@ static enum hatch_status make_maps(uint32_t size_px, struct shadow *shadow, stru
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &shadow->maps);
     glTextureStorage3D(shadow->maps, 1, GL_DEPTH_COMPONENT32F, (GLsizei)size_px, (GLsizei)size_px,
                        (GLsizei)(shadow->layers ? shadow->layers : 1));
-    glTextureParameteri(shadow->maps, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(shadow->maps, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTextureParameteri(shadow->maps, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTextureParameterfv(shadow->maps, GL_TEXTURE_BORDER_COLOR, lit);
-    glTextureParameteri(shadow->maps, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTextureParameteri(shadow->maps, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     shadow->size_px = size_px;
+    shadow->drawn = false;
     return glGetError() == GL_OUT_OF_MEMORY
                ? hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %u shadow maps of %u by %u pixels",
                             shadow->layers, size_px, size_px)
@@ -173,7 +183,8 @@ static enum hatch_status make_maps(uint32_t size_px, struct shadow *shadow, stru
 enum hatch_status shadow_begin(const struct frame_block *frame, const struct gpu_scene *scene, double width,
                                struct shadow *shadow, struct hatch_err *err)
 {
-    uint32_t size_px = SIZE_MIN_PX;
+    uint32_t size_px = SIZE_MIN_PX, layers = shadow->layers;
+    struct shadow_block before = shadow->block;
     while (size_px < SIZE_MAX_PX && size_px * width < 2 * EDGE_PX)
         size_px *= 2;
     shadow->layers = 0;
@@ -181,18 +192,26 @@ enum hatch_status shadow_begin(const struct frame_block *frame, const struct gpu
         shadow->block.maps[i][0] = -1;
         add_light(&frame->lights[i], (uint32_t)i, scene, shadow);
     }
+    shadow->drawn = shadow->drawn && layers == shadow->layers && shadow->pose_number == scene->pose_number &&
+                    memcmp(before.map_from_unit, shadow->block.map_from_unit,
+                           layers * sizeof before.map_from_unit[0]) == 0;
+    shadow->pose_number = scene->pose_number;
     HATCH_TRY(make_maps(size_px, shadow, err));
     shadow->block.edge[0] = (float)(0.5 * width);
     shadow->block.edge[1] = 1.0f / (float)size_px;
     if (!shadow->buffer) {
         glCreateBuffers(1, &shadow->buffer);
         glNamedBufferStorage(shadow->buffer, sizeof shadow->block, NULL, GL_DYNAMIC_STORAGE_BIT);
+        glCreateSamplers(2, shadow->samplers);
+        set_reads(shadow->samplers[0], GL_LINEAR);
+        set_reads(shadow->samplers[1], GL_NEAREST);
         glCreateFramebuffers(1, &shadow->framebuffer);
         glNamedFramebufferDrawBuffer(shadow->framebuffer, GL_NONE);
     }
     glNamedBufferSubData(shadow->buffer, 0, sizeof shadow->block, &shadow->block);
     glBindBufferBase(GL_UNIFORM_BUFFER, SHADOW_BINDING, shadow->buffer);
-    glBindTextureUnit(SHADOW_UNIT, 0);
+    for (int i = 0; i < 2; i++)
+        glBindTextureUnit(units[i], 0);
     return HATCH_OK;
 }
 
@@ -215,8 +234,10 @@ void shadow_begin_layer(const struct shadow *shadow, uint32_t layer)
 
 void shadow_use(const struct shadow *shadow)
 {
-    glBindTextureUnit(SHADOW_UNIT, shadow->maps);
-    glBindSampler(SHADOW_UNIT, 0);
+    for (int i = 0; i < 2; i++) {
+        glBindTextureUnit(units[i], shadow->maps);
+        glBindSampler(units[i], shadow->samplers[i]);
+    }
 }
 
 void shadow_free(struct shadow *shadow)
@@ -226,5 +247,6 @@ void shadow_free(struct shadow *shadow)
     glDeleteFramebuffers(1, &shadow->framebuffer);
     glDeleteBuffers(1, &shadow->buffer);
     glDeleteTextures(1, &shadow->maps);
+    glDeleteSamplers(2, shadow->samplers);
     *shadow = (struct shadow){.size_px = 0};
 }

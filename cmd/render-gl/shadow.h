@@ -8,7 +8,8 @@
 #include "render-gl/shader.h"
 
 #define SHADOW_LAYERS 24u /* a sun and a spot take one, a lamp that shines all around takes six */
-#define SHADOW_UNIT 13u
+#define SHADOW_UNIT 13u       /* filtered */
+#define SHADOW_UNIT_TEXELS 2u /* texel by texel */
 #define SHADOW_BINDING 2u
 
 /* std140; the same as in shaders/shadow_block.glsl */
@@ -20,8 +21,11 @@ struct shadow_block {
 
 struct shadow {
     GLuint maps, framebuffer, buffer;
+    GLuint samplers[2]; /* for these */
     GLuint programs[2]; /* draw whole faces; those with holes */
     uint32_t size_px, layers; /* of maps */
+    uint32_t pose_number;     /* of the scene that they show */
+    bool drawn;               /* they hold what they are to show */
     struct shadow_block block;
 };
 
@@ -29,8 +33,9 @@ struct shadow {
 enum hatch_status shadow_compile(const struct shader_source *shaders, struct shadow *shadow,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
-/* Chooses layers for a frame's lights, in their order while there are some, and makes room for them. width: of
- * shadows' edges, in the unit scene. HATCH_LIMIT when the GPU has no memory for them. */
+/* Chooses layers for a frame's lights, in their order while there are some, and makes room for them. What is drawn
+ * stays drawn while lights and pose do. width: of shadows' edges, in the unit scene. HATCH_LIMIT when the GPU has no
+ * memory for them. */
 enum hatch_status shadow_begin(const struct frame_block *frame, const struct gpu_scene *scene, double width,
                                struct shadow *shadow, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -40,6 +40,12 @@ static void set_shadows(double width)
     frame.renderer.style.shadow_edge = width;
 }
 
+static void forget(void)
+{
+    renderer_free(&frame.renderer);
+    memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+}
+
 /* The middle row's brightness from left to right. */
 static void draw_row(float row[SIZE])
 {
@@ -73,8 +79,7 @@ static void check_edges(double left, double right, double width)
     float row[SIZE], bare[SIZE];
     set_shadows(0);
     draw_row(bare);
-    renderer_free(&frame.renderer);
-    memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+    forget();
     set_shadows(width);
     draw_row(row);
     int middle = pixel_at((left + right) / 2);
@@ -161,8 +166,7 @@ START_TEST(nothing_shades_itself)
             for (int shadows = 0; shadows < 2; shadows++) {
                 set_shadows(shadows ? 0.03 : 0);
                 frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image[shadows]);
-                renderer_free(&frame.renderer);
-                memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+                forget();
             }
             double worst = frame_difference(&image[0], &image[1]);
             ck_assert_msg(worst <= (shape ? 8.0 : 1.0) / 255, "shape %d, turn %d: %g/255", shape, turn, 255 * worst);
@@ -187,6 +191,40 @@ START_TEST(tiles_are_one_picture)
 }
 END_TEST
 
+/* Maps are kept while nothing moves: a lamp that moves and a pose that leaves all boxes as they are. */
+START_TEST(shadows_follow_lights_and_poses)
+{
+    struct hatch_image kept, fresh, before;
+    frame_arenas(&frame);
+    struct hatch_mesh mesh = plane_and_square();
+    for (uint32_t v = 4; v < 8; v++)
+        mesh.attributes[0].data[3 * v] += 0.3f;
+    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    struct own_light *light = &frame.renderer.style.light;
+    *light = (struct own_light){.wanted = true, .azimuth_rad = 0.5, .elevation_rad = 0.1};
+    set_shadows(0.05);
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &before);
+    for (int turned = 0; turned < 2; turned++) {
+        if (turned) {
+            frame.scene.nodes[0].rotation[2] = 1;
+            frame.scene.nodes[0].rotation[3] = 0;
+            HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 1, &frame.scratch, &frame.err), &frame.err);
+        } else {
+            light->azimuth_rad = -0.4;
+        }
+        frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &kept);
+        forget();
+        frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &fresh);
+        ck_assert_double_le(frame_difference(&kept, &fresh), 0);
+        ck_assert_double_gt(frame_difference(&kept, &before), 0.2);
+        before = kept;
+    }
+    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &kept);
+    ck_assert_double_le(frame_difference(&kept, &fresh), 0);
+    frame_end(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render shadow");
@@ -195,6 +233,7 @@ static Suite *suite(void)
     tcase_add_test(tests, lamps_cast_larger_squares);
     tcase_add_test(tests, nothing_shades_itself);
     tcase_add_test(tests, tiles_are_one_picture);
+    tcase_add_test(tests, shadows_follow_lights_and_poses);
     suite_add_tcase(made, tests);
     return made;
 }

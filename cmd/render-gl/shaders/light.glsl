@@ -1,16 +1,25 @@
 #include "frame.glsl"
+
+// A lone sun is known when shaders are compiled: software renderers read what stands at a changing index slowly, and
+// run both sides of every `if`.
+#ifdef SUN
+#define LIGHTS 1
+#define IS_LAMP(light) false
+#else
+#define LIGHTS counts.x
+#define IS_LAMP(light) (lights[light].position.w > 0.0)
+#endif
 #include "shadow.glsl"
 
 // Diffuse light and highlight at a point, 0 and up; lit per vertex, as in the paper's section 3. face: the surface's
 // own normal, where that is another.
 float light_at(vec3 point, vec3 normal, vec3 face)
 {
-    vec3 to_eye = normalize(eye.xyz - eye.w * point);
     float sum = shade.y;
-    for (int i = 0; i < counts.x; i++) {
+    for (int i = 0; i < LIGHTS; i++) {
         vec3 to_light = lights[i].direction.xyz;
         float strength = lights[i].direction.w;
-        if (lights[i].position.w > 0.0) {
+        if (IS_LAMP(i)) {
             vec3 from = lights[i].position.xyz - point;
             float square = max(dot(from, from), lights[i].cone.w);
             to_light = from * inversesqrt(square);
@@ -23,10 +32,13 @@ float light_at(vec3 point, vec3 normal, vec3 face)
         if (facing > 0.0)
             strength *= lit_share(i, point, face, to_light);
         sum += strength * facing;
-        if (shade.z > 0.0 && facing > 0.0) {
+#ifdef HIGHLIGHTS
+        if (facing > 0.0) {
+            vec3 to_eye = normalize(eye.xyz - eye.w * point);
             float mirror = max(dot(normal, normalize(to_light + to_eye)), 0.0);
             sum += strength * shade.z * pow(mirror, shade.w);
         }
+#endif
     }
     return sum;
 }
