@@ -14,7 +14,18 @@ static const char *const columns[] = {
     "angle_p50",      "angle_p95",       "texels_p5",       "texels_p50",
     "texels_p95",     NULL};
 
-static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices,
+/* A mesh far from the origin (hatch_mesh_read) is measured where floats are fine; what was taken off goes to away. */
+static void take_place(struct hatch_scene *scene, double away[3])
+{
+    struct hatch_node *node = scene->nodes;
+    bool plain = scene->node_count == 1 && !node->has_matrix && node->skin == HATCH_NONE;
+    for (int k = 0; k < 3 && plain; k++) {
+        away[k] = (double)node->translation[k];
+        node->translation[k] = 0;
+    }
+}
+
+static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double away[3],
                        const struct hatch_mesh_figures *f)
 {
     const uint32_t counts[] = {file_vertices, f->faces, f->points, f->unused_vertices,
@@ -31,9 +42,9 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
         cmd_report_whole(report, faults[i]);
     cmd_report_number(report, f->area);
     for (int k = 0; k < 3; k++)
-        cmd_report_number(report, (double)f->low[k]);
+        cmd_report_number(report, away[k] + (double)f->low[k]);
     for (int k = 0; k < 3; k++)
-        cmd_report_number(report, (double)f->high[k]);
+        cmd_report_number(report, away[k] + (double)f->high[k]);
     cmd_report_number(report, f->edge_min);
     cmd_report_number(report, f->edge_mean);
     cmd_report_number(report, f->edge_max);
@@ -54,7 +65,9 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     struct hatch_mesh_figures figures;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
+    double away[3] = {0, 0, 0};
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
+    take_place(&scene, away);
     cmd_check(hatch_scene_flatten(&scene, &args->keep, &args->scratch, &mesh, &err), name, &err);
     cmd_check(hatch_measure_mesh(&mesh, &args->scratch, &figures, &err), name, &err);
     uint32_t doubled = 0;
@@ -63,7 +76,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
             const struct hatch_scene_mesh *part = &scene.meshes[scene.nodes[n].first_mesh + m];
             doubled += part->mesh.vertex_count - part->file_vertices;
         }
-    report_row(report, name, figures.vertices - doubled, &figures);
+    report_row(report, name, figures.vertices - doubled, away, &figures);
     /* What a command that cleans its input would say of this one. */
     cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
     cmd_warn_mesh(name, &notes);

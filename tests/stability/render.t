@@ -149,5 +149,7 @@ for far in 0 4000000 4000000000; do
         >far.obj
     render-gl far.obj --tam map.exr --size 64x48 -o "far-$far.png"
     [ "$far" = 0 ] || ok "as if it lay $far nearer" hatchstat diff --max-difference 0.05 far-0.png "far-$far.png"
+    hatchstat mesh --quiet far.obj | awk -F'\t' 'NR == 2 {printf "%s %.2f %.3g\n", $3, $14, $15}' >"far-$far.txt"
 done
+is "and is measured there" "$(cat far-4000000000.txt)" "$(awk '{print $1, $2, "4e+09"}' far-0.txt)"
 finish
