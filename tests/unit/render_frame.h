@@ -94,6 +94,39 @@ static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t f
     return mesh;
 }
 
+/* A scene of a mesh that hangs on two joints, nodes 1 and 2, which are to move as one; some vertices by the first, some
+ * by the second or both. */
+static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
+{
+    static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static struct hatch_node nodes[3];
+    static uint32_t joints[2] = {1, 2};
+    static float inverse[32];
+    static struct hatch_skin skin = {2, joints, inverse};
+    struct hatch_scene *scene = &frame->scene;
+    float *ids, *weights;
+    HATCH_TEST_OK(hatch_mesh_add(&frame->arena, mesh, "JOINTS_0", 4, &ids, &frame->err), &frame->err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame->arena, mesh, "WEIGHTS_0", 4, &weights, &frame->err), &frame->err);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        ids[4 * v + 1] = 1;
+        weights[4 * v] = (float)(v % 3) / 2;
+        weights[4 * v + 1] = 1 - weights[4 * v];
+    }
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, scene, &frame->err), &frame->err);
+    for (int i = 0; i < 3; i++) {
+        nodes[i] = scene->nodes[0];
+        nodes[i].mesh_count = i == 0;
+    }
+    for (int i = 0; i < 2; i++)
+        memcpy(inverse + 16 * i, unmoved, sizeof unmoved);
+    nodes[0].skin = 0;
+    scene->nodes = nodes;
+    scene->node_count = 3;
+    scene->skins = &skin;
+    scene->skin_count = 1;
+    scene->meshes[0].joints_used = 2;
+}
+
 /* From a little above and beside, at the distance that frames the scene. */
 static inline struct view frame_view(struct test_frame *frame, double aspect)
 {

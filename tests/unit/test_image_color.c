@@ -42,6 +42,9 @@ START_TEST(hues_go_around)
         ck_assert_double_eq_tol(hypot(chroma[0], chroma[1]), 1, 1e-12);
         ck_assert_double_eq_tol(hatch_color_hue_between(red, chroma), i <= 3 ? 60 * i : 360 - 60 * i, 1e-9);
     }
+    /* one is half-way to the other's right angle */
+    ck_assert_double_eq_tol(hatch_color_hue_between((const double[2]){1, 2}, (const double[2]){3, 1}), 45, 1e-9);
+    ck_assert_double_eq_tol(hatch_color_hue_between((const double[2]){-2, 4}, (const double[2]){2, -4}), 180, 1e-9);
     float grey[6] = {0.25f, 0.25f, 0.25f, 0.5f, 0.5f, 0.5f};
     struct hatch_image image = {.width = 1, .height = 2, .channel_count = 3, .pixels = grey};
     hatch_color_chroma(&image, chroma);

@@ -153,6 +153,37 @@ START_TEST(rotations_turn_evenly_the_short_way)
 }
 END_TEST
 
+/* By Rodrigues' formula, about any axis: v cos a + (n x v) sin a + n (n . v) (1 - cos a). */
+START_TEST(rotations_turn_about_their_axis)
+{
+    static const double axes[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 3, 6}, {-6, 2, 3}, {3, -6, -2}};
+    for (size_t i = 0; i < sizeof axes / sizeof *axes; i++)
+        for (double angle = 0.4; angle < 3; angle += 0.6) {
+            double axis[3], half = angle; /* the keys are twice as far apart as the angle */
+            float times[] = {0, 1}, values[8] = {0, 0, 0, 1}, world[16];
+            hatch_vec_copy(axes[i], axis);
+            hatch_vec_normalize(axis);
+            for (int k = 0; k < 3; k++)
+                values[4 + k] = (float)(sin(half) * axis[k]);
+            values[7] = (float)cos(half);
+            const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
+                .path = HATCH_PATH_ROTATION, .interpolation = HATCH_LINEAR, .key_count = 2,
+                .times_s = times, .values = values});
+            double turn = cos(half) < 0 ? angle - 3.14159265358979324 : angle; /* half of the shorter way */
+            hatch_scene_pose(&scene, 0, 0.5, world);
+            for (int column = 0; column < 3; column++) {
+                double v[3] = {column == 0, column == 1, column == 2}, across[3];
+                hatch_vec_cross(axis, v, across);
+                for (int row = 0; row < 3; row++)
+                    ck_assert_double_eq_tol((double)world[4 * column + row],
+                                            v[row] * cos(turn) + across[row] * sin(turn) +
+                                                axis[row] * axis[column] * (1 - cos(turn)),
+                                            1e-5);
+            }
+        }
+}
+END_TEST
+
 START_TEST(a_skin_at_rest_leaves_its_mesh)
 {
     struct hatch_node nodes[2] = {resting, resting};
@@ -267,6 +298,7 @@ static Suite *suite(void)
     tcase_add_test(tests, cubic_keys_follow_their_tangents);
     tcase_add_test(tests, weights_of_morph_targets_move);
     tcase_add_test(tests, rotations_turn_evenly_the_short_way);
+    tcase_add_test(tests, rotations_turn_about_their_axis);
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);

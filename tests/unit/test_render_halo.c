@@ -158,6 +158,26 @@ START_TEST(tiles_are_one_picture)
 }
 END_TEST
 
+/* A picture higher than the last one, a narrower and a wider one. */
+START_TEST(other_sizes_are_drawn_anew)
+{
+    static const uint32_t sizes[4][2] = {{SIZE, SIZE / 2}, {SIZE, SIZE}, {SIZE / 2, SIZE}, {SIZE, SIZE}};
+    struct hatch_image image[4], fresh;
+    struct hatch_mesh mesh = ball_before_plane();
+    show(&mesh);
+    frame.renderer.style.halo_px = 12;
+    for (int i = 0; i < 4; i++)
+        frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &image[i]);
+    for (int i = 1; i < 4; i++) {
+        renderer_free(&frame.renderer);
+        memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+        frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &fresh);
+        ck_assert_double_eq(frame_difference(&image[i], &fresh), 0);
+    }
+    frame_end(&frame);
+}
+END_TEST
+
 #define LINE_PX 3.0
 
 /* White surfaces and black lines. */
@@ -245,6 +265,7 @@ static Suite *suite(void)
     tcase_add_test(tests, haloes_are_as_wide_as_asked_for);
     tcase_add_test(tests, one_surface_has_none);
     tcase_add_test(tests, tiles_are_one_picture);
+    tcase_add_test(tests, other_sizes_are_drawn_anew);
     tcase_add_test(tests, lines_behind_end_at_haloes);
     tcase_add_test(tests, crumbs_between_haloes_are_dropped);
     suite_add_tcase(made, tests);

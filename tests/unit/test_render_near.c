@@ -101,37 +101,6 @@ START_TEST(surfaces_may_move)
 }
 END_TEST
 
-/* Hangs the scene's mesh on two joints, which move as one; some vertices by the first, some by the second or both. */
-static void add_skin(struct hatch_mesh *mesh, struct hatch_scene *scene)
-{
-    static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    static struct hatch_node nodes[3];
-    static uint32_t joints[2] = {1, 2};
-    static float inverse[32];
-    static struct hatch_skin skin = {2, joints, inverse};
-    float *ids, *weights;
-    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, mesh, "JOINTS_0", 4, &ids, &frame.err), &frame.err);
-    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, mesh, "WEIGHTS_0", 4, &weights, &frame.err), &frame.err);
-    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        ids[4 * v + 1] = 1;
-        weights[4 * v] = (float)(v % 3) / 2;
-        weights[4 * v + 1] = 1 - weights[4 * v];
-    }
-    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame.arena, scene, &frame.err), &frame.err);
-    for (int i = 0; i < 3; i++) {
-        nodes[i] = scene->nodes[0];
-        nodes[i].mesh_count = i == 0;
-    }
-    for (int i = 0; i < 2; i++)
-        memcpy(inverse + 16 * i, unmoved, sizeof unmoved);
-    nodes[0].skin = 0;
-    scene->nodes = nodes;
-    scene->node_count = 3;
-    scene->skins = &skin;
-    scene->skin_count = 1;
-    scene->meshes[0].joints_used = 2;
-}
-
 /* A plane on joints, which go away and take the eye with them, is the plane without, whose surface one knows at
  * vertices: here both have one derivative everywhere. */
 START_TEST(skinned_surfaces_hold)
@@ -148,7 +117,7 @@ START_TEST(skinned_surfaces_hold)
     renderer_free(&frame.renderer);
     scene_free(&frame.gpu);
     context_close(&frame.context);
-    add_skin(&plane, &frame.scene);
+    frame_hang(&plane, &frame);
     frame_begin_scene(NULL, &frame_unit, NULL, &frame);
     make_model();
     for (int moved = 0; moved < 3; moved++) {

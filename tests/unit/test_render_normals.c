@@ -6,6 +6,7 @@
 enum { SIZE = 16 };
 
 static struct test_frame frame;
+static bool jointed; /* the plane hangs on joints */
 static const double to_light[3] = {0.48, 0.6, 0.64};
 
 /* A plane that faces the camera. turn: of its texture coordinates against the clock, in quarters; mirrored: u runs
@@ -29,7 +30,12 @@ static void begin(int turn, bool mirrored, bool own)
     for (uint32_t i = 0; !own && i < mesh.attribute_count; i++)
         if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
             mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
+    if (jointed) {
+        frame_hang(&mesh, &frame);
+        frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    } else {
+        frame_begin(&mesh, &frame_unit, NULL, &frame);
+    }
     frame.renderer.style.pixel_light = true;
     frame.renderer.style.light = (struct own_light){.wanted = true,
                                                     .azimuth_rad = atan2(to_light[0], to_light[2]),
@@ -92,6 +98,20 @@ START_TEST(a_flat_map_is_none)
 }
 END_TEST
 
+/* A quarter turn of the joints takes x to y and y to -x. */
+START_TEST(joints_turn_what_is_tilted)
+{
+    jointed = true;
+    begin(0, false, false);
+    set_normal(0.6, 0, 0.8, 1);
+    for (int i = 1; i <= 2; i++)
+        frame.scene.nodes[i].rotation[2] = frame.scene.nodes[i].rotation[3] = (float)sqrt(0.5);
+    HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 0, &frame.scratch, &frame.err), &frame.err);
+    ck_assert_double_eq_tol(light(), 0.6 * to_light[1] + 0.8 * to_light[2], 1.0 / 255);
+    frame_end(&frame);
+}
+END_TEST
+
 /* The other side of a plane leans as that side shows it. */
 START_TEST(from_behind_all_is_turned_round)
 {
@@ -115,6 +135,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("normals");
     tcase_add_test(tests, light_is_that_of_the_tilted_normal);
     tcase_add_test(tests, a_flat_map_is_none);
+    tcase_add_test(tests, joints_turn_what_is_tilted);
     tcase_add_test(tests, from_behind_all_is_turned_round);
     suite_add_tcase(made, tests);
     return made;

@@ -114,27 +114,31 @@ END_TEST
 #define LAMP_X 0.9
 #define LAMP_HEIGHT 1.5
 
-/* A lamp over the right side, of any kind; a spot shines at the square. */
-static void begin_lamp(enum hatch_light_type type)
+/* Lamps in one place over the right side, of any kind, which are as bright as one together; spots shine at the
+ * square. */
+static void begin_lamps(enum hatch_light_type type, uint32_t count)
 {
     struct hatch_mesh mesh = plane_and_square();
     HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.arena, &frame.scene, &frame.err), &frame.err);
-    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
-    struct hatch_light *light = HATCH_NEW(&frame.arena, struct hatch_light, 1, &frame.err);
+    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, count + 1, &frame.err);
+    struct hatch_light *lights = HATCH_NEW(&frame.arena, struct hatch_light, count, &frame.err);
     double turn = atan2(LAMP_X, LAMP_HEIGHT - HEIGHT);
     nodes[0] = frame.scene.nodes[0];
-    nodes[1] = (struct hatch_node){.parent = HATCH_NONE,
-                                   .translation = {(float)LAMP_X, 0, (float)LAMP_HEIGHT},
-                                   .rotation = {0, (float)sin(turn / 2), 0, (float)cos(turn / 2)},
-                                   .scale = {1, 1, 1},
-                                   .skin = HATCH_NONE,
-                                   .camera = HATCH_NONE};
-    *light = (struct hatch_light){.type = type, .color = {1, 1, 1}, .intensity = 1,
-                                  .inner_cone_rad = 0.9f, .outer_cone_rad = 1.0f};
+    for (uint32_t i = 0; i < count; i++) {
+        nodes[i + 1] = (struct hatch_node){.parent = HATCH_NONE,
+                                           .translation = {(float)LAMP_X, 0, (float)LAMP_HEIGHT},
+                                           .rotation = {0, (float)sin(turn / 2), 0, (float)cos(turn / 2)},
+                                           .scale = {1, 1, 1},
+                                           .skin = HATCH_NONE,
+                                           .camera = HATCH_NONE,
+                                           .light = i};
+        lights[i] = (struct hatch_light){.type = type, .color = {1, 1, 1}, .intensity = 1 / (float)count,
+                                         .inner_cone_rad = 0.9f, .outer_cone_rad = 1.0f};
+    }
     frame.scene.nodes = nodes;
-    frame.scene.node_count = 2;
-    frame.scene.lights = light;
-    frame.scene.light_count = 1;
+    frame.scene.node_count = count + 1;
+    frame.scene.lights = lights;
+    frame.scene.light_count = count;
     frame_begin_scene(NULL, &frame_unit, NULL, &frame);
 }
 
@@ -144,8 +148,37 @@ START_TEST(lamps_cast_larger_squares)
     const double grown = LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT);
     for (size_t i = 0; i < 2; i++) {
         frame_arenas(&frame);
-        begin_lamp(types[i]);
+        begin_lamps(types[i], 1);
         check_edges(LAMP_X + (-HALF - LAMP_X) * grown, LAMP_X + (HALF - LAMP_X) * grown, 0.03);
+        frame_end(&frame);
+    }
+}
+END_TEST
+
+/* The first lights have shadows as long as there is room for their maps; the others go through all. */
+START_TEST(shadows_have_their_maps)
+{
+    static const struct {
+        enum hatch_light_type type;
+        uint32_t count;
+    } cases[] = {{HATCH_LIGHT_POINT, SHADOW_LAYERS / 6}, {HATCH_LIGHT_POINT, SHADOW_LAYERS / 6 + 3},
+                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS}, {HATCH_LIGHT_SPOT, SHADOW_LAYERS + 8}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        uint32_t layers = cases[i].type == HATCH_LIGHT_SPOT ? 1 : 6, count = cases[i].count;
+        double through = 1 - fmin(1, SHADOW_LAYERS / layers / (double)count);
+        float bare[SIZE], row[SIZE];
+        frame_arenas(&frame);
+        begin_lamps(cases[i].type, count);
+        set_shadows(0);
+        draw_row(bare);
+        renderer_free(&frame.renderer);
+        memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+        set_shadows(0.03);
+        draw_row(row);
+        int middle = pixel_at(LAMP_X - LAMP_X * LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT));
+        double want = AMBIENT + through * ((double)bare[middle] - AMBIENT);
+        ck_assert_msg(fabs((double)row[middle] - want) <= 1.0 / 255, "case %zu: %g, not %g", i, (double)row[middle],
+                      want);
         frame_end(&frame);
     }
 }
@@ -231,6 +264,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("shadow");
     tcase_add_test(tests, sun_casts_a_square);
     tcase_add_test(tests, lamps_cast_larger_squares);
+    tcase_add_test(tests, shadows_have_their_maps);
     tcase_add_test(tests, nothing_shades_itself);
     tcase_add_test(tests, tiles_are_one_picture);
     tcase_add_test(tests, shadows_follow_lights_and_poses);
