@@ -14,13 +14,29 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
     return HATCH_OK;
 }
 
+static void use_weights(const struct hatch_scene *scene, uint32_t animation, struct fuzz_arenas *arenas)
+{
+    struct hatch_err err;
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        for (uint32_t m = 0; m < scene->nodes[n].mesh_count; m++) {
+            uint32_t count = hatch_mesh_targets(&scene->meshes[scene->nodes[n].first_mesh + m].mesh);
+            struct hatch_arena_mark mark = hatch_arena_mark(&arenas->keep);
+            double *weights = count ? HATCH_NEW(&arenas->keep, double, count, &err) : NULL;
+            if (weights)
+                hatch_scene_weights(scene, n, animation, 0.37, count, weights);
+            hatch_arena_rewind(&arenas->keep, mark);
+        }
+}
+
 static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arenas)
 {
     struct hatch_err err;
     struct hatch_mesh mesh;
     float *world = HATCH_NEW(&arenas->keep, float, (size_t)scene->node_count * 16, &err);
-    for (uint32_t a = 0; world && a < scene->animation_count; a++)
+    for (uint32_t a = 0; world && a < scene->animation_count; a++) {
         hatch_scene_pose(scene, a, 0.37, world);
+        use_weights(scene, a, arenas);
+    }
     if (world)
         hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t s = 0; world && s < scene->skin_count; s++) {
