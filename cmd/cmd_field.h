@@ -9,7 +9,7 @@
 
 /* What dirfield does unless it is told otherwise: curvature as noise asks, and this. */
 #define CMD_FIELD_SMOOTH 0.5
-#define CMD_FIELD_TOLERANCE 1e-5
+#define CMD_FIELD_TOLERANCE 3e-5
 #define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: a tube of five sides is still round */
 #define CMD_FIELD_ITERATIONS 10000
 

@@ -6,6 +6,8 @@
 #include "base/text.h"
 #include "dirfield.h"
 
+#define DESCENT_TOLERANCE 1e-5 /* radians: descent creeps */
+
 static int method, solver;
 static bool solver_given, fit_given;
 static double smooth = CMD_FIELD_SMOOTH, radius;
@@ -83,7 +85,7 @@ static void read_options(struct dirfield_options *how)
         .field = {.method = (enum hatch_field_method)method,
                   .solver = (enum hatch_field_solver)solver,
                   .smooth = smooth,
-                  .tolerance = CMD_FIELD_TOLERANCE,
+                  .tolerance = method == HATCH_FIELD_HZ ? DESCENT_TOLERANCE : CMD_FIELD_TOLERANCE,
                   .iterations_max = CMD_FIELD_ITERATIONS},
     };
     snprintf(how->comment, sizeof how->comment, "dirfield --method %s --smooth %g --direction %s",

@@ -109,7 +109,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     end_phase(part, PHASE_CURVATURE, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
-    const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard};
+    const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard, true};
     check(part, hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args),
                                   &part->work, &args->scratch, &part->field, &err), &err);
     hatch_field_own_up(part->surface, made_up, &part->field);

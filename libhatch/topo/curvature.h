@@ -10,6 +10,8 @@
 #include "base/parallel.h"
 #include "topo/frames.h"
 
+#define HATCH_CURVATURE_EVEN_RAD 0.005 /* the standard error of axes of confidence 1/2 */
+
 /* Per point. Curvatures are in 1 / unit of the surface (the mean edge), positive where the surface
  * bends away from the normal (sphere: both positive). The first is that of larger absolute value
  * (so that a valley is hatched like a ridge, and no side matters); the deviation grows where that

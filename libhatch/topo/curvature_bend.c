@@ -1,6 +1,7 @@
 #include "topo/curvature_bend.h"
 
 #include "math/vector.h"
+#include "topo/curvature.h"
 
 #define PI 3.14159265358979323846
 
@@ -128,8 +129,6 @@ double hatch_bend_deviation(const struct hatch_principal *principal,
     return fmin(sqrt(axes_error(principal, variance) + wrong * PI * PI / 4), PI / 4);
 }
 
-/* A direction known to this many radians has even odds. */
-#define DEVIATION_EVEN 0.005
 /* One known no better than this says nothing. */
 #define DEVIATION_NONE 0.5
 /* The anisotropy at which the odds are half of what they would be at a larger one. */
@@ -145,7 +144,7 @@ double hatch_bend_confidence(const struct hatch_principal *principal,
     if (!(first > second) || !(deviation_rad < DEVIATION_NONE))
         return 0;
     double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
-    double error = deviation_rad / DEVIATION_EVEN, rest = deviation_rad / DEVIATION_NONE;
+    double error = deviation_rad / HATCH_CURVATURE_EVEN_RAD, rest = deviation_rad / DEVIATION_NONE;
     anisotropy *= anisotropy;
     double odds = anisotropy / (1 + anisotropy) * (1 - rest * rest);
     return odds / (odds + error * error);

@@ -53,16 +53,21 @@ static enum hatch_status solve_linear(struct work *w, const struct hatch_field_s
                                w->options->iterations_max, w->scratch, z, &w->progress, err);
 }
 
+/* Where data has no weight its direction is a start, too. */
 static void start_from_data(const struct work *w, const struct hatch_field_system *system, double *z)
 {
     for (uint32_t p = 0; p < w->surface->point_count; p++) {
         uint32_t n = system->node[p];
         if (n == HATCH_NO_SIDE)
             continue;
-        hatch_field_square(w->frames, p, &w->data->direction[(size_t)p * 3], &z[2 * (size_t)n]);
+        double *own = &z[2 * (size_t)n];
+        const double *right = &system->right[2 * (size_t)n];
+        hatch_field_square(w->frames, p, &w->data->direction[(size_t)p * 3], own);
+        if (own[0] * right[0] + own[1] * right[1] < 0)
+            memcpy(own, right, 2 * sizeof *own);
         if (!w->surface->components[w->surface->point_component[p]].orientable) {
-            z[2 * (size_t)n + 2] = z[2 * (size_t)n];
-            z[2 * (size_t)n + 3] = -z[2 * (size_t)n + 1];
+            own[2] = own[0];
+            own[3] = -own[1];
         }
     }
     make_unit(z, system->count);
@@ -183,6 +188,9 @@ static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_
     double *applied = z ? HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err) : NULL;
     if (!applied)
         return HATCH_LIMIT;
+    if (directed && w->data->principal)
+        HATCH_TRY(hatch_field_loosen_jumps(w->surface, w->data, w->options->iterations_max, w->scratch, &system, z,
+                                           &w->progress, err));
     if (!directed)
         HATCH_TRY(solve_smoothest(w, &system, z, err));
     else if (w->options->method == HATCH_FIELD_LINEAR)

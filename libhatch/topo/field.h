@@ -15,7 +15,12 @@
  * Hatching §6). So linear's minimum is never above hz's. The
  * unit field of that minimum may be: where data disagrees z is short there and costs little, so
  * that what is certain stays as it is, and what noise has made goes; descent from it would lower E
- * and lose both. */
+ * and lose both.
+ *
+ * Principal directions jump by a right angle where the curvatures' absolute values pass one another, though both
+ * axes go on: z changes its sign there. Smoothing over such a jump would bend the axes on both sides. So, first, a
+ * roughly smooth field says which axis is meant where a few points claim another than all around them; then edges
+ * over which lines still are nearer to a right angle than to none count a tenth, where axes are certain. */
 #ifndef HATCH_TOPO_FIELD_H
 #define HATCH_TOPO_FIELD_H
 
@@ -32,6 +37,7 @@ struct hatch_field_data {
     const double *hard;       /* NULL, or per point the weight of a direction given by hand: 0 none; over 0: direction
                                  is that one, and m is this times the sum of the point's edge weights, whatever
                                  `smooth` and the confidence say */
+    bool principal;           /* directions are principal ones, which may jump to the other axis */
 };
 
 struct hatch_field_options {
@@ -49,7 +55,7 @@ struct hatch_field {
                             components without data */
     uint32_t iterations;
     double residual;     /* relative, at the end */
-    double energy[2];    /* E of the unit field, its two sums: smoothness, data */
+    double energy[2];    /* E of the unit field, its two sums: smoothness, data; with what is said of jumps */
     double solved;       /* E of z as solved (linear; hz: of the unit field) */
     uint32_t undirected; /* components without data (confidence of root mean square under 0.001, and nothing by
                             hand): their field is the smoothest there is, otherwise arbitrary */
@@ -72,7 +78,7 @@ void hatch_field_make_up(const struct hatch_surface *surface, const struct hatch
 /* Takes the confidence from components whose data was made up; they count as undirected. */
 void hatch_field_own_up(const struct hatch_surface *surface, const bool *made_up, struct hatch_field *field);
 
-/* energy[2] of any unit field, as in hatch_field. */
+/* energy[2] of any unit field, as in hatch_field, of data that is not principal. */
 void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_frames *frames,
                         const struct hatch_field_data *data, double smooth, const double *direction,
                         double energy[2]);

@@ -30,7 +30,7 @@ static void longest_axis(const struct hatch_surface *surface, const struct hatch
 void hatch_field_make_up(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *hard,
                          double *direction, double *confidence, bool *made_up)
 {
-    const struct hatch_field_data data = {direction, confidence, hard};
+    const struct hatch_field_data data = {direction, confidence, hard, false};
     for (uint32_t c = 0; c < surface->component_count; c++) {
         const struct hatch_component *of = &surface->components[c];
         double axis[3];

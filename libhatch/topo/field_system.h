@@ -85,6 +85,15 @@ enum hatch_status hatch_field_factor_solve(const struct hatch_field_system *syst
                                            struct hatch_arena *scratch, double *z, struct hatch_err *err)
     HATCH_MUST_USE;
 
+/* For data that is principal directions: gives right the axis that a roughly smooth field lies nearer to, and leaves
+ * links over which lines of known axes then still are nearer to a right angle a small share of their weight.
+ * z: 0; that rough field, where there are such. */
+enum hatch_status hatch_field_loosen_jumps(const struct hatch_surface *surface, const struct hatch_field_data *data,
+                                           uint32_t iterations_max, struct hatch_arena *scratch,
+                                           struct hatch_field_system *system, double *z,
+                                           struct hatch_field_progress *progress, struct hatch_err *err)
+    HATCH_MUST_USE;
+
 /* Least E over fields of |z| = 1, from the unit z given, downhill: L-BFGS on the angles (Liu & Nocedal 1989). */
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,
                                       uint32_t iterations_max, struct hatch_arena *scratch, double *z,

@@ -17,7 +17,7 @@ static struct figures measure(float noise, double radius, uint32_t degree, bool 
         const double *direction = found.direction;
         if (smoothed) {
             const struct hatch_field_options options = {.smooth = 0.5, .tolerance = 1e-6, .iterations_max = 1000};
-            const struct hatch_field_data data = {found.direction, found.confidence, NULL};
+            const struct hatch_field_data data = {found.direction, found.confidence, NULL, true};
             struct hatch_field field;
             HATCH_TEST_OK(hatch_frames_lean(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
             HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch,

@@ -111,13 +111,62 @@ START_TEST(needles_do_not_push_neighbours_apart)
     hatch_vec_copy(line, of.direction);
     double *hard = HATCH_NEW(&keep, double, of.surface.point_count, &err);
     hard[0] = 1;
-    const struct hatch_field_data data = {of.direction, of.confidence, hard};
+    const struct hatch_field_data data = {of.direction, of.confidence, hard, false};
     const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-10, 2000};
     struct hatch_field field;
     HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
                   &err);
     for (uint32_t p = 0; p < of.surface.point_count; p++)
         ck_assert_double_lt(line_angle(&of, p, &field.direction[3 * (size_t)p], line), 0.1 * DEG);
+}
+END_TEST
+
+/* How far a saddle's first principal directions, 5 degrees wrong, are from the nearer axis after smoothing beside
+ * the lines on which they jump by a right angle; and from the first axis in a patch all of whose points claim the
+ * other: means. */
+struct means {
+    double beside_rad, patch_rad;
+};
+
+static struct means smooth_jumps(bool principal, double confidence)
+{
+    double *truth, sum[2] = {0, 0}, count[2] = {0, 0};
+    struct field_case of = noisy(HATCH_SHAPE_SADDLE, 5 * DEG, confidence, &truth);
+    bool *patch = HATCH_NEW(&keep, bool, of.surface.point_count, &err);
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        double *line = &of.direction[3 * (size_t)p], at[3];
+        hatch_surface_position(&of.surface, p, at);
+        patch[p] = hypot(at[0] - 0.6, at[1]) < 0.08;
+        if (patch[p])
+            hatch_frames_direction(&of.frames, p, hatch_frames_angle(&of.frames, p, line) + PI / 2, line);
+    }
+    const struct hatch_field_data data = {of.direction, of.confidence, NULL, principal};
+    const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-6, 2000};
+    struct hatch_field field;
+    HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
+                  &err);
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        double at[3], angle = line_angle(&of, p, &field.direction[3 * (size_t)p], &truth[3 * (size_t)p]);
+        hatch_surface_position(&of.surface, p, at);
+        double off = fabs(fabs(at[0]) - fabs(at[1]));
+        if (!patch[p] && (off < 0.02 || off > 0.2))
+            continue;
+        sum[patch[p]] += patch[p] ? angle : fmin(angle, PI / 2 - angle);
+        count[patch[p]]++;
+    }
+    return (struct means){sum[0] / count[0], sum[1] / count[1]};
+}
+
+START_TEST(smoothing_over_a_jump_bends_the_axes)
+{
+    ck_assert_double_gt(smooth_jumps(false, 0.01).beside_rad, 10 * DEG);
+    ck_assert_double_lt(smooth_jumps(true, 0.01).beside_rad, 6 * DEG);
+}
+END_TEST
+
+START_TEST(a_patch_of_swapped_axes_is_settled)
+{
+    ck_assert_double_lt(smooth_jumps(true, 0.1).patch_rad, 10 * DEG);
 }
 END_TEST
 
@@ -129,6 +178,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_weight_for_all_smooths_clean_data_away);
     tcase_add_test(tests, descent_from_the_data_keeps_singularities_of_the_noise);
     tcase_add_test(tests, needles_do_not_push_neighbours_apart);
+    tcase_add_test(tests, smoothing_over_a_jump_bends_the_axes);
+    tcase_add_test(tests, a_patch_of_swapped_axes_is_settled);
     suite_add_tcase(suite, tests);
     return suite;
 }

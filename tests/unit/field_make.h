@@ -60,7 +60,7 @@ static inline struct hatch_field solve_case(const struct field_case *of, enum ha
                                             enum hatch_field_solver solver, double smooth)
 {
     struct hatch_field field;
-    const struct hatch_field_data data = {of->direction, of->confidence, NULL};
+    const struct hatch_field_data data = {of->direction, of->confidence, NULL, false};
     const struct hatch_field_options options = {method, solver, smooth, 1e-8, 2000};
     HATCH_TEST_OK(hatch_field_solve(&of->surface, &of->frames, &data, &options, NULL, &keep, &scratch, &field,
                                     &err),

@@ -12,7 +12,7 @@ START_TEST(one_constraint_on_a_plane_is_everybodys)
     double *hard = HATCH_NEW(&keep, double, of.surface.point_count, &err);
     hard[of.surface.point_count / 3] = 10;
     hatch_vec_copy(line, &of.direction[of.surface.point_count / 3 * 3]);
-    const struct hatch_field_data data = {of.direction, of.confidence, hard};
+    const struct hatch_field_data data = {of.direction, of.confidence, hard, false};
     for (int k = 0; k < 3; k++) {
         const struct hatch_field_options options = {k == 2 ? HATCH_FIELD_HZ : HATCH_FIELD_LINEAR,
                                                     k == 1 ? HATCH_FIELD_CHOLESKY : HATCH_FIELD_MULTIGRID, 0.5,
@@ -161,7 +161,7 @@ START_TEST(linear_is_never_above_hz)
                                    &of->direction[3 * (size_t)p]);
             of->confidence[p] = 0.2;
         }
-        const struct hatch_field_data data = {of->direction, of->confidence, NULL};
+        const struct hatch_field_data data = {of->direction, of->confidence, NULL, false};
         for (int smooth = 1; smooth < 5; smooth++) {
             struct hatch_field linear = solve_case(of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, smooth / 5.0);
             struct hatch_field hz = solve_case(of, HATCH_FIELD_HZ, HATCH_FIELD_MULTIGRID, smooth / 5.0);
@@ -293,7 +293,7 @@ START_TEST(threads_change_no_bit)
     follow_truth(&of, HATCH_SHAPE_ELLIPSOID, 20 * DEG, 0.1);
     struct hatch_field alone = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5), with;
     struct hatch_pool *pool;
-    const struct hatch_field_data data = {of.direction, of.confidence, NULL};
+    const struct hatch_field_data data = {of.direction, of.confidence, NULL, false};
     const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-8, 2000};
     HATCH_TEST_OK(hatch_pool_make(3, &keep, &pool, &err), &err);
     HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, pool, &keep, &scratch, &with, &err),
@@ -388,7 +388,7 @@ static enum hatch_status solve(void *context, struct hatch_arena *to, struct hat
                                struct hatch_err *why)
 {
     struct call *call = context;
-    const struct hatch_field_data data = {call->of.direction, call->of.confidence, NULL};
+    const struct hatch_field_data data = {call->of.direction, call->of.confidence, NULL, true};
     const struct hatch_field_options options = {call->method, HATCH_FIELD_MULTIGRID, 0.5, 1e-4, 100};
     return hatch_field_solve(&call->of.surface, &call->of.frames, &data, &options, NULL, to, temporary,
                              &call->field, why);
