@@ -33,11 +33,15 @@ bool is_edge(ivec2 at, float depth, ivec2 way)
     return known && behind < depth && depth - behind > STEEP * slope && jump_between(depth, behind) > halo_depth.z;
 }
 
+const float NO_DEPTH = 2.0; // nothing lies before it
+
 // The depth of the nearest sample around that lies on the same surface: the outermost of a rim lie far behind it.
-float depth_around(ivec2 at)
+// Where nobody asks, none: software renderers go on with what is discarded, but run no loop that no sample wants.
+float depth_around(ivec2 at, bool asked)
 {
-    float nearest = depth_of(at);
-    for (int i = 0; i < 9; i++) {
+    float nearest = asked ? depth_of(at) : NO_DEPTH;
+    int count = asked ? 9 : 0;
+    for (int i = 0; i < count; i++) {
         ivec2 way = ivec2(i % 3, i / 3) - 1;
         float depth = depth_of(at + way);
         nearest = depth > nearest && !is_edge(at + way, depth, -way) ? depth : nearest;
