@@ -210,6 +210,14 @@ static double longest_squared(const struct hatch_ground *ground, uint32_t face)
     return longest;
 }
 
+/* Where normals turn far over a patch of so many faces, it would not come about. */
+static double more_wanted(const struct hatch_ground *ground, uint32_t face, double area)
+{
+    double more = fmax(0, longest_squared(ground, face) / (LONG * EDGE_SQUARED * area) - 1);
+    double bend = ground->rough[face] * radius_of_faces(FACES_WANTED * (1 + more), area);
+    return 1 + more / (1 + square(bend * bend));
+}
+
 /* The radius whose core holds a face and neighbours like it. Were it to hold the one alone, long faces side by
  * side would each be in three patches. */
 static double radius_to_hold(const struct hatch_ground *ground, const struct hatch_outline *outline, uint32_t face)
@@ -233,7 +241,7 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_outline
             uint32_t f = component->first_face + i;
             double bend = options->curved * CURVED_GAIN * ground->rough[f] * whole;
             double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + bend * bend));
-            double wanted = FACES_WANTED * fmax(1, longest_squared(ground, f) / (LONG * EDGE_SQUARED * area[f]));
+            double wanted = FACES_WANTED * more_wanted(ground, f, area[f]);
             if (options->size > 0)
                 radius = fmax(radius, fmin(whole, radius_of_faces(FACES_WANTED, area[f])));
             else
