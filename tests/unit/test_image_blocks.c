@@ -161,7 +161,8 @@ START_TEST(colours_in_half_a_byte_come_near)
     struct hatch_texels back = round_trip_as(HATCH_TEXELS_BC1, &plain, &figures, &bytes);
     check_figures(&plain, &back, &figures);
     ck_assert_double_le(figures.error_max, (_i < 2 ? 215 / 6.0 + 5 + 8 : 5) / 255);
-    ck_assert_double_le(figures.error_rms, (_i < 2 ? 15 : 3) / 255.0);
+    /* where the ends are not fitted to the indices it is 12.0 and 10.4 */
+    ck_assert_double_le(figures.error_rms, (_i > 1 ? 1.5 : _i ? 9.0 : 10.5) / 255);
     ck_assert_uint_eq(bytes, 5 * 5 * 7 * 8);
 }
 END_TEST

@@ -100,12 +100,35 @@ START_TEST(strokes_differ)
 }
 END_TEST
 
+/* Without grain each texel is the mean of what lies under it, here of two by two, and paper lies around all. */
+START_TEST(images_of_strokes_are_means)
+{
+    float pixels[32];
+    for (int i = 0; i < 32; i++)
+        pixels[i] = (float)(i * i % 32) / 31;
+    const struct hatch_image from = {.width = 8, .height = 4, .channel_count = 1, .pixels = pixels};
+    const struct hatch_rptam_layer_style style = {.stroke = &from, .length_px = 2, .width_px = 1};
+    struct hatch_image made;
+    uint32_t images;
+    HATCH_TEST_OK(hatch_rptam_stroke(&style, &keep, &scratch, &made, &images, &err), &err);
+    ck_assert(images == 1 && made.width == 6 && made.height == 4);
+    for (int y = -1; y < 3; y++)
+        for (int x = -1; x < 5; x++) {
+            double sum = 0;
+            for (int i = 0; i < 4 && y >= 0 && y < 2 && x >= 0 && x < 4; i++)
+                sum += (double)pixels[8 * (2 * y + i / 2) + 2 * x + i % 2];
+            ck_assert_double_eq_tol((double)made.pixels[6 * (y + 1) + x + 1], sum / 4, 0.5001 / 255);
+        }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("recursive maps");
     TCase *tests = tcase_create("memory");
     tcase_add_checked_fixture(tests, begin_seeds, end);
     tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, images_of_strokes_are_means);
     tcase_add_loop_test(tests, a_stroke_keeps_its_look_over_levels, 2, 40);
     tcase_add_test(tests, strokes_differ);
     suite_add_tcase(suite, tests);
