@@ -15,7 +15,8 @@ SHELL := /bin/bash
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
-all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png $(OUT)/zoom-0.png $(OUT)/fine-volume.png
+all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png \
+    $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -54,6 +55,15 @@ $(OUT)/zoom-0.png:
 $(OUT)/fine-volume.png:
 	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))fine-tone.mk OUT=$(WORK) SIZE=480x480
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/fine-*.png $(OUT)
+
+$(OUT)/scene.png:
+	mkdir -p $(WORK) $(OUT)
+	meshgen teapot -o $(WORK)/teapot.glb
+	meshgen cone -o $(WORK)/cone.glb
+	meshgen torus | dirfield | lapped-param -o $(WORK)/torus.glb
+	tamgen --tones 255 | tamvol -o $(WORK)/ink.volume.ktx2
+	render-gl $(WORK)/teapot.glb $(WORK)/torus.glb $(WORK)/cone.glb --ground 4 --technique volume \
+	    --tam $(WORK)/ink.volume.ktx2 --shadows 0.03 --haloes 4 --light -50:40 --from 20:14 --size 960x540 -o $@
 
 $(WORK)/%.exr:
 	mkdir -p $(WORK) $(OUT)
