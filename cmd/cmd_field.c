@@ -60,6 +60,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
                                        &curvature, err));
     hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
     HATCH_TRY(hatch_frames_lean(surface, curvature.normal, &args->scratch, &frames, err));
+    hatch_field_follow_folds(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction, curvature.confidence);
     hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL, true};
     HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,

@@ -104,6 +104,8 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     hatch_curvature_doubt_creases(part->surface, CMD_FIELD_HARD_RAD, &curvature);
     check(part, hatch_frames_lean(part->surface, curvature.normal, &args->scratch, &part->frames, &err), &err);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
+    hatch_field_follow_folds(part->surface, &part->frames, CMD_FIELD_HARD_RAD, hard, curvature.direction,
+                             curvature.confidence);
     hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);
     turn(&part->frames, part->surface, options->turn_deg, hard, curvature.direction);
     end_phase(part, PHASE_CURVATURE, begun_ms);
