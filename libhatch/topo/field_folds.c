@@ -7,6 +7,7 @@
 
 #define ERROR_RAD 0.05 /* folds tell a direction so well at best */
 #define HALF_RAD 0.02  /* and half as well, in odds, where they turn by so little */
+#define ROUND_RAD 0.8  /* a tube of eight sides is round, the teeth of a gear are not */
 
 /* The edges around a point. */
 struct folds {
@@ -34,10 +35,10 @@ static double angle_between(const double a[3], const double b[3])
     return atan2(hatch_vec_length(turn), hatch_vec_dot(a, b));
 }
 
-/* Whether most of a component's area is of faces that fold softly at one of their sides. */
-static bool is_bent(const struct hatch_surface *surface, const struct hatch_component *of, double crease_rad)
+/* Whether most of a component's area is of faces that are parts of something round: they fold a little somewhere. */
+static bool is_round(const struct hatch_surface *surface, const struct hatch_component *of)
 {
-    double whole = 0, bent = 0;
+    double whole = 0, round = 0;
     for (uint32_t f = of->first_face; f < of->first_face + of->face_count; f++) {
         double normals[2][3], area = face_normal(surface, f, false, normals[0]);
         bool folds = false;
@@ -48,12 +49,12 @@ static bool is_bent(const struct hatch_surface *surface, const struct hatch_comp
             /* Across a contrary edge, which runs one way on both, one face shows its back. */
             face_normal(surface, other / 3, surface->corners[other] == surface->corners[side], normals[1]);
             double fold_rad = angle_between(normals[0], normals[1]);
-            folds = fold_rad > HALF_RAD && fold_rad <= crease_rad;
+            folds = fold_rad > HALF_RAD && fold_rad < ROUND_RAD;
         }
         whole += area;
-        bent += folds ? area : 0;
+        round += folds ? area : 0;
     }
-    return bent > whole / 2;
+    return round > whole / 2;
 }
 
 /* The surface bends across the edge, which runs between faces of these normals. */
@@ -101,7 +102,7 @@ void hatch_field_follow_folds(const struct hatch_surface *surface, const struct 
     double least = HATCH_CURVATURE_EVEN_RAD / ERROR_RAD;
     for (uint32_t c = 0; c < surface->component_count; c++) {
         const struct hatch_component *of = &surface->components[c];
-        if (hatch_field_scale_of(surface, frames, &data, 0, c).directed || !is_bent(surface, of, crease_rad))
+        if (hatch_field_scale_of(surface, frames, &data, 0, c).directed || !is_round(surface, of))
             continue;
         for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++) {
             struct folds folds = folds_at(surface, frames, p, crease_rad);

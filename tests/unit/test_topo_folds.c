@@ -12,8 +12,8 @@ static struct hatch_surface surface;
 static struct hatch_frames frames;
 static double *direction, *confidence;
 
-/* A can of one row of faces about z, closed by fans. */
-static struct hatch_mesh can(double height)
+/* A can of one row of faces about z, closed by fans, or a gear whose teeth have a depth. */
+static struct hatch_mesh can(double height, double depth)
 {
     float at[2 * SIDES + 2][3] = {{0}};
     uint32_t corners[4 * SIDES][3];
@@ -21,8 +21,9 @@ static struct hatch_mesh can(double height)
         uint32_t next = (i + 1) % SIDES;
         for (uint32_t top = 0; top < 2; top++) {
             float *rim = at[i + top * SIDES];
-            rim[0] = (float)cos(2 * PI * i / SIDES);
-            rim[1] = (float)sin(2 * PI * i / SIDES);
+            double radius = i % 4 < 2 ? 1 : 1 - depth;
+            rim[0] = (float)(radius * cos(2 * PI * i / SIDES));
+            rim[1] = (float)(radius * sin(2 * PI * i / SIDES));
             rim[2] = top ? (float)height : 0;
         }
         const uint32_t faces[4][3] = {{i, next, next + SIDES}, {i, next + SIDES, i + SIDES},
@@ -46,7 +47,7 @@ static void follow(struct hatch_mesh mesh, const double *hard)
 /* Of the soft edges at a point of a rim one folds, by 15 degrees; the diagonal lies flat. */
 START_TEST(a_tube_of_long_faces_bends_around)
 {
-    follow(can(2), NULL);
+    follow(can(2, 0), NULL);
     uint32_t known = 0;
     for (uint32_t p = 0; p < surface.point_count; p++) {
         double at[3];
@@ -76,7 +77,9 @@ static double most_confidence(void)
 
 START_TEST(what_is_mostly_flat_stays_unknown)
 {
-    follow(can(0.4), NULL);
+    follow(can(0.4, 0), NULL);
+    ck_assert_double_eq(most_confidence(), 0);
+    follow(can(2, 0.4), NULL);
     ck_assert_double_eq(most_confidence(), 0);
     follow(cube(0, 1), NULL);
     ck_assert_double_eq(most_confidence(), 0);
@@ -88,7 +91,7 @@ END_TEST
 START_TEST(what_is_known_stays)
 {
     double hard[2 * SIDES + 2] = {[3] = 1};
-    follow(can(2), hard);
+    follow(can(2, 0), hard);
     ck_assert_double_eq(most_confidence(), 0);
 }
 END_TEST
