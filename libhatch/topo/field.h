@@ -69,10 +69,10 @@ enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const s
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_field *field, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives components without data to speak of that are mostly round, at points on hard edges, the direction
- * across which the soft edges there fold, with little confidence: a tube of long faces, all of whose points lie on its
- * rims, bends one way although no fit can be made anywhere (folds as curvature: Cohen-Steiner & Morvan, "Restricted
- * Delaunay triangulations and normal cycle", SoCG 2003). What is mostly flat is hatched calmly, whatever its holes and teeth do.
+/* Gives components without data to speak of that are mostly round, at points on hard edges, the direction across which
+ * the soft edges there fold, with little confidence: a tube of long faces, all of whose points lie on its rims, bends
+ * one way although no fit can be made anywhere (folds as curvature: Cohen-Steiner & Morvan, "Restricted Delaunay
+ * triangulations and normal cycle", SoCG 2003). What is mostly flat is hatched calmly, whatever its holes and teeth do.
  * crease_rad: what is hard, over 0 and under π/2; hard: as in hatch_field_data. direction, confidence: of the data,
  * changed. Comes before hatch_field_make_up. */
 void hatch_field_follow_folds(const struct hatch_surface *surface, const struct hatch_frames *frames,
