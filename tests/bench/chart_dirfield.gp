@@ -8,7 +8,7 @@ set format y "%g"
 set format x "%g"
 set xrange [2:6000]
 set xlabel "milliseconds"
-set key top right Left reverse samplen 0.5 font ",8"
+set key top left Left reverse samplen 0.5 font ",8"
 rows(noise, test) = sprintf("< awk -F'\\t' '$2 == 10000 && $3 == %s && %s {print $4 * 1000, $8, $9, $1}' %s", noise, test, data)
 fixed = "$1 ~ /^radius/"
 sizes(noise) = sprintf("< awk -F'\\t' '$1 == \"adaptive, linear\" && $3 == %s {print $4 * 1000, $8, $2 / 1000, $2, $4}' %s", noise, data)
