@@ -217,16 +217,22 @@ START_TEST(tiles_join)
 }
 END_TEST
 
-/* As in the window: from afar by halves, then round what the middle shows, and back. */
-START_TEST(a_hand_zooms_without_end)
+/* A torus, and a point of it seen aslant from so far. */
+static struct view begin_torus(double distance)
 {
     double point[3], normal[3], back[3];
-    struct orbit orbit;
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&odd_bounds);
     face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
     lean(normal, 0.6, back);
-    struct view view = zoom_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
+    return zoom_view(&frame, point, back, distance, (double)WIDTH / HEIGHT);
+}
+
+/* As in the window: from afar by halves, then round what the middle shows, and back. */
+START_TEST(a_hand_zooms_without_end)
+{
+    struct orbit orbit;
+    struct view view = begin_torus(1);
     orbit_start(&orbit, &view);
     for (int i = 0; i < 42; i++)
         orbit_zoom(&orbit, 0.5);
@@ -252,13 +258,8 @@ END_TEST
 /* An orthographic camera's near plane is a wish that zooming must not run into. */
 START_TEST(a_hand_zooms_an_orthographic_view)
 {
-    double point[3], normal[3], back[3];
     struct orbit orbit;
-    make_shape(HATCH_SHAPE_TORUS, 1000);
-    begin_mesh(&odd_bounds);
-    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
-    lean(normal, 0.6, back);
-    struct view view = zoom_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
+    struct view view = begin_torus(3);
     view.orthographic = true;
     view.half_height = 1;
     view.near = 1;
