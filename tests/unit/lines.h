@@ -35,7 +35,7 @@ static inline struct line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t 
 {
     static const double origin[3] = {0, 0, 0};
     const struct line_choice choice = {kinds, crease_rad, false};
-    struct line_mesh lines = {.skinned = true};
+    struct line_mesh lines;
     HATCH_TEST_OK(line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
     return lines;
 }

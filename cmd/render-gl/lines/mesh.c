@@ -177,8 +177,6 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
     HATCH_TRY(line_ring_make(&lines->mesh, arena, scratch, &lines->ring, err));
     uint32_t *points;
     HATCH_TRY(sort_edges(&edges, choice->kinds, arena, scratch, lines, &points, err));
-    lines->skinned = hatch_mesh_find(&lines->mesh, "JOINTS_0", 4) &&
-                     hatch_mesh_find(&lines->mesh, "WEIGHTS_0", 4);
     return chain_features(&edges, points, arena, scratch, lines, err);
 }
 
@@ -188,7 +186,7 @@ enum hatch_status line_mesh_make(const struct hatch_mesh *from, const double ori
                                  struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct line_mesh made = {.skinned = false};
+    struct line_mesh made = {.hard_count = 0};
     enum hatch_status status = make(from, origin, choice, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

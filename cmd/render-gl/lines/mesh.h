@@ -42,7 +42,6 @@ struct line_ring {
 
 struct line_mesh {
     struct hatch_mesh mesh; /* a vertex for each position and normal; positions minus the origin */
-    bool skinned;           /* mesh has JOINTS_0 and WEIGHTS_0 */
     uint8_t *hard_sides;    /* per face: bit c is set where the surface is not smooth across side c */
     struct line_ring ring;
     uint32_t hard_count, feature_count;
