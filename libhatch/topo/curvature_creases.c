@@ -4,19 +4,12 @@
 #include "math/vector.h"
 #include "topo/curvature.h"
 
-static void face_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])
-{
-    const uint32_t *corner = &surface->corners[(size_t)face * 3];
-    hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
-                       &surface->points[(size_t)corner[2] * 3], normal);
-}
-
 /* Whether two faces, one of them turned over where turned is -1, meet at more than an acute angle of this cosine. */
 static bool is_crease(const struct hatch_surface *surface, uint32_t a, uint32_t b, double turned, double cosine)
 {
     double here[3], there[3];
-    face_normal(surface, a, here);
-    face_normal(surface, b, there);
+    hatch_surface_normal(surface, a, here);
+    hatch_surface_normal(surface, b, there);
     double dot = turned * hatch_vec_dot(here, there);
     return !(dot > 0) || dot * dot < cosine * cosine * hatch_vec_dot(here, here) * hatch_vec_dot(there, there);
 }

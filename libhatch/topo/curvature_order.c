@@ -34,9 +34,7 @@ static void sum_areas(const struct hatch_surface *surface, uint32_t p, double su
         double area[3];
         if (face == HATCH_NO_SIDE)
             continue;
-        const uint32_t *corner = &surface->corners[(size_t)face * 3];
-        hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
-                           &surface->points[(size_t)corner[2] * 3], area);
+        hatch_surface_normal(surface, face, area);
         hatch_vec_add_scaled(sum, surface->ring_flipped[i] ? -1 : 1, area, sum);
         sum[3] += hatch_vec_length(area);
     }

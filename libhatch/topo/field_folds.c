@@ -19,9 +19,7 @@ struct folds {
 /* Unit; turned: of the face's back. Returns twice the area. */
 static double face_normal(const struct hatch_surface *surface, uint32_t face, bool turned, double normal[3])
 {
-    const uint32_t *corner = &surface->corners[(size_t)face * 3];
-    hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
-                       &surface->points[(size_t)corner[2] * 3], normal);
+    hatch_surface_normal(surface, face, normal);
     double length = hatch_vec_normalize(normal);
     for (int k = 0; k < 3 && turned; k++)
         normal[k] = -normal[k];

@@ -1,6 +1,6 @@
 #include "topo/surface.h"
 
-
+#include "math/vector.h"
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
 #include "mesh/orient.h"
@@ -121,6 +121,13 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
     *surface = made;
     *notes = noted;
     return HATCH_OK;
+}
+
+void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])
+{
+    const uint32_t *corner = &surface->corners[(size_t)face * 3];
+    hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
+                       &surface->points[(size_t)corner[2] * 3], normal);
 }
 
 void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3])

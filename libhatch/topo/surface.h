@@ -84,6 +84,9 @@ enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const 
 enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena,
                                       uint32_t *order, uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
 
+/* The normal of a face, counter-clockwise, as long as twice its area. */
+void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3]);
+
 /* A point's position in the mesh's units. */
 void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3]);
 
