@@ -9,7 +9,7 @@ CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
 CFLAGS ?= -O3 -g
 CXXFLAGS ?= $(CFLAGS)
 PREFIX ?= /usr/local
-VERSION := $(shell sed -n 's/^.define HATCH_VERSION "\(.*\)"/\1/p' cmd/cmd.h)
+VERSION := $(shell sed -n 's/^.define HATCH_VERSION "\(.*\)"/\1/p' cmd/shared/cmd.h)
 
 WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla
 BASE := -D_POSIX_C_SOURCE=200809L -Ilibhatch -Icmd -ffp-contract=off -pthread -MMD -MP
@@ -31,11 +31,11 @@ endif
 # command: the package archives and packages that it links
 LINK_meshgen   :=
 LINK_tamgen    := exr png foreign svg
-LINK_tampack   := exr png container
-LINK_tamvol    := exr container
-LINK_tamthresh := exr png foreign container
-LINK_hatchstat := exr png foreign gltf container
-LINK_render-gl := exr png foreign gltf container gl
+LINK_tampack   := exr png texture
+LINK_tamvol    := exr texture
+LINK_tamthresh := exr png foreign texture
+LINK_hatchstat := exr png foreign gltf texture
+LINK_render-gl := exr png foreign gltf texture gl
 LINK_dirfield  := gltf openmesh cholmod
 LINK_lapped-param := gltf png cholmod
 libs_exr       := -lOpenEXRCore-3_1 -ldeflate
@@ -43,16 +43,17 @@ libs_png       := -lpng16
 libs_foreign   := -ldl
 libs_gltf      := -ltinygltf -lstdc++
 libs_openmesh  := -lOpenMeshTools -lOpenMeshCore -lstdc++
-libs_container := -lzstd
+libs_texture   := -lzstd
 libs_cholmod   := -lcholmod
 libs_svg       := -lexpat
 libs_gl        := -lepoxy -lglfw
 
-# A package's archive holds libhatch/*/PACKAGE*; all else of libhatch is C alone and one archive.
-PACKAGES := exr png foreign gltf openmesh container cholmod svg
-SRC := $(wildcard libhatch/*/*.c libhatch/*/*.cc)
-PLUGIN_SRC := $(wildcard libhatch/io/oiio_plugin.cc)
-src_of = $(foreach s,$(SRC),$(if $(filter $(1)%,$(notdir $(s))),$(s)))
+# A package's archive holds its folder of libhatch; all else of libhatch is C alone and one archive.
+PACKAGES := exr png foreign gltf openmesh texture cholmod svg
+SRC := $(wildcard libhatch/*/*.c libhatch/*/*/*.c libhatch/*/*/*.cc)
+PLUGIN_SRC := libhatch/io/foreign/oiio_plugin.cc
+FOLDER_cholmod := libhatch/sparse
+src_of = $(filter $(or $(FOLDER_$(1)),libhatch/io/$(1))/%,$(filter-out $(PLUGIN_SRC),$(SRC)))
 $(foreach p,$(PACKAGES),$(eval SRC_$(p) := $(call src_of,$(p))))
 SRC_core := $(filter-out $(PLUGIN_SRC) $(foreach p,$(PACKAGES),$(SRC_$(p))),$(SRC))
 obj = $(patsubst %,$(B)/obj/%.o,$(1))
@@ -60,13 +61,13 @@ archive = $(patsubst %,$(B)/lib/libhatch-%.a,$(1))
 
 # A command is cmd/NAME.c, or a folder cmd/NAME whose main.c holds main.
 FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
-COMMANDS := $(filter-out cmd cmd_%,$(patsubst cmd/%.c,%,$(wildcard cmd/*.c))) $(FOLDERS)
-SRC_cmd := $(wildcard cmd/cmd.c cmd/cmd_*.c)
+COMMANDS := $(patsubst cmd/%.c,%,$(wildcard cmd/*.c)) $(FOLDERS)
+SRC_cmd := $(wildcard cmd/shared/*.c)
 SHADERS := $(wildcard cmd/render-gl/shaders/*)
 $(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c))))
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
-PLUGIN := $(if $(PLUGIN_SRC),$(B)/lib/hatch/hatch-oiio.so)
+PLUGIN := $(B)/lib/hatch/hatch-oiio.so
 # What is not a binary lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
 SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
@@ -166,14 +167,14 @@ dist:
 	@echo $(B)/$(DIST).tar.gz
 
 # Tests. A unit test program links of all archives what it needs.
-TEST_SRC := $(wildcard tests/unit/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
+TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
 $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
-$(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/unit
+$(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cmd.h"
-#include "io/gltf.h"
-#include "mesh/shapes.h"
+#include "shared/cmd.h"
+#include "io/glb/glb.h"
+#include "shapes/shapes.h"
 
 static int64_t faces = 10000;
 static double jitter, noise;

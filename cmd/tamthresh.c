@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmd_map.h"
-#include "cmd_picture.h"
-#include "cmd_texels.h"
+#include "shared/map.h"
+#include "shared/picture.h"
+#include "shared/texels.h"
 #include "tam/exact.h"
 #include "tam/thresholds.h"
 

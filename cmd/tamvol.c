@@ -1,8 +1,8 @@
 /* tamvol: a tonal art map as a volume, whose third coordinate is tone. */
 #include <stdio.h>
 
-#include "cmd_map.h"
-#include "cmd_texels.h"
+#include "shared/map.h"
+#include "shared/texels.h"
 #include "image/blocks.h"
 #include "tam/volume.h"
 

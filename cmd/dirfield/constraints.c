@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "dirfield.h"
 #include "math/vector.h"
-#include "topo/nearest.h"
+#include "surface/nearest.h"
 
 #define WEIGHT_MAX 1e6
 

@@ -2,12 +2,12 @@
 #ifndef DIRFIELD_H
 #define DIRFIELD_H
 
-#include "cmd_field.h"
-#include "cmd_report.h"
+#include "shared/field.h"
+#include "shared/report.h"
 #include "math/percentile.h"
-#include "mesh/scene.h"
-#include "topo/curvature.h"
-#include "topo/field.h"
+#include "scene/scene.h"
+#include "curvature/curvature.h"
+#include "field/field.h"
 
 struct dirfield_options {
     double turn_deg;      /* from the first principal direction, counter-clockwise seen from outside */

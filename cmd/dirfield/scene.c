@@ -1,7 +1,7 @@
 /* All meshes of a scene, one after another. */
-#include "cmd_surface.h"
+#include "shared/surface.h"
 #include "dirfield.h"
-#include "io/gltf.h"
+#include "io/glb/glb.h"
 
 struct run {
     struct cmd_args *args;

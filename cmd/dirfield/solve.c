@@ -1,7 +1,7 @@
 #include <math.h>
 
 #include "dirfield.h"
-#include "io/openmesh.h"
+#include "io/openmesh/openmesh.h"
 #include "math/vector.h"
 
 #define STANDING 1e-3 /* a direction whose tangent part is shorter than this share stands on the surface */

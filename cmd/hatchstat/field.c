@@ -1,5 +1,5 @@
 /* hatchstat field FILE ...: the figures of direction fields, a row each. */
-#include "cmd_scene.h"
+#include "shared/scene.h"
 #include "measure/field_figures.h"
 #include "subject.h"
 

@@ -1,6 +1,6 @@
 /* hatchstat lapped [FILE]: how well patches cover a surface, and how true their coordinates are. */
-#include "cmd_scene.h"
-#include "io/png.h"
+#include "shared/scene.h"
+#include "io/png/png.h"
 #include "measure/lapped_figures.h"
 #include "subject.h"
 

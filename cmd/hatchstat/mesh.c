@@ -1,5 +1,5 @@
 /* hatchstat mesh FILE ...: the figures of meshes and scenes, a row each. */
-#include "cmd_scene.h"
+#include "shared/scene.h"
 #include "measure/mesh_figures.h"
 #include "subject.h"
 

@@ -1,4 +1,4 @@
-#include "cmd_picture.h"
+#include "shared/picture.h"
 #include "subject.h"
 
 static void encode_srgb(struct hatch_image *image)

@@ -2,8 +2,8 @@
 #ifndef HATCHSTAT_SUBJECT_H
 #define HATCHSTAT_SUBJECT_H
 
-#include "cmd.h"
-#include "cmd_report.h"
+#include "shared/cmd.h"
+#include "shared/report.h"
 #include "image/image.h"
 
 /* The options of all subjects; each looks at its own. */

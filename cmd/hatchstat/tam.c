@@ -2,8 +2,8 @@
  */
 #include <math.h>
 
-#include "cmd_map.h"
-#include "cmd_style.h"
+#include "shared/map.h"
+#include "shared/style.h"
 #include "measure/tam_figures.h"
 #include "stroke/script.h"
 #include "subject.h"

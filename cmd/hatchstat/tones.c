@@ -1,10 +1,10 @@
 /* hatchstat tones FILE: how a volume, thresholds, exact runs or another map show the tones of a map. */
 #include <string.h>
 
-#include "cmd_map.h"
+#include "shared/map.h"
 #include "image/blocks.h"
-#include "io/container.h"
-#include "io/exr.h"
+#include "io/texture/container.h"
+#include "io/exr/exr.h"
 #include "measure/tone_figures.h"
 #include "subject.h"
 #include "tam/exact.h"

@@ -1,7 +1,7 @@
 #include <string.h>
 
-#include "cmd_field.h"
-#include "cmd_scene.h"
+#include "shared/field.h"
+#include "shared/scene.h"
 #include "lapped_param.h"
 #include "mesh/splits.h"
 

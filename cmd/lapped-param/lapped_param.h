@@ -2,9 +2,9 @@
 #ifndef LAPPED_PARAM_H
 #define LAPPED_PARAM_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "lapped/lapped.h"
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 struct lapped_param_options {
     struct hatch_lapped_options lapped; /* size: as a share of the scene's diagonal, or 0 */

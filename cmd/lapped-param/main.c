@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "cmd_scene.h"
-#include "cmd_surface.h"
-#include "io/gltf.h"
+#include "shared/scene.h"
+#include "shared/surface.h"
+#include "io/glb/glb.h"
 #include "lapped_param.h"
 
 #define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */

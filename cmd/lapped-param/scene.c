@@ -1,6 +1,6 @@
 #include <string.h>
 
-#include "io/png.h"
+#include "io/png/png.h"
 #include "lapped_param.h"
 
 /* Texture coordinates and tangents give way to the hatching's, and so does a field that is none. */

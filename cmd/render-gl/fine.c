@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "image/blocks.h"
-#include "io/container.h"
+#include "io/texture/container.h"
 #include "tam/thresholds.h"
 #include "tam/volume.h"
 

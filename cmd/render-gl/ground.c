@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "mesh/shapes.h"
+#include "shapes/shapes.h"
 #include "render-gl/row.h"
 
 #define FACES 2048u /* light at vertices needs some */

@@ -2,7 +2,7 @@
 #ifndef RENDER_GROUND_H
 #define RENDER_GROUND_H
 
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 /* Adds a level square with texture coordinates, share of the scene's radius to each side of its middle, at the height
  * of the lowest point of its rest pose. It is a backdrop: the scene's bounds stay. */

@@ -1,7 +1,7 @@
 #include "render-gl/job.h"
 
-#include "cmd_map.h"
-#include "cmd_scene.h"
+#include "shared/map.h"
+#include "shared/scene.h"
 #include "render-gl/material.h"
 #include "render-gl/meter.h"
 #include "render-gl/normals.h"

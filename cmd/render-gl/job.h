@@ -7,7 +7,7 @@
 #include "render-gl/load.h"
 #include "render-gl/options.h"
 #include "seed/layers.h"
-#include "tam/style.h"
+#include "placement/style.h"
 
 /* What a stroke looks like. */
 struct job_stroke {

@@ -1,7 +1,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cmd_style.h"
+#include "shared/style.h"
 #include "render-gl/job.h"
 #include "seed/spread.h"
 

@@ -1,6 +1,6 @@
 #include "render-gl/load.h"
 
-#include "cmd_scene.h"
+#include "shared/scene.h"
 #include "render-gl/ground.h"
 #include "render-gl/row.h"
 

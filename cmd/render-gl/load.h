@@ -3,7 +3,7 @@
 #ifndef RENDER_LOAD_H
 #define RENDER_LOAD_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/patches.h"
 
 /* A glTF with its companions, or one mesh; count 0 is standard input; several are put in a row. ground: that of

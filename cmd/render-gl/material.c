@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "cmd_picture.h"
+#include "shared/picture.h"
 #include "filter/pyramid.h"
 #include "image/color.h"
-#include "io/foreign.h"
+#include "io/foreign/foreign.h"
 
 static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap[2])
 {

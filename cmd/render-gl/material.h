@@ -2,7 +2,7 @@
 #ifndef RENDER_MATERIAL_H
 #define RENDER_MATERIAL_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "image/image.h"
 #include "render-gl/scene.h"
 

@@ -3,7 +3,7 @@
 #ifndef RENDER_NORMALS_H
 #define RENDER_NORMALS_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/scene.h"
 
 /* What the vertex stage reads beside struct vertex. */

@@ -2,7 +2,7 @@
 #ifndef RENDER_OPTIONS_H
 #define RENDER_OPTIONS_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/params.h"
 #include "render-gl/renderer.h"
 

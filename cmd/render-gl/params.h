@@ -3,7 +3,7 @@
 #ifndef RENDER_PARAMS_H
 #define RENDER_PARAMS_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/technique/technique.h"
 
 #define PARAMS_MAX 24u

@@ -3,7 +3,7 @@
 #ifndef RENDER_PATCHES_H
 #define RENDER_PATCHES_H
 
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 /* What belongs to one of a scene's meshes. */
 struct patch_mesh {

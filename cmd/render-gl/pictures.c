@@ -1,8 +1,8 @@
 /* Frames into PNG and EXR files. */
 #include <string.h>
 
-#include "io/exr.h"
-#include "io/png.h"
+#include "io/exr/exr.h"
+#include "io/png/png.h"
 #include "render-gl/job.h"
 #include "render-gl/picture.h"
 

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 struct pose {
     const struct hatch_scene *scene;

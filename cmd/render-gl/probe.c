@@ -1,7 +1,7 @@
 /* What the picture uses of scene and map, as TSV or JSON. */
 #include <math.h>
 
-#include "cmd_report.h"
+#include "shared/report.h"
 #include "render-gl/job.h"
 #include "render-gl/picture.h"
 

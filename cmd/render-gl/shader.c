@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/shader_files.h"
 
 #define INCLUDES_MAX 16u

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmd_report.h"
+#include "shared/report.h"
 #include "render-gl/job.h"
 
 #define WARM_UP 3u

@@ -3,7 +3,7 @@
 #define RENDER_WORDS_H
 
 #include "base/text.h"
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "render-gl/lines/lines.h"
 #include "render-gl/view.h"
 

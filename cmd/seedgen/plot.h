@@ -2,7 +2,7 @@
 #ifndef SEEDGEN_PLOT_H
 #define SEEDGEN_PLOT_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "seed/seeds.h"
 
 /* An SVG in args->keep: a panel for each layer with its seeds as large circles and, small, the same

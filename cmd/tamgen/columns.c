@@ -3,7 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "cmd.h"
+#include "shared/cmd.h"
 
 /* Copies are floats, twice what a column takes in the file: with many threads they would outweigh the
  * map itself. A third of its columns at once is more than the filling can feed. */

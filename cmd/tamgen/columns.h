@@ -4,7 +4,7 @@
 #define HATCH_TAMGEN_COLUMNS_H
 
 #include "base/parallel.h"
-#include "io/exr.h"
+#include "io/exr/exr.h"
 #include "tam/sheet.h"
 
 struct column_copy;

@@ -2,9 +2,9 @@
 #ifndef HATCH_TAMGEN_JOB_H
 #define HATCH_TAMGEN_JOB_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "columns.h"
-#include "tam/replay.h"
+#include "placement/replay.h"
 
 struct job {
     struct cmd_args args;

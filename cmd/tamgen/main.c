@@ -1,6 +1,6 @@
 /* tamgen: fills a tonal art map with strokes of a style, or with those of a drawing. */
-#include "cmd_style.h"
-#include "io/svg.h"
+#include "shared/style.h"
+#include "io/svg/svg.h"
 #include "job.h"
 
 #define SMALLEST_LEVEL_PX 32u

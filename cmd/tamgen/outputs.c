@@ -1,4 +1,4 @@
-#include "io/png.h"
+#include "io/png/png.h"
 #include "job.h"
 #include "stroke/script.h"
 

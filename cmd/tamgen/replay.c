@@ -1,5 +1,5 @@
 /* tamgen --replay: the strokes of a drawing in place of strokes of its own. */
-#include "io/svg.h"
+#include "io/svg/svg.h"
 #include "job.h"
 #include "stroke/script.h"
 

@@ -2,10 +2,10 @@
 
 #include <stdio.h>
 
-#include "cmd_map.h"
-#include "io/container.h"
-#include "io/exr.h"
-#include "io/png.h"
+#include "shared/map.h"
+#include "io/texture/container.h"
+#include "io/exr/exr.h"
+#include "io/png/png.h"
 #include "tam/pack.h"
 
 #define NUMBER_BYTES 16 /* of " 0.123456789" and its end */

@@ -2,7 +2,7 @@
 #ifndef TAMPACK_LAYOUT_H
 #define TAMPACK_LAYOUT_H
 
-#include "cmd.h"
+#include "shared/cmd.h"
 #include "tam/tam.h"
 
 /* What is packed, and how. */

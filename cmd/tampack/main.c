@@ -1,7 +1,7 @@
 /* tampack: a tonal art map as the textures that engines load. */
 #include <stdio.h>
 
-#include "cmd_map.h"
+#include "shared/map.h"
 #include "layout.h"
 
 static int layout;

@@ -16,7 +16,7 @@
 
 #include "base/parallel.h"
 #include "lapped/outline.h"
-#include "topo/field.h"
+#include "field/field.h"
 
 struct hatch_lapped_options {
     double size;        /* diameter of a patch on a flat part, as a share of the diagonal of the box around the
@@ -29,7 +29,7 @@ struct hatch_lapped_options {
 };
 
 /* Coordinates of a patch: hatch u runs along the field (either way), v is at a right angle, so
- * that seen from outside with u to the right v rises downwards, as in mesh/shapes.h; both in the
+ * that seen from outside with u to the right v rises downwards, as in shapes/shapes.h; both in the
  * mesh's units, so that a tile of hatching has one size on all patches, but that within one it may
  * grow or shrink by a factor of 1.6 where strokes run apart or the surface cannot be flattened. Mask
  * coordinates lie in the outline's square where the outline is; the outline is turned at random against

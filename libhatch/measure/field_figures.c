@@ -7,8 +7,8 @@
 
 #include "math/percentile.h"
 #include "math/vector.h"
-#include "topo/field.h"
-#include "topo/nearest.h"
+#include "field/field.h"
+#include "surface/nearest.h"
 
 #define DEGREES (180 / 3.14159265358979323846)
 

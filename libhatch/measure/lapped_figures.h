@@ -4,7 +4,7 @@
 #define HATCH_MEASURE_LAPPED_FIGURES_H
 
 #include "image/image.h"
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 enum { HATCH_LAPPED_P50, HATCH_LAPPED_P95, HATCH_LAPPED_P99, HATCH_LAPPED_MAX, HATCH_LAPPED_SHARES };
 

@@ -3,7 +3,7 @@
 #define HATCH_MEASURE_LAPPED_SHEETS_H
 
 #include "image/image.h"
-#include "mesh/scene.h"
+#include "scene/scene.h"
 
 /* A patch's face. Two lie at one place when group and points are equal. */
 struct hatch_sheet {

@@ -3,7 +3,7 @@
 #define HATCH_MEASURE_TAM_FIGURES_H
 
 #include "stroke/stroke.h"
-#include "tam/style.h"
+#include "placement/style.h"
 #include "tam/tam.h"
 
 #define HATCH_EVENNESS_BOXES 4u

@@ -4,7 +4,7 @@
 
 #include "base/random.h"
 #include "measure/tam_figures.h"
-#include "tam/canvas.h"
+#include "placement/canvas.h"
 
 /* Reflectances are stored as halves: 11 bits. */
 #define HALF_STEP 0x1p-11f

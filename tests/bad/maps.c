@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/exr.h"
+#include "io/exr/exr.h"
 #include "tam/tam.h"
 
 enum { SIZE = 16, TONES = 4 };

@@ -1,6 +1,6 @@
 #include "fuzz.h"
 
-#include "io/exr.h"
+#include "io/exr/exr.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

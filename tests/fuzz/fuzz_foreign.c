@@ -1,7 +1,7 @@
 /* The look at foreign headers; what the plugin does is OpenImageIO's own. */
 #include "fuzz.h"
 
-#include "io/foreign_header.h"
+#include "io/foreign/header.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

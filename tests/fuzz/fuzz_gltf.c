@@ -1,4 +1,4 @@
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "mesh.h"
 
 /* A companion file of some bytes, whatever its name. */

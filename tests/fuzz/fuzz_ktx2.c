@@ -1,7 +1,7 @@
 #include "fuzz.h"
 
 #include "image/blocks.h"
-#include "io/container.h"
+#include "io/texture/container.h"
 #include "tam/exact.h"
 #include "tam/thresholds.h"
 #include "tam/volume.h"

@@ -1,6 +1,6 @@
 #include "fuzz.h"
 
-#include "io/png.h"
+#include "io/png/png.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

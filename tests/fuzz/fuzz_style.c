@@ -1,6 +1,6 @@
 #include "fuzz.h"
 
-#include "tam/style.h"
+#include "placement/style.h"
 
 /* What a style holds after any text: within the ranges that its header states. */
 static void check(const struct hatch_style *style)

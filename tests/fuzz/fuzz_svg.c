@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "io/svg.h"
+#include "io/svg/svg.h"
 #include "stroke/path.h"
 
 #define SIZE_PX 64

@@ -4,7 +4,7 @@
 #define HATCH_TEST_FUZZ_MESH_H
 
 #include "fuzz.h"
-#include "io/mesh_file.h"
+#include "io/mesh/file.h"
 #include "measure/mesh_figures.h"
 
 #define FUZZ_MUST_HOLD(condition)                                                                  \

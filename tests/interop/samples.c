@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "io/container.h"
-#include "io/exr.h"
-#include "io/gltf.h"
-#include "io/png.h"
-#include "mesh/shapes.h"
+#include "io/texture/container.h"
+#include "io/exr/exr.h"
+#include "io/glb/glb.h"
+#include "io/png/png.h"
+#include "shapes/shapes.h"
 
 static struct hatch_arena arena, scratch;
 static struct hatch_err err;

@@ -1,6 +1,6 @@
 # What other projects' readers see in our files is what was written, texel for texel, on every level:
 # EXR by OpenImageIO and exrheader; KTX2 by ktx-parse and three.js, DDS by PixiJS, which `make
-# check-interop` fetches. (No such reader knows DDS arrays: tests/unit/test_io_container.c.)
+# check-interop` fetches. (No such reader knows DDS arrays: tests/unit/io/test_container.c.)
 . "${TOP:-.}/tests/tap.sh"
 TESTS=$BUILD/tests/interop
 INTEROP=$BUILD/interop

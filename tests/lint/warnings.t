@@ -2,7 +2,7 @@
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 command -v clang >/dev/null || { skip "clang's warnings" "no clang"; finish; }
-flags='-std=c11 -D_POSIX_C_SOURCE=200809L -Ilibhatch -Icmd -Itests/unit -Itests/fuzz -ffp-contract=off -pthread'
+flags='-std=c11 -D_POSIX_C_SOURCE=200809L -Ilibhatch -Icmd -Itests/support -Itests/fuzz -ffp-contract=off -pthread'
 warnings='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla'
 find libhatch cmd tests -name '*.c' -print0 |
     xargs -0 -n 8 -P 2 clang $flags $warnings -fsyntax-only 2>"$WORK/said"

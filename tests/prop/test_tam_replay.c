@@ -3,10 +3,10 @@
 #include <math.h>
 
 #include "fail_alloc.h"
-#include "io/svg.h"
+#include "io/svg/svg.h"
 #include "measure/tam_figures.h"
-#include "tam/canvas.h"
-#include "tam/replay.h"
+#include "placement/canvas.h"
+#include "placement/replay.h"
 #include "tam_map.h"
 
 static struct test_map map;

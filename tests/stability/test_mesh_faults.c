@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "io/mesh_file.h"
+#include "io/mesh/file.h"
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
 #include "meshes.h"

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "filter/pyramid.h"
 #include "measure/tam_figures.h"
-#include "tam/canvas.h"
+#include "placement/canvas.h"
 #include "tam_map.h"
 
 static struct test_map map;

@@ -3,7 +3,7 @@
 #ifndef RENDER_LINES_MESH_H
 #define RENDER_LINES_MESH_H
 
-#include "mesh/scene.h"
+#include "scene/scene.h"
 #include "render-gl/lines/chain.h"
 
 /* Which lines; bits. */

@@ -1,0 +1,185 @@
+#define _GNU_SOURCE
+#include "shared/private.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+const struct cmd_program *cmd_current_program;
+bool cmd_is_quiet, cmd_is_verbose;
+
+static struct timespec begun, last_progress;
+static bool progress_shown;
+
+/* A closed standard descriptor would be given to the next file that is opened, and that file would
+ * receive what is meant for the stream. The wrong direction makes each use of it fail. */
+static void keep_standard_descriptors(void)
+{
+    for (int descriptor = 0; descriptor <= 2; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+            if (open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY) != descriptor)
+                _exit(HATCH_IO);
+}
+
+void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args)
+{
+    keep_standard_descriptors();
+    clock_gettime(CLOCK_MONOTONIC, &begun);
+    cmd_current_program = program;
+    cmd_parse(program, argc, argv, args);
+    cmd_is_quiet = args->quiet;
+    cmd_is_verbose = args->verbose && !args->quiet;
+    hatch_arena_init(&args->keep, (size_t)args->max_memory);
+    hatch_arena_init(&args->scratch, (size_t)args->max_memory);
+    cmd_catch_signals();
+}
+
+struct hatch_pool *cmd_pool(struct cmd_args *args)
+{
+    if (!args->pool) {
+        struct hatch_err err;
+        /* Only the first thread runs the handlers: what it holds back is then held back for all. */
+        cmd_hold_signals(true);
+        enum hatch_status status = hatch_pool_make(args->threads, &args->keep, &args->pool, &err);
+        cmd_hold_signals(false);
+        cmd_check(status, NULL, &err);
+    }
+    return args->pool;
+}
+
+int cmd_end(struct cmd_args *args, enum hatch_status status)
+{
+    cmd_clear_progress();
+    hatch_pool_free(args->pool);
+    hatch_arena_free(&args->scratch);
+    hatch_arena_free(&args->keep);
+    cmd_discard_outputs();
+    cmd_close_stdout();
+    return (int)status;
+}
+
+enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, int error_number)
+{
+    char reason[HATCH_ERR_TEXT_MAX];
+    snprintf(reason, sizeof reason, "%s", strerror(error_number));
+    reason[0] = (char)tolower((unsigned char)reason[0]);
+    return hatch_fail(err, HATCH_IO, "%s: %s", sentence, reason);
+}
+
+/* One line on standard error, in one write, so that lines of several processes do not mix. A file's
+ * name is shown whole, its control bytes as '?'. */
+static void say(const char *file, const char *kind, const char *sentence)
+{
+    char line[PATH_MAX + 2 * HATCH_ERR_TEXT_MAX];
+    cmd_clear_progress();
+    int length = snprintf(line, sizeof line - 1, "%s: %s%s%s%s", cmd_current_program->name,
+                          file ? file : "", file ? ": " : "", kind, sentence);
+    size_t size = length < (int)sizeof line - 1 ? (size_t)length : sizeof line - 2;
+    for (size_t i = 0; i < size; i++)
+        if ((unsigned char)line[i] < 0x20 || line[i] == 0x7f)
+            line[i] = '?';
+    line[size] = '\n';
+    fwrite(line, 1, size + 1, stderr);
+}
+
+noreturn void cmd_die(const char *file, const struct hatch_err *err)
+{
+    cmd_discard_outputs();
+    say(file, "", err->text);
+    if (err->status == HATCH_USAGE)
+        fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
+    exit((int)err->status);
+}
+
+void cmd_check(enum hatch_status status, const char *file, const struct hatch_err *err)
+{
+    if (status != HATCH_OK)
+        cmd_die(file, err);
+}
+
+static void say_formatted(const char *file, const char *kind, const char *format, va_list args)
+{
+    struct hatch_err sentence;
+    vsnprintf(sentence.text, sizeof sentence.text, format, args);
+    say(file, kind, sentence.text);
+}
+
+noreturn void cmd_usage(const char *format, ...)
+{
+    struct hatch_err sentence = {.status = HATCH_USAGE};
+    va_list args;
+    va_start(args, format);
+    vsnprintf(sentence.text, sizeof sentence.text, format, args);
+    va_end(args);
+    cmd_die(NULL, &sentence);
+}
+
+void cmd_warn(const char *file, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (!cmd_is_quiet)
+        say_formatted(file, "warning: ", format, args);
+    va_end(args);
+}
+
+void cmd_note(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (cmd_is_verbose)
+        say_formatted(NULL, "", format, args);
+    va_end(args);
+}
+
+void cmd_say(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    say_formatted(NULL, "", format, args);
+    va_end(args);
+}
+
+static double seconds_between(struct timespec from, struct timespec to)
+{
+    return (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
+}
+
+double cmd_elapsed_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1e3 * seconds_between(begun, now);
+}
+
+void cmd_progress(const char *what, double share)
+{
+    static int on_terminal = -1;
+    if (on_terminal < 0)
+        on_terminal = isatty(STDERR_FILENO);
+    if (!on_terminal || cmd_is_quiet)
+        return;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (seconds_between(begun, now) < 1 ||
+        (progress_shown && seconds_between(last_progress, now) < 0.1))
+        return;
+    fprintf(stderr, "\r%s: %s %d %%", cmd_current_program->name, what, (int)(100 * share));
+    last_progress = now;
+    progress_shown = true;
+}
+
+void cmd_clear_progress(void)
+{
+    if (progress_shown)
+        fputs("\r\033[K", stderr);
+    progress_shown = false;
+}

@@ -1,0 +1,82 @@
+#include "shared/field.h"
+#include "shared/scene.h"
+
+#include <math.h>
+
+/* Steps coarser than what libm's last digits differ by between processors, finer than anybody sees
+ * (0.00005 degrees). */
+#define DIRECTION_STEP 0x1p-20
+#define CONFIDENCE_STEP 0x1p-12
+
+static void round_direction(const double direction[3], double confidence, float out[4])
+{
+    double rounded[3], sign = 0;
+    for (int k = 0; k < 3; k++) {
+        rounded[k] = round(direction[k] / DIRECTION_STEP) * DIRECTION_STEP;
+        sign = sign != 0 ? sign : rounded[k] > 0 ? 1 : rounded[k] < 0 ? -1 : 0;
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] = rounded[k] == 0 ? 0.0f : (float)(sign * rounded[k]);
+    out[3] = (float)(round(confidence / CONFIDENCE_STEP) * CONFIDENCE_STEP);
+}
+
+void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
+                      const double *direction, const double *confidence, struct hatch_scene_mesh *mesh)
+{
+    struct hatch_err err;
+    struct hatch_mesh made;
+    uint32_t *vertex_point;
+    cmd_check(hatch_surface_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err),
+              name, &err);
+    float *directions = hatch_mesh_find(&made, "_HATCH_DIR", 4);
+    if (!directions)
+        cmd_check(hatch_mesh_add(&args->keep, &made, "_HATCH_DIR", 4, &directions, &err), name, &err);
+    for (size_t v = 0; v < made.vertex_count; v++) {
+        size_t p = vertex_point[v];
+        round_direction(&direction[3 * p], confidence[p], &directions[4 * v]);
+    }
+    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CMD_CREASE_RAD, &err), name, &err);
+    mesh->mesh = made;
+    mesh->file_vertices = made.vertex_count;
+    mesh->had_normals = true;
+}
+
+static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface,
+                               struct hatch_arena *work, struct hatch_field *field, struct hatch_err *err)
+{
+    static const struct hatch_curvature_options as_noise_asks = {0};
+    static const struct hatch_field_options options = {.method = HATCH_FIELD_LINEAR,
+                                                       .solver = HATCH_FIELD_MULTIGRID,
+                                                       .smooth = CMD_FIELD_SMOOTH,
+                                                       .tolerance = CMD_FIELD_TOLERANCE,
+                                                       .iterations_max = CMD_FIELD_ITERATIONS};
+    struct hatch_frames frames;
+    struct hatch_curvature curvature;
+    bool *made_up = HATCH_NEW(work, bool, surface->component_count, err);
+    if (!made_up)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
+    HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
+                                       &curvature, err));
+    hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
+    HATCH_TRY(hatch_frames_lean(surface, curvature.normal, &args->scratch, &frames, err));
+    hatch_field_follow_folds(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction, curvature.confidence);
+    hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
+    const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL, true};
+    HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,
+                                err));
+    hatch_field_own_up(surface, made_up, field);
+    return HATCH_OK;
+}
+
+void cmd_add_field(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
+                   struct hatch_scene_mesh *mesh)
+{
+    struct hatch_arena work;
+    struct hatch_field field;
+    struct hatch_err err;
+    hatch_arena_init(&work, args->max_memory);
+    cmd_check(solve(args, surface, &work, &field, &err), name, &err);
+    cmd_attach_field(args, name, surface, field.direction, field.confidence, mesh);
+    hatch_arena_free(&work);
+}

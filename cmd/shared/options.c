@@ -1,0 +1,425 @@
+#define _GNU_SOURCE
+#include "base/text.h"
+#include "shared/private.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define OPTIONS_MAX 96
+#define THREADS_MAX 256
+
+/* getopt_long's value for the table's i-th entry: beyond every letter. */
+#define CODE_OF(i) (1000 + (int)(i))
+
+struct table {
+    struct cmd_option options[OPTIONS_MAX];
+    size_t own, count; /* the program's own come first, then the common ones */
+};
+
+/* What the common options are parsed into, before it goes to struct cmd_args. */
+static struct {
+    bool help, version, options_table, verbose, quiet, json;
+    const char *output;
+    int64_t threads, seed;
+    uint64_t max_memory;
+} common;
+
+static void add(struct table *table, struct cmd_option option)
+{
+    if (table->count == OPTIONS_MAX)
+        abort();
+    table->options[table->count++] = option;
+}
+
+static void make_table(const struct cmd_program *program, struct table *table)
+{
+    table->count = 0;
+    for (const struct cmd_option *own = program->options; own && own->name; own++)
+        add(table, *own);
+    table->own = table->count;
+    add(table, (struct cmd_option){'o', "output", CMD_TEXT, 0, 0, "FILE",
+                                   "where the result goes (default: standard output)",
+                                   &common.output, NULL, NULL});
+    if (program->seeded)
+        add(table, (struct cmd_option){'s', "seed", CMD_INT, 0, 0x1p53, "N",
+                                       "what the random numbers follow from (1)", &common.seed,
+                                       NULL, NULL});
+    if (program->reports)
+        add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON",
+                                       &common.json, NULL, NULL});
+    add(table,
+        (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N",
+                            "threads (default: one per processor)", &common.threads, NULL, NULL});
+    add(table, (struct cmd_option){0, "max-memory", CMD_SIZE, 1 << 20, 0x1p53, "BYTES",
+                                   "refuse to use more; K, M or G may follow (4G)",
+                                   &common.max_memory, NULL, NULL});
+    add(table, (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "no warnings, no progress",
+                                   &common.quiet, NULL, NULL});
+    add(table, (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "say what is done",
+                                   &common.verbose, NULL, NULL});
+    add(table, (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print this and exit",
+                                   &common.help, NULL, NULL});
+    add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL,
+                                   "print the version and exit", &common.version, NULL, NULL});
+    /* For scripts: not in --help, which is for people. */
+    add(table, (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL,
+                                   "print all options as TSV and exit", &common.options_table, NULL,
+                                   NULL});
+}
+
+static noreturn void refuse(const struct cmd_option *option, const char *text, const char *want)
+{
+    cmd_usage("--%s: '%s' is not %s", option->name, text, want);
+}
+
+/* "a whole number from 1 to 256" */
+static void describe_range(const struct cmd_option *option, char *text, size_t size)
+{
+    const char *kind = option->type == CMD_INT    ? "a whole number"
+                       : option->type == CMD_REAL ? "a number"
+                       : option->type == CMD_SIZE ? "a size in bytes"
+                                                  : "two numbers";
+    bool is_pair = option->type == CMD_PAIR;
+    snprintf(text, size, "%s%s%s from %.16g to %.16g", kind, is_pair ? " " : "",
+             is_pair ? option->metavariable : "", option->minimum, option->maximum);
+}
+
+static noreturn void refuse_range(const struct cmd_option *option, const char *text)
+{
+    char want[128];
+    describe_range(option, want, sizeof want);
+    refuse(option, text, want);
+}
+
+static bool parse_whole(const char *text, size_t length, int64_t *value)
+{
+    char copy[32];
+    if (length == 0 || length >= sizeof copy || strspn(text, "0123456789+-") < length)
+        return false;
+    memcpy(copy, text, length);
+    copy[length] = 0;
+    char *end;
+    errno = 0;
+    *value = strtoll(copy, &end, 10);
+    return *end == 0 && errno == 0;
+}
+
+static bool in_range(const struct cmd_option *option, double value)
+{
+    return value >= option->minimum && value <= option->maximum;
+}
+
+static bool parse_size(const char *text, int64_t *value)
+{
+    size_t length = strlen(text);
+    const char *suffixes = "KMG";
+    const char *suffix = length ? strchr(suffixes, text[length - 1]) : NULL;
+    int shift = suffix ? 10 * (int)(suffix - suffixes + 1) : 0;
+    if (!parse_whole(text, length - (suffix ? 1 : 0), value) || *value < 0 ||
+        *value > INT64_MAX >> shift)
+        return false;
+    *value <<= shift;
+    return true;
+}
+
+static bool parse_pair(const struct cmd_option *option, const char *text)
+{
+    size_t first_length = strcspn(text, ":x");
+    if (!text[first_length])
+        return false;
+    const char *second = text + first_length + 1;
+    double pair[2];
+    if (!hatch_text_number((struct hatch_text){text, first_length}, &pair[0]) ||
+        !hatch_text_number((struct hatch_text){second, strlen(second)}, &pair[1]) ||
+        !in_range(option, pair[0]) || !in_range(option, pair[1]))
+        return false;
+    memcpy(option->value, pair, sizeof pair);
+    return true;
+}
+
+static void add_text(const struct cmd_option *option, const char *text)
+{
+    struct cmd_texts *texts = option->value;
+    if (texts->count == CMD_TEXTS_MAX)
+        cmd_usage("--%s: %d times is too often", option->name, CMD_TEXTS_MAX + 1);
+    texts->at[texts->count++] = text;
+}
+
+static void parse_choice(const struct cmd_option *option, const char *text)
+{
+    char all[256] = "one of";
+    for (int i = 0; option->choices[i]; i++) {
+        if (strcmp(option->choices[i], text) == 0) {
+            *(int *)option->value = i;
+            return;
+        }
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s %s", i ? "," : "", option->choices[i]);
+    }
+    refuse(option, text, all);
+}
+
+void cmd_take(const struct cmd_option *option, const char *text)
+{
+    int64_t whole = 0;
+    double real = 0;
+    switch (option->type) {
+    case CMD_FLAG:
+        *(bool *)option->value = true;
+        break;
+    case CMD_INT:
+        if (!parse_whole(text, strlen(text), &whole) || !in_range(option, (double)whole))
+            refuse_range(option, text);
+        *(int64_t *)option->value = whole;
+        break;
+    case CMD_REAL:
+        if (!hatch_text_number((struct hatch_text){text, strlen(text)}, &real) || !in_range(option, real))
+            refuse_range(option, text);
+        *(double *)option->value = real;
+        break;
+    case CMD_SIZE:
+        if (!parse_size(text, &whole) || !in_range(option, (double)whole))
+            refuse_range(option, text);
+        *(uint64_t *)option->value = (uint64_t)whole;
+        break;
+    case CMD_TEXT:
+        if (!*text)
+            refuse(option, text, "a name: it is empty");
+        *(const char **)option->value = text;
+        break;
+    case CMD_TEXTS:
+        add_text(option, text);
+        break;
+    case CMD_CHOICE:
+        parse_choice(option, text);
+        break;
+    case CMD_PAIR:
+        if (!parse_pair(option, text))
+            refuse_range(option, text);
+        break;
+    }
+    if (option->given)
+        *option->given = true;
+}
+
+/* "-o, --output FILE" */
+static void print_names(const struct cmd_option *option, char *text, size_t size)
+{
+    char letter[8] = "    ";
+    if (option->letter)
+        snprintf(letter, sizeof letter, "-%c, ", option->letter);
+    snprintf(text, size, "%s--%s%s%s", letter, option->name, option->metavariable ? " " : "",
+             option->metavariable ? option->metavariable : "");
+}
+
+/* operands may hold several forms, one a line. */
+static void print_usage(const struct cmd_program *program)
+{
+    const char *form = program->operands;
+    const char *lead = "usage:";
+    do {
+        int length = (int)strcspn(form, "\n");
+        printf("%s %s [OPTION ...]%s%.*s\n", lead, program->name, length ? " " : "", length, form);
+        form += length;
+        lead = "      ";
+    } while (*form++);
+}
+
+/* Names side by side, within this many columns. */
+#define NAMES_COLUMNS 96
+
+struct names_line {
+    size_t used;
+};
+
+static void print_beside(struct names_line *line, const struct cmd_option *option)
+{
+    char names[64];
+    print_names(option, names, sizeof names);
+    const char *text = names + (option->letter ? 0 : 4);
+    const char *gap = line->used == 0 ? "  " : line->used + 3 + strlen(text) > NAMES_COLUMNS ? "\n  " : "   ";
+    line->used = (gap[0] == '\n' ? 0 : line->used) + strlen(gap) + strlen(text);
+    printf("%s%s", gap, text);
+}
+
+static void print_seldom(const struct table *table)
+{
+    struct names_line line = {0};
+    for (size_t i = 0; i < table->own; i++)
+        if (table->options[i].help[0] == '+')
+            print_beside(&line, &table->options[i]);
+    if (line.used)
+        printf("\n");
+}
+
+/* Those that every command has but for -o and -s, several on a line and without words: they are in
+ * hatch(7), and --help is to fit a screen. */
+static void print_shared(const struct table *table, bool flags)
+{
+    struct names_line line = {0};
+    for (size_t i = table->own; i < table->count; i++) {
+        const struct cmd_option *option = &table->options[i];
+        if (option->value == &common.output || option->value == &common.seed ||
+            option->value == &common.options_table || (option->type == CMD_FLAG) != flags)
+            continue;
+        print_beside(&line, option);
+    }
+    printf("\n");
+}
+
+static void print_options(const struct table *table)
+{
+    for (size_t i = 0; i < table->count; i++) {
+        const struct cmd_option *option = &table->options[i];
+        char names[64];
+        print_names(option, names, sizeof names);
+        bool own = i < table->own && option->help[0] != '+';
+        if (own || option->value == &common.output || option->value == &common.seed)
+            printf("  %-28s %s\n", names, option->help);
+    }
+    print_seldom(table);
+    print_shared(table, false);
+    print_shared(table, true);
+}
+
+static noreturn void print_help(const struct cmd_program *program, const struct table *table)
+{
+    print_usage(program);
+    printf("%s\n\n", program->summary);
+    print_options(table);
+    printf("\nexamples:\n");
+    for (const char *const *example = program->examples; example && *example; example++)
+        printf("  %s\n", *example);
+    cmd_close_stdout();
+    exit(HATCH_OK);
+}
+
+static noreturn void print_table(const struct table *table)
+{
+    static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
+    printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\n");
+    for (size_t i = 0; i < table->count; i++) {
+        const struct cmd_option *option = &table->options[i];
+        char letter[2] = {option->letter, 0};
+        printf("%s\t%s\t%s\t%.17g\t%.17g\t%s\t", letter, option->name, types[option->type],
+               option->minimum, option->maximum, option->metavariable ? option->metavariable : "");
+        for (int c = 0; option->type == CMD_CHOICE && option->choices[c]; c++)
+            printf("%s%s", c ? "," : "", option->choices[c]);
+        printf("\t%s\t%s\n", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
+    }
+    cmd_close_stdout();
+    exit(HATCH_OK);
+}
+
+static noreturn void print_version(const struct cmd_program *program)
+{
+    printf("%s (hatch) %s\n", program->name, HATCH_VERSION);
+    cmd_close_stdout();
+    exit(HATCH_OK);
+}
+
+/* The first '-' makes getopt_long give the operands in their order and ignore POSIXLY_CORRECT; ':'
+ * keeps it from printing. */
+static void make_getopt_tables(const struct table *table, struct option *longs, char *letters)
+{
+    *letters++ = '-';
+    *letters++ = ':';
+    for (size_t i = 0; i < table->count; i++) {
+        const struct cmd_option *option = &table->options[i];
+        int argument = option->type == CMD_FLAG ? no_argument : required_argument;
+        longs[i] = (struct option){option->name, argument, NULL, CODE_OF(i)};
+        if (option->letter) {
+            *letters++ = option->letter;
+            if (argument == required_argument)
+                *letters++ = ':';
+        }
+    }
+    longs[table->count] = (struct option){0};
+    *letters = 0;
+}
+
+static const struct cmd_option *option_of_code(const struct table *table, int code)
+{
+    for (size_t i = 0; i < table->count; i++)
+        if (code == CODE_OF(i) || (code && code == table->options[i].letter))
+            return &table->options[i];
+    return NULL;
+}
+
+static noreturn void refuse_unknown(const struct table *table, char **argv)
+{
+    const char *word = argv[optind - 1];
+    const struct cmd_option *option = option_of_code(table, optopt);
+    if (option && option->type == CMD_FLAG)
+        cmd_usage("--%s takes no value", option->name);
+    if (optopt && strncmp(word, "--", 2) != 0)
+        cmd_usage("unknown option -%c", optopt);
+    cmd_usage("unknown option %s", word);
+}
+
+/* getopt_long takes every unambiguous beginning of a name; a script that relies on one breaks when
+ * an option is added. */
+static void refuse_abbreviation(const struct cmd_option *option, const char *word)
+{
+    size_t length = strcspn(word, "=");
+    if (strncmp(word, "--", 2) == 0 && length != strlen(option->name) + 2)
+        cmd_usage("unknown option %.*s (is it --%s?)", (int)length, word, option->name);
+}
+
+static void parse_words(const struct table *table, int argc, char **argv, struct cmd_args *args)
+{
+    struct option longs[OPTIONS_MAX + 1];
+    char letters[2 * OPTIONS_MAX + 3];
+    make_getopt_tables(table, longs, letters);
+    int code, begin;
+    while (begin = optind, (code = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
+        if (code == 1) {
+            argv[args->operand_count++] = optarg;
+            continue;
+        }
+        if (code == '?')
+            refuse_unknown(table, argv);
+        const struct cmd_option *option = option_of_code(table, code == ':' ? optopt : code);
+        if (code >= CODE_OF(0) || (code == ':' && optopt >= CODE_OF(0)))
+            refuse_abbreviation(option, argv[begin]);
+        if (code == ':')
+            cmd_usage("--%s wants a value: %s", option->name, option->metavariable);
+        cmd_take(option, optarg);
+    }
+    while (optind < argc)
+        argv[args->operand_count++] = argv[optind++];
+}
+
+void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args)
+{
+    struct table table;
+    make_table(program, &table);
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    common.threads = processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : processors;
+    common.seed = 1;
+    common.max_memory = (uint64_t)4 << 30;
+    *args = (struct cmd_args){.operands = argv};
+    parse_words(&table, argc, argv, args);
+    if (common.help)
+        print_help(program, &table);
+    if (common.version)
+        print_version(program);
+    if (common.options_table)
+        print_table(&table);
+    if (args->operand_count < program->operands_min)
+        cmd_usage("too few operands, want %s", program->operands);
+    if (program->operands_max >= 0 && args->operand_count > program->operands_max)
+        cmd_usage("one operand too many: %s", args->operands[program->operands_max]);
+    args->output = common.output;
+    args->threads = (uint32_t)common.threads;
+    args->max_memory = common.max_memory;
+    args->seed = (uint64_t)common.seed;
+    args->json = common.json;
+    args->verbose = common.verbose;
+    args->quiet = common.quiet;
+}

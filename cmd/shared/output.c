@@ -1,0 +1,348 @@
+#define _GNU_SOURCE
+#include "shared/private.h"
+
+#include <assert.h>
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* An output is either a descriptor that takes the bytes as they come (standard output, a device, a
+ * pipe) or a hidden file beside the target, closed until the bytes are there, so that thousands of
+ * outputs need no thousands of descriptors. */
+struct cmd_output {
+    char *name;   /* for messages */
+    char *hidden; /* NULL: write to descriptor */
+    char *target; /* where hidden goes */
+    bool filled;  /* hidden holds its bytes */
+    int descriptor;
+};
+
+/* The hidden files that exist now; a signal handler reads this. */
+static char *volatile unfinished[CMD_OUTPUTS_MAX];
+
+/* Where each of them goes: two spellings of a name are one place. */
+static struct place {
+    dev_t device;
+    ino_t folder;
+    const char *name; /* within the folder */
+} places[CMD_OUTPUTS_MAX];
+
+static bool stdout_taken;
+
+static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
+#define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
+
+/* A graphics driver that finds no memory ends so. They cannot be held back. */
+static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+static bool stdout_closed;
+
+void cmd_hold_signals(bool hold)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (size_t i = 0; i < ENDING_SIGNALS; i++)
+        sigaddset(&set, ending_signals[i]);
+    pthread_sigmask(hold ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
+}
+
+static void remove_unfinished(void)
+{
+    for (size_t i = 0; i < CMD_OUTPUTS_MAX; i++)
+        if (unfinished[i])
+            unlink(unfinished[i]);
+}
+
+/* The signal, raised again with its default action, ends the process when this returns. */
+static void clean_up_and_end(int signal_number)
+{
+    remove_unfinished();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+/* Unless the caller ignores it, or a sanitizer reports on it. */
+static void catch(int signal_number)
+{
+    struct sigaction action = {.sa_handler = clean_up_and_end}, before;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal_number, NULL, &before);
+    if (before.sa_handler == SIG_DFL)
+        sigaction(signal_number, &action, NULL);
+}
+
+void cmd_catch_signals(void)
+{
+    for (size_t i = 0; i < ENDING_SIGNALS; i++)
+        catch(ending_signals[i]);
+    for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
+        catch(crashes[i]);
+    signal(SIGXFSZ, SIG_IGN); /* a write past ulimit -f then fails like any other */
+}
+
+void cmd_discard_outputs(void)
+{
+    cmd_hold_signals(true);
+    remove_unfinished();
+    cmd_hold_signals(false);
+}
+
+static noreturn void die_errno(const char *name, const char *sentence, int error_number)
+{
+    struct hatch_err err;
+    cmd_fail_errno(&err, sentence, error_number);
+    cmd_die(name, &err);
+}
+
+static void *obtain(size_t size)
+{
+    void *block = calloc(1, size);
+    if (!block) {
+        struct hatch_err err;
+        hatch_fail(&err, HATCH_LIMIT, "out of memory");
+        cmd_die(NULL, &err);
+    }
+    return block;
+}
+
+static char *copy_text(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    return memcpy(obtain(size), text, size);
+}
+
+static void refuse_terminal(int descriptor, bool binary)
+{
+    if (binary && isatty(descriptor))
+        cmd_usage("binary data is not written to a terminal: use -o FILE or a pipe");
+}
+
+/* The file that path leads to, through symbolic links, so that the rename replaces that file and
+ * not the link. */
+static char *final_path(const char *path, bool exists)
+{
+    char *resolved = NULL;
+    struct stat info;
+    if (exists)
+        resolved = realpath(path, NULL);
+    else if (lstat(path, &info) == 0)
+        die_errno(path, "symbolic link to nothing", ENOENT);
+    return resolved ? resolved : copy_text(path);
+}
+
+static mode_t mode_for(const struct stat *existing)
+{
+    if (existing)
+        return existing->st_mode & 0777;
+    mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+/* The place in its folder; that of a folder that does not exist is equal to no other. */
+static struct place place_of(const char *target)
+{
+    const char *slash = strrchr(target, '/');
+    char folder[PATH_MAX] = ".";
+    if (slash)
+        snprintf(folder, sizeof folder, "%.*s/", (int)(slash - target), target);
+    struct stat info;
+    if (stat(folder, &info) < 0)
+        return (struct place){.name = ""};
+    return (struct place){info.st_dev, info.st_ino, slash ? slash + 1 : target};
+}
+
+/* Of two outputs in one place one would be lost without a word. */
+static void refuse_second(const struct place *place, const char *name)
+{
+    for (size_t i = 0; i < CMD_OUTPUTS_MAX && *place->name; i++)
+        if (unfinished[i] && places[i].folder == place->folder &&
+            places[i].device == place->device && strcmp(places[i].name, place->name) == 0)
+            cmd_usage("two outputs go to %s", name);
+}
+
+static void make_hidden(struct cmd_output *output, const struct stat *existing)
+{
+    const char *slash = strrchr(output->target, '/');
+    int folder_length = slash ? (int)(slash - output->target) + 1 : 0;
+    struct place place = place_of(output->target);
+    refuse_second(&place, output->name);
+    size_t size = (size_t)folder_length + strlen(cmd_current_program->name) + 16;
+    char *hidden = obtain(size);
+    snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target,
+             cmd_current_program->name);
+    size_t slot = 0;
+    while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
+        slot++;
+    assert(slot < CMD_OUTPUTS_MAX);
+    places[slot] = place;
+    cmd_hold_signals(true);
+    int descriptor = mkstemp(hidden);
+    int error_number = errno;
+    if (descriptor >= 0)
+        unfinished[slot] = hidden;
+    cmd_hold_signals(false);
+    if (descriptor < 0)
+        die_errno(output->name, "cannot write", error_number);
+    if (fchmod(descriptor, mode_for(existing)) < 0 || close(descriptor) < 0)
+        die_errno(output->name, "cannot write", errno);
+    output->hidden = hidden;
+}
+
+static bool is_listed(const char *list, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = list; (at = strstr(at, word)); at += length)
+        if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == 0))
+            return true;
+    return false;
+}
+
+void cmd_check_ending(const char *path, const char *endings)
+{
+    static const char formats[] = "bmp dds exr gif glb gltf hdr jpeg jpg ktx2 obj off pdf ply png stl svg "
+                                  "tga tif tiff webp";
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    char ending[8] = "";
+    for (size_t i = 0; dot && i + 1 < sizeof ending && dot[i + 1]; i++)
+        ending[i] = (char)tolower((unsigned char)dot[i + 1]);
+    int first = (int)strcspn(endings, " ");
+    if (dot && *ending && is_listed(formats, ending) && !is_listed(endings, ending))
+        cmd_usage("%s: the ending is that of another format: want .%.*s%s%s", path, first, endings,
+                  endings[first] ? " or ." : "", endings[first] ? endings + first + 1 : "");
+}
+
+struct cmd_output *cmd_open_output(const char *path, bool binary)
+{
+    struct cmd_output *output = obtain(sizeof *output);
+    if (!path || strcmp(path, "-") == 0) {
+        refuse_terminal(STDOUT_FILENO, binary);
+        if (stdout_taken)
+            cmd_usage("two outputs go to standard output");
+        stdout_taken = true;
+        output->name = copy_text("standard output");
+        output->descriptor = STDOUT_FILENO;
+        return output;
+    }
+    output->name = copy_text(path);
+    output->descriptor = -1;
+    struct stat info;
+    bool exists = stat(path, &info) == 0;
+    if (exists && S_ISDIR(info.st_mode))
+        die_errno(path, "cannot write", EISDIR);
+    if (exists && access(path, W_OK) < 0)
+        die_errno(path, "cannot write", errno);
+    if (exists && !S_ISREG(info.st_mode)) {
+        output->descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        if (output->descriptor < 0)
+            die_errno(path, "cannot write", errno);
+        refuse_terminal(output->descriptor, binary);
+        return output;
+    }
+    output->target = final_path(path, exists);
+    make_hidden(output, exists ? &info : NULL);
+    return output;
+}
+
+static void write_all(const struct cmd_output *output, const char *data, size_t size)
+{
+    while (size) {
+        ssize_t put = write(output->descriptor, data, size);
+        if (put < 0 && errno == EINTR)
+            continue;
+        if (put < 0)
+            die_errno(output->name, "cannot write", errno);
+        data += put;
+        size -= (size_t)put;
+    }
+}
+
+static void put(const struct cmd_file *file)
+{
+    struct cmd_output *output = file->output;
+    if (output->filled)
+        return;
+    if (output->hidden) {
+        output->descriptor = open(output->hidden, O_WRONLY | O_CLOEXEC);
+        if (output->descriptor < 0)
+            die_errno(output->name, "cannot write", errno);
+    }
+    write_all(output, file->data, file->size);
+    for (size_t i = 0; i < file->piece_count; i++)
+        write_all(output, (const char *)file->pieces[i].data, file->pieces[i].size);
+    if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
+        die_errno(output->name, "cannot write", errno);
+}
+
+bool cmd_write_ahead(const struct cmd_file *file)
+{
+    if (!file->output->hidden)
+        return false;
+    put(file);
+    file->output->filled = true;
+    return true;
+}
+
+static void take_name(const struct cmd_output *output)
+{
+    if (rename(output->hidden, output->target) < 0)
+        die_errno(output->name, "cannot write", errno);
+    for (size_t i = 0; i < CMD_OUTPUTS_MAX; i++)
+        if (unfinished[i] == output->hidden)
+            unfinished[i] = NULL;
+}
+
+static void free_output(struct cmd_output *output)
+{
+    free(output->hidden);
+    free(output->target);
+    free(output->name);
+    free(output);
+}
+
+/* What can fail comes before what replaces an old file; a pipe, which takes nothing back, comes after
+ * the files. */
+void cmd_write_all(const struct cmd_file *files, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (files[i].output->hidden)
+            put(&files[i]);
+    for (size_t i = 0; i < count; i++)
+        if (!files[i].output->hidden)
+            put(&files[i]);
+    cmd_hold_signals(true);
+    for (size_t i = 0; i < count; i++)
+        if (files[i].output->hidden)
+            take_name(files[i].output);
+    cmd_hold_signals(false);
+    for (size_t i = 0; i < count; i++)
+        free_output(files[i].output);
+}
+
+void cmd_write(struct cmd_output *output, const void *data, size_t size)
+{
+    cmd_write_all(&(struct cmd_file){.output = output, .data = data, .size = size}, 1);
+}
+
+void cmd_close_stdout(void)
+{
+    if (stdout_closed)
+        return;
+    stdout_closed = true;
+    bool failed = fflush(stdout) != 0;
+    int error_number = errno;
+    /* EBADF: the caller ran the command with a closed standard output and wrote nothing to it. */
+    if (!failed && close(STDOUT_FILENO) < 0 && errno != EBADF) {
+        failed = true;
+        error_number = errno;
+    }
+    if (failed)
+        die_errno("standard output", "cannot write", error_number);
+}

@@ -1,0 +1,104 @@
+#include "shared/report.h"
+
+#include <assert.h>
+#include <math.h>
+
+static void put(struct cmd_report *report, const char *text)
+{
+    struct hatch_err err;
+    cmd_check(hatch_buffer_print(&report->text, &err, "%s", text), NULL, &err);
+}
+
+/* Within quotes of JSON, or between tabs. */
+static void put_escaped(struct cmd_report *report, const char *text)
+{
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        char plain[] = {c < 0x20 || c == 0x7f ? '?' : *text, '\0'};
+        if (report->json && (c == '"' || c == '\\'))
+            put(report, "\\");
+        put(report, plain);
+    }
+}
+
+void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns)
+{
+    *report =
+        (struct cmd_report){.columns = columns, .text = {.arena = &args->keep}, .json = args->json};
+    while (columns[report->column_count])
+        report->column_count++;
+    assert(report->column_count > 0 && report->column_count <= CMD_REPORT_COLUMNS_MAX);
+    if (args->json) {
+        put(report, "[");
+        return;
+    }
+    for (uint32_t i = 0; i < report->column_count; i++) {
+        put(report, i ? "\t" : "");
+        put(report, columns[i]);
+    }
+    put(report, "\n");
+}
+
+static void begin_cell(struct cmd_report *report)
+{
+    bool first = report->next == 0;
+    if (!report->json) {
+        put(report, first ? "" : "\t");
+        return;
+    }
+    put(report, !first ? ", " : report->any_row ? ",\n {" : "\n {");
+    put(report, "\"");
+    put(report, report->columns[report->next]);
+    put(report, "\": ");
+}
+
+static void end_cell(struct cmd_report *report)
+{
+    report->any_row = true;
+    if (++report->next < report->column_count)
+        return;
+    report->next = 0;
+    put(report, report->json ? "}" : "\n");
+}
+
+void cmd_report_text(struct cmd_report *report, const char *text)
+{
+    begin_cell(report);
+    put(report, report->json ? "\"" : "");
+    put_escaped(report, text);
+    put(report, report->json ? "\"" : "");
+    end_cell(report);
+}
+
+void cmd_report_number(struct cmd_report *report, double number)
+{
+    struct hatch_err err;
+    begin_cell(report);
+    if (!isfinite(number))
+        put(report, report->json ? "null" : isnan(number) ? "nan" : number < 0 ? "-inf" : "inf");
+    else
+        cmd_check(hatch_buffer_print(&report->text, &err, "%.9g", number), NULL, &err);
+    end_cell(report);
+}
+
+void cmd_report_whole(struct cmd_report *report, uint64_t number)
+{
+    struct hatch_err err;
+    begin_cell(report);
+    cmd_check(hatch_buffer_print(&report->text, &err, "%llu", (unsigned long long)number), NULL,
+              &err);
+    end_cell(report);
+}
+
+struct hatch_bytes cmd_report_end(struct cmd_report *report)
+{
+    assert(report->next == 0);
+    put(report, report->json ? "\n]\n" : "");
+    return (struct hatch_bytes){report->text.data, report->text.size};
+}
+
+void cmd_report_write(struct cmd_report *report, struct cmd_output *output)
+{
+    struct hatch_bytes table = cmd_report_end(report);
+    cmd_write(output, table.data, table.size);
+}

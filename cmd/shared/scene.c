@@ -1,0 +1,96 @@
+#include "shared/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "io/gltf/gltf.h"
+#include "io/mesh/file.h"
+
+/* A glTF's companions lie beside it; context is the glTF's path. */
+static enum hatch_status read_companion(void *context, const char *uri, struct hatch_arena *arena,
+                                        struct hatch_bytes *bytes, struct hatch_err *err)
+{
+    const char *path = context, *slash = strrchr(path, '/');
+    char joined[4096];
+    int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path,
+                          uri);
+    if (length < 0 || (size_t)length >= sizeof joined)
+        return hatch_fail(err, HATCH_BAD_INPUT, "companion file: name too long");
+    enum hatch_status status = cmd_try_read(arena, joined, bytes, err);
+    return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
+}
+
+void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
+{
+    const struct {
+        uint32_t count;
+        const char *one, *many;
+    } said[] = {
+        {notes->degenerate_dropped, "face without an area is left out", "faces without an area are left out"},
+        {notes->duplicates_dropped, "face given twice is left out", "faces given twice are left out"},
+        {notes->unreferenced_dropped, "vertex that no face uses is left out",
+         "vertices that no face uses are left out"},
+        {notes->vertices_apart, "vertex stands where another does and counts as one with it",
+         "vertices stand where others do and count as one with them"},
+        {notes->faces_flipped, "face looks the other way than its neighbours",
+         "faces look the other way than their neighbours"},
+        {notes->non_manifold_edges, "edge has more than two faces", "edges have more than two faces"},
+        {notes->non_manifold_points, "point joins faces that share no edge there",
+         "points join faces that share no edge there"},
+        {notes->contrary_edges, "edge between faces that cannot agree which side is out: the surface has but one side",
+         "edges between faces that cannot agree which side is out: the surface has but one side"},
+        {notes->primitives_skipped, "set of points or lines is skipped", "sets of points or lines are skipped"},
+        {notes->morphs_ignored, "mesh has morph targets, and stays as it rests",
+         "meshes have morph targets, and stay as they rest"},
+        {notes->attributes_dropped, "vertex attribute is left out: unknown, or more than a mesh holds",
+         "vertex attributes are left out: unknown, or more than a mesh holds"},
+        {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
+    };
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        if (said[i].count)
+            cmd_warn(name, "%u %s", said[i].count, said[i].count == 1 ? said[i].one : said[i].many);
+    if (notes->images_missing)
+        cmd_warn(name, "%u %s left out that could not be read: %s%s", notes->images_missing,
+                 notes->images_missing == 1 ? "image is" : "images are", notes->image_missing,
+                 notes->images_missing == 1 ? "" : " and others");
+}
+
+static bool is_file(const char *path)
+{
+    return path && strcmp(path, "-") != 0;
+}
+
+void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                          struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+{
+    const char *name = cmd_input_name(path);
+    struct hatch_bytes file = cmd_read(args, path);
+    struct hatch_mesh mesh;
+    struct hatch_err err;
+    enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
+    if (format == HATCH_MESH_GLTF) {
+        cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path,
+                                  &args->keep, &args->scratch, scene, notes, &err),
+                  name, &err);
+    } else {
+        double origin[3];
+        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, origin, notes, &err),
+                  name, &err);
+        if (care == CMD_SCENE_CLEANED)
+            cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
+        cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
+        for (int k = 0; k < 3; k++) /* a survey's coordinates stay what they are in the scene */
+            scene->nodes[0].translation[k] = (float)origin[k];
+        scene->meshes[0].loose = format == HATCH_MESH_STL;
+        if (scene->meshes[0].loose)
+            notes->vertices_apart = 0;
+    }
+}
+
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
+                    struct hatch_scene *scene)
+{
+    struct hatch_mesh_notes notes = {0};
+    cmd_read_scene_noted(args, path, care, scene, &notes);
+    cmd_warn_mesh(cmd_input_name(path), &notes);
+}

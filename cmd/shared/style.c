@@ -1,0 +1,115 @@
+#include "shared/style.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "shared/picture.h"
+
+static bool is_path(const char *name)
+{
+    return strcmp(name, "-") == 0 || strpbrk(name, "/.");
+}
+
+/* NULL where none of that name comes with the commands. kind: "style" or "palette". */
+static const char *own_file(struct cmd_args *args, const char *name, const char *kind)
+{
+    struct hatch_err err;
+    struct hatch_buffer relative = {.arena = &args->keep};
+    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.%s%c", name, kind, '\0'),
+              NULL, &err);
+    const char *path = cmd_own_file(args, (const char *)relative.data);
+    return access(path, F_OK) == 0 ? path : NULL;
+}
+
+bool cmd_has_style(struct cmd_args *args, const char *name)
+{
+    return !is_path(name) && own_file(args, name, "style");
+}
+
+/* A bare name is a style that comes with the commands before it is a file here, so that a folder's
+ * content does not change what "ink" means. */
+static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
+{
+    if (is_path(name))
+        return name;
+    const char *path = own_file(args, name, kind);
+    if (path)
+        return path;
+    if (access(name, F_OK) != 0)
+        cmd_usage("no %s '%s': it is neither a %s that comes with the commands nor a file", kind, name, kind);
+    return name;
+}
+
+/* The file's name without folders and ending; "custom" where nothing is left of it. */
+static void call_after(const char *path, struct hatch_style *style)
+{
+    const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path;
+    const char *dot = strchr(stem, '.');
+    int length = (int)(dot ? (size_t)(dot - stem) : strlen(stem));
+    bool named = length > 0 && strcmp(path, "-") != 0;
+    snprintf(style->name, sizeof style->name, "%.*s", named ? length : 6, named ? stem : "custom");
+}
+
+static void apply_settings(struct cmd_args *args, const char *settings, struct hatch_style *style)
+{
+    struct hatch_err err;
+    char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
+    cmd_check(lines ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (char *c = lines; (c = strchr(c, ';'));)
+        *c = '\n';
+    struct hatch_bytes text = {(const uint8_t *)lines, strlen(lines)};
+    if (hatch_style_parse(text, style, &err) != HATCH_OK)
+        cmd_usage("--set: %s", err.text);
+}
+
+const char *cmd_beside(struct cmd_args *args, const char *path, const char *name)
+{
+    struct hatch_err err;
+    const char *slash = strrchr(path, '/');
+    if (name[0] == '/' || !slash)
+        return name;
+    struct hatch_buffer joined = {.arena = &args->keep};
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, name, '\0'),
+              NULL, &err);
+    return (const char *)joined.data;
+}
+
+void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush *brush)
+{
+    struct hatch_err err;
+    struct hatch_image image;
+    cmd_read_picture(args, path, 1, &args->keep, &image); /* what is no number is paper */
+    cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), cmd_input_name(path), &err);
+}
+
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
+                    const char *brush_path, struct hatch_style *style, struct hatch_brush *brush)
+{
+    struct hatch_err err;
+    const char *path = find_file(args, name, "style");
+    hatch_style_default(style);
+    call_after(path, style);
+    cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
+    if (settings)
+        apply_settings(args, settings, style);
+    if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
+        brush_path = cmd_beside(args, path, style->brush_file);
+    if (brush_path)
+        cmd_read_brush(args, brush_path, brush);
+    else
+        cmd_check(hatch_brush_make(style->brush, &args->keep, brush, &err), NULL, &err);
+}
+
+void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style)
+{
+    struct hatch_err err;
+    const char *path = find_file(args, name, "palette");
+    struct hatch_style read;
+    hatch_style_default(&read);
+    cmd_check(hatch_style_parse(cmd_read(args, path), &read, &err), cmd_input_name(path), &err);
+    if (read.color_count == 0)
+        cmd_die(cmd_input_name(path), &(struct hatch_err){HATCH_BAD_INPUT, "no color in it"});
+    style->color_count = read.color_count;
+    memcpy(style->colors, read.colors, sizeof style->colors);
+}

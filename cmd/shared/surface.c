@@ -1,0 +1,110 @@
+#include "shared/surface.h"
+
+#include <stdio.h>
+
+static bool has_area(const struct hatch_mesh *mesh)
+{
+    double corners[3][3];
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        if (hatch_mesh_corners(mesh, f, corners))
+            return true;
+    return false;
+}
+
+/* Takes meshes without area out of the scene and its nodes; returns how many. */
+static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_err err;
+    uint32_t kept = 0, all = scene->mesh_count;
+    uint32_t *kept_before = HATCH_NEW(&args->scratch, uint32_t, (size_t)all + 1, &err);
+    if (!kept_before)
+        cmd_die(name, &err);
+    for (uint32_t i = 0; i < all; i++) {
+        kept_before[i] = kept;
+        if (has_area(&scene->meshes[i].mesh))
+            scene->meshes[kept++] = scene->meshes[i];
+    }
+    kept_before[all] = kept;
+    for (uint32_t i = 0; i < scene->node_count; i++) {
+        struct hatch_node *node = &scene->nodes[i];
+        uint32_t first = kept_before[node->first_mesh];
+        node->mesh_count = kept_before[node->first_mesh + node->mesh_count] - first;
+        node->first_mesh = first;
+    }
+    scene->mesh_count = kept;
+    hatch_arena_rewind(&args->scratch, mark);
+    return all - kept;
+}
+
+static void add(struct hatch_surface_notes *sum, const struct hatch_surface_notes *notes)
+{
+    sum->welded += notes->welded;
+    sum->degenerate += notes->degenerate;
+    sum->duplicate += notes->duplicate;
+    sum->unreferenced += notes->unreferenced;
+    sum->flipped += notes->flipped;
+    sum->edges_cut += notes->edges_cut;
+    sum->points_split += notes->points_split;
+    sum->contrary += notes->contrary;
+    sum->components += notes->components;
+}
+
+static void warn(const char *name, const struct hatch_surface_notes *notes, uint32_t empty)
+{
+    const struct {
+        uint32_t count;
+        const char *one, *many;
+    } done[] = {
+        {empty, "mesh without an area left out", "meshes without an area left out"},
+        {notes->unreferenced, "vertex that no face uses left out",
+         "vertices that no face uses left out"},
+        {notes->degenerate, "face without an area left out", "faces without an area left out"},
+        {notes->duplicate, "face given twice left out", "faces given twice left out"},
+        {notes->welded, "vertex welded", "vertices welded"},
+        {notes->flipped, "face turned to agree", "faces turned to agree"},
+        {notes->edges_cut, "edge of more than two faces cut", "edges of more than two faces cut"},
+        {notes->points_split, "point split where faces share no edge",
+         "points split where faces share no edge"},
+        {notes->contrary, "edge where a one-sided surface turns over",
+         "edges where a one-sided surface turns over"},
+    };
+    char line[HATCH_ERR_TEXT_MAX * 2] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < sizeof done / sizeof *done; i++)
+        if (done[i].count)
+            length += (size_t)snprintf(line + length, sizeof line - length, "%s%u %s",
+                                       length ? ", " : "", done[i].count,
+                                       done[i].count == 1 ? done[i].one : done[i].many);
+    if (length)
+        cmd_warn(name, "%s", line);
+}
+
+struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
+                                        struct hatch_scene *scene)
+{
+    const char *name = cmd_input_name(path);
+    struct hatch_surface_notes sum = {0}, notes;
+    struct hatch_err err;
+    uint32_t empty = drop_empty(args, name, scene);
+    if (scene->mesh_count == 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no face has an area"), name, &err);
+    struct hatch_surface *surfaces = HATCH_NEW(&args->keep, struct hatch_surface, scene->mesh_count, &err);
+    if (!surfaces)
+        cmd_die(name, &err);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct hatch_scene_mesh *from = &scene->meshes[i];
+        cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes,
+                                     &err),
+                  name, &err);
+        /* Vertices of one place are no fault where they may differ in what they carry. */
+        if (from->loose || from->mesh.attribute_count > 1)
+            notes.welded = 0;
+        if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has said what cannot be mended */
+            notes.edges_cut = notes.points_split = notes.contrary = 0;
+        add(&sum, &notes);
+    }
+    warn(name, &sum, empty);
+    cmd_note("%u %s", sum.components, cmd_noun(sum.components, "surface", "surfaces"));
+    return surfaces;
+}

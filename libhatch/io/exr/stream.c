@@ -1,0 +1,91 @@
+#include "io/exr/stream.h"
+
+#include <string.h>
+
+/* Larger than any picture that is worth opening, and small enough for 32-bit arithmetic on a side.
+ */
+#define SIDE_MAX (1 << 24)
+
+static void keep_message(exr_const_context_t context, exr_result_t result, const char *message)
+{
+    void *data = NULL;
+    (void)result;
+    if (exr_get_user_data(context, &data) != EXR_ERR_SUCCESS || !data)
+        return;
+    struct hatch_exr_stream *stream = data;
+    if (stream->first.status == HATCH_OK)
+        hatch_fail(&stream->first, HATCH_BAD_INPUT, "%s", message);
+}
+
+static int64_t size_of_file(exr_const_context_t context, void *data)
+{
+    (void)context;
+    const struct hatch_exr_stream *stream = data;
+    return (int64_t)stream->file.size;
+}
+
+static int64_t read_at(exr_const_context_t context, void *data, void *out, uint64_t size,
+                       uint64_t offset, exr_stream_error_func_ptr_t report)
+{
+    (void)context;
+    (void)report;
+    const struct hatch_exr_stream *stream = data;
+    if (offset >= stream->file.size)
+        return 0;
+    size_t left = stream->file.size - (size_t)offset;
+    size_t count = size < left ? (size_t)size : left;
+    memcpy(out, stream->file.data + offset, count);
+    return (int64_t)count;
+}
+
+static int64_t write_at(exr_const_context_t context, void *data, const void *bytes, uint64_t size,
+                        uint64_t offset, exr_stream_error_func_ptr_t report)
+{
+    (void)context;
+    (void)report;
+    struct hatch_exr_stream *stream = data;
+    struct hatch_buffer *buffer = stream->buffer;
+    size_t end = (size_t)(offset + size);
+    if (offset == buffer->size)
+        return hatch_buffer_add(buffer, bytes, (size_t)size, &stream->first) == HATCH_OK ? (int64_t)size : -1;
+    if (end > buffer->size &&
+        hatch_buffer_add(buffer, NULL, end - buffer->size, &stream->first) != HATCH_OK)
+        return -1;
+    memcpy(buffer->data + offset, bytes, (size_t)size);
+    return (int64_t)size;
+}
+
+static exr_context_initializer_t settings(struct hatch_exr_stream *stream)
+{
+    exr_context_initializer_t set = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    set.error_handler_fn = keep_message;
+    set.user_data = stream;
+    set.max_image_width = SIDE_MAX;
+    set.max_image_height = SIDE_MAX;
+    return set;
+}
+
+exr_result_t hatch_exr_open_read(struct hatch_exr_stream *stream, exr_context_t *context)
+{
+    exr_context_initializer_t set = settings(stream);
+    set.read_fn = read_at;
+    set.size_fn = size_of_file;
+    set.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+    return exr_start_read(context, "memory", &set);
+}
+
+exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t *context)
+{
+    exr_context_initializer_t set = settings(stream);
+    set.write_fn = write_at;
+    return exr_start_write(context, "memory", EXR_WRITE_FILE_DIRECTLY, &set);
+}
+
+enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result,
+                                 enum hatch_status status, struct hatch_err *err)
+{
+    if (result == EXR_ERR_OUT_OF_MEMORY || stream->first.status == HATCH_LIMIT)
+        status = HATCH_LIMIT;
+    const char *text = stream->first.text;
+    return hatch_fail(err, status, "%s", *text ? text : exr_get_default_error_message(result));
+}

@@ -1,0 +1,163 @@
+#include "io/foreign/foreign.h"
+
+#include <dlfcn.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "io/exr/exr.h"
+#include "io/foreign/header.h"
+#include "io/foreign/plugin.h"
+#include "io/png/png.h"
+
+#define SIDE_MAX (1u << 24)
+#define CODES 65536u
+
+static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width,
+                                    uint64_t height, uint64_t channels, struct hatch_err *err)
+{
+    size_t left = arena->limit_bytes - arena->used_bytes;
+    if (width > SIDE_MAX || height > SIDE_MAX || width * height > left / sizeof(float) / channels)
+        return hatch_fail(err, HATCH_LIMIT, "%llux%llu pixels need more than the %zu bytes allowed",
+                          (unsigned long long)width, (unsigned long long)height, left);
+    return HATCH_OK;
+}
+
+static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_plugin **plugin,
+                                     struct hatch_err *err)
+{
+    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (!object)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "not PNG or EXR, and the plugin for other formats does not open: %s",
+                          dlerror());
+    const struct hatch_oiio_plugin *(*table)(void) = NULL;
+    void *symbol = dlsym(object, HATCH_OIIO_PLUGIN_TABLE);
+    memcpy(&table, &symbol, sizeof table); /* ISO C has no cast from object to function pointers */
+    if (!table || table()->version != HATCH_OIIO_VERSION)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s is the plugin of another version", path);
+    *plugin = table();
+    return HATCH_OK;
+}
+
+/* The numbers have 8 or 16 bits: a table of 65536 holds every one of them. */
+static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image,
+                                     struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    float *linear = HATCH_NEW(scratch, float, CODES, err);
+    if (!linear)
+        return HATCH_LIMIT;
+    for (uint32_t code = 0; code < CODES; code++)
+        linear[code] = hatch_srgb_to_linear((float)code / (CODES - 1));
+    size_t texels = (size_t)image->width * image->height;
+    uint32_t channels = image->channel_count, colors = channels - (channels % 2 == 0);
+    for (size_t i = 0; i < texels; i++)
+        for (uint32_t c = 0; c < colors; c++) {
+            float *value = &image->pixels[i * channels + c];
+            *value = linear[(uint32_t)(*value * (CODES - 1) + 0.5f)];
+        }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, void *opened,
+                                     const struct hatch_oiio_info *info, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_image *image,
+                                     struct hatch_err *err)
+{
+    static const char *const names[] = {"", "Y", "YA", "RGB", "RGBA"};
+    char message[HATCH_ERR_TEXT_MAX] = "";
+    if (info->channels > 4)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u channels, want 1 to 4", info->channels);
+    HATCH_TRY(check_size(arena, info->width, info->height, info->channels, err));
+    struct hatch_image made;
+    HATCH_TRY(
+        hatch_image_make(arena, info->width, info->height, names[info->channels], &made, err));
+    if (!plugin->read(opened, made.pixels, message, sizeof message))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s", message);
+    if (info->is_encoded)
+        HATCH_TRY(decode_srgb(scratch, &made, err));
+    *image = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *name, const char *path,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_image *image, struct hatch_err *err)
+{
+    struct hatch_foreign_header header = {0};
+    if (hatch_foreign_header_read(file, &header)) {
+        HATCH_TRY(check_size(arena, header.width, header.height, 1, err));
+        if (!header.whole)
+            return hatch_fail(err, HATCH_BAD_INPUT, "cut: the image has no end");
+        name = header.ending; /* the content knows better than the name */
+    }
+    const struct hatch_oiio_plugin *plugin = NULL;
+    HATCH_TRY(open_plugin(path, &plugin, err));
+    struct hatch_oiio_info info = {0};
+    char message[HATCH_ERR_TEXT_MAX] = "";
+    void *opened = plugin->open(file.data, file.size, name, &info, message, sizeof message);
+    if (!opened)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s", message);
+    enum hatch_status status = read_opened(plugin, opened, &info, arena, scratch, image, err);
+    plugin->close(opened);
+    return status;
+}
+
+/* Colours alone: a picture for the eye has no ids. */
+static enum hatch_status take_colors(const struct hatch_image *from, struct hatch_arena *arena,
+                                     struct hatch_image *image, struct hatch_err *err)
+{
+    char names[8] = "";
+    bool is_gray = hatch_image_channel(from, "Y") >= 0;
+    bool has_alpha = hatch_image_channel(from, "A") >= 0;
+    if (!is_gray && (hatch_image_channel(from, "R") < 0 || hatch_image_channel(from, "G") < 0 ||
+                     hatch_image_channel(from, "B") < 0))
+        return hatch_fail(err, HATCH_BAD_INPUT, "no channel Y and no channels R G B");
+    strcat(names, is_gray ? "Y" : "RGB");
+    strcat(names, has_alpha ? "A" : "");
+    struct hatch_image made;
+    HATCH_TRY(hatch_image_make(arena, from->width, from->height, names, &made, err));
+    size_t texels = (size_t)from->width * from->height;
+    for (uint32_t c = 0; c < made.channel_count; c++) {
+        size_t source = (size_t)hatch_image_channel(from, made.channels[c].name);
+        for (size_t i = 0; i < texels; i++)
+            made.pixels[i * made.channel_count + c] =
+                from->pixels[i * from->channel_count + source];
+    }
+    *image = made;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_image *image,
+                                  struct hatch_err *err)
+{
+    struct hatch_mipmap *parts = NULL;
+    uint32_t count = 0;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = hatch_exr_read(file, NULL, scratch, scratch, &parts, &count, err);
+    if (status == HATCH_OK)
+        status = take_colors(&parts[0].levels[0], arena, image, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
+enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name,
+                                       const char *plugin, struct hatch_arena *arena,
+                                       struct hatch_arena *scratch, struct hatch_image *image,
+                                       struct hatch_err *err)
+{
+    static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, exr[] = {0x76, 0x2f, 0x31, 0x01};
+    if (file.size < sizeof png)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%zu bytes are no image", file.size);
+    if (memcmp(file.data, png, sizeof png) == 0)
+        return hatch_png_read(file, arena, scratch, image, err);
+    if (memcmp(file.data, exr, sizeof exr) == 0)
+        return read_exr(file, arena, scratch, image, err);
+    struct hatch_arena_mark mark = hatch_arena_mark(arena);
+    enum hatch_status status = read_by_plugin(file, name, plugin, arena, scratch, image, err);
+    if (status != HATCH_OK)
+        hatch_arena_rewind(arena, mark);
+    return status;
+}

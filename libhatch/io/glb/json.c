@@ -1,0 +1,77 @@
+#include "io/glb/parts.h"
+
+enum hatch_status hatch_glb_next(struct hatch_glb *glb)
+{
+    uint8_t last = glb->json.size ? glb->json.data[glb->json.size - 1] : '{';
+    if (last == '{' || last == '[')
+        return HATCH_OK;
+    return hatch_buffer_add(&glb->json, ",", 1, glb->err);
+}
+
+enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    return hatch_buffer_print(&glb->json, glb->err, "\"%s\":", key);
+}
+
+enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json)
+{
+    return hatch_buffer_print(&glb->json, glb->err, "%s", json);
+}
+
+enum hatch_status hatch_glb_open(struct hatch_glb *glb, const char *key)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    return hatch_glb_put(glb, "[");
+}
+
+enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text)
+{
+    struct hatch_buffer *json = &glb->json;
+    HATCH_TRY(hatch_buffer_add(json, "\"", 1, glb->err));
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\')
+            HATCH_TRY(hatch_buffer_add(json, "\\", 1, glb->err));
+        HATCH_TRY(hatch_buffer_add(json, *text >= 0x20 && *text < 0x7f ? text : "?", 1, glb->err));
+    }
+    return hatch_buffer_add(json, "\"", 1, glb->err);
+}
+
+enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_put(glb, "\""));
+    for (; *name; name++)
+        if ((unsigned char)*name < 0x20 || *name == '"' || *name == '\\')
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\\u%04x", (unsigned)*name));
+        else
+            HATCH_TRY(hatch_buffer_add(&glb->json, name, 1, glb->err));
+    return hatch_glb_put(glb, "\":");
+}
+
+/* JSON readers take -0 for the whole number 0: it is written as one, so that copies of a copy are alike. */
+static double plain(float value)
+{
+    return value == 0 ? 0 : (double)value;
+}
+
+enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    return hatch_buffer_print(&glb->json, glb->err, "%.9g", plain(value));
+}
+
+enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32_t value)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    return hatch_buffer_print(&glb->json, glb->err, "%u", value);
+}
+
+enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values,
+                                    uint32_t count)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%c%.9g", i ? ',' : '[', plain(values[i])));
+    return hatch_buffer_add(&glb->json, "]", 1, glb->err);
+}

@@ -1,0 +1,200 @@
+/* The JSON of materials, textures, cameras and lights. */
+#include <string.h>
+
+#include "io/glb/parts.h"
+
+static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_texture_transform\":{"));
+    HATCH_TRY(hatch_glb_number(glb, "rotation", use->turn_rad));
+    HATCH_TRY(hatch_glb_numbers(glb, "scale", use->scale, 2));
+    HATCH_TRY(hatch_glb_numbers(glb, "offset", use->offset, 2));
+    return hatch_glb_put(glb, "}}");
+}
+
+/* A texture under its key, left open. */
+static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u",
+                                 *hatch_glb_texture(glb, use), use->texcoord));
+    return use->placed ? print_place(glb, use) : HATCH_OK;
+}
+
+static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    static const float white[4] = {1, 1, 1, 1};
+    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 0);
+    HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
+    HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
+    if (memcmp(material->base_color, white, sizeof white) != 0)
+        HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
+    if (!use)
+        return hatch_glb_put(glb, "}");
+    HATCH_TRY(print_use(glb, "baseColorTexture", use));
+    return hatch_glb_put(glb, "}}");
+}
+
+static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 1);
+    if (!use)
+        return HATCH_OK;
+    HATCH_TRY(print_use(glb, "normalTexture", use));
+    HATCH_TRY(hatch_glb_number(glb, "scale", material->normals.strength));
+    return hatch_glb_put(glb, "}");
+}
+
+static enum hatch_status print_material(struct hatch_glb *glb,
+                                        const struct hatch_material *material)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(print_base(glb, material));
+    HATCH_TRY(print_normals(glb, material));
+    if (material->outline || material->blend)
+        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\""));
+    if (material->outline) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":\"outline\"}"));
+    } else if (material->alpha_cutoff > 0 && !material->blend) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"MASK\""));
+        HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
+    }
+    return hatch_glb_put(glb, material->double_sided ? ",\"doubleSided\":true}" : "}");
+}
+
+static enum hatch_status print_images(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t images = 0;
+    for (uint32_t t = 0; t < scene->texture_count; t++) {
+        if (glb->image[t] == HATCH_NONE)
+            continue;
+        HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
+        HATCH_TRY(hatch_buffer_print(
+            &glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
+            glb->accessor_count + images++, scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+    }
+    return hatch_glb_put(glb, images ? "]" : "");
+}
+
+/* Filters: linear, and with mip maps. */
+static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    static const int modes[] = {
+        [HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
+    return hatch_buffer_print(&glb->json, glb->err,
+                              "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
+                              modes[use->wrap[0]], modes[use->wrap[1]]);
+}
+
+static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
+                              *hatch_glb_texture(glb, use), glb->image[use->texture]);
+}
+
+/* One of the lists that hold an entry per texture, in the order of their numbers, which the
+ * materials' order made. */
+static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
+                                    enum hatch_status (*print)(struct hatch_glb *,
+                                                               const struct hatch_texture_use *))
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t textures = 0;
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        if (!use || *hatch_glb_texture(glb, use) != textures)
+            continue;
+        if (textures++ == 0)
+            HATCH_TRY(hatch_glb_open(glb, key));
+        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(print(glb, use));
+    }
+    return hatch_glb_put(glb, textures ? "]" : "");
+}
+
+static enum hatch_status print_textures(struct hatch_glb *glb)
+{
+    HATCH_TRY(print_list(glb, "textures", print_texture));
+    return print_list(glb, "samplers", print_sampler);
+}
+
+static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)
+{
+    HATCH_TRY(hatch_glb_next(glb));
+    const char *type = camera->orthographic ? "orthographic" : "perspective";
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\",\"%s\":{", type, type));
+    HATCH_TRY(hatch_glb_number(glb, "znear", camera->znear));
+    if (camera->zfar > 0)
+        HATCH_TRY(hatch_glb_number(glb, "zfar", camera->zfar));
+    if (camera->orthographic) {
+        HATCH_TRY(hatch_glb_number(glb, "ymag", camera->ymag));
+        /* In doubles, so that dividing gives the aspect again. */
+        double xmag = (double)camera->ymag * (camera->aspect > 0 ? (double)camera->aspect : 1);
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.9g", xmag));
+    } else {
+        HATCH_TRY(hatch_glb_number(glb, "yfov", camera->yfov_rad));
+        if (camera->aspect > 0)
+            HATCH_TRY(hatch_glb_number(glb, "aspectRatio", camera->aspect));
+    }
+    return hatch_glb_put(glb, "}}");
+}
+
+static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_light *light)
+{
+    static const char *const types[] = {"directional", "point", "spot"};
+    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\"", types[light->type]));
+    HATCH_TRY(hatch_glb_numbers(glb, "color", light->color, 3));
+    HATCH_TRY(hatch_glb_number(glb, "intensity", light->intensity));
+    if (light->range > 0)
+        HATCH_TRY(hatch_glb_number(glb, "range", light->range));
+    if (light->type == HATCH_LIGHT_SPOT) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"spot\":{"));
+        HATCH_TRY(hatch_glb_number(glb, "innerConeAngle", light->inner_cone_rad));
+        HATCH_TRY(hatch_glb_number(glb, "outerConeAngle", light->outer_cone_rad));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_glb_put(glb, "}");
+}
+
+static enum hatch_status print_extensions(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    bool placed = false;
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        placed = placed || (use && use->placed);
+    }
+    if (!placed && scene->light_count == 0)
+        return HATCH_OK;
+    return hatch_buffer_print(&glb->json, glb->err, ",\"extensionsUsed\":[%s%s%s]",
+                              placed ? "\"KHR_texture_transform\"" : "",
+                              placed && scene->light_count ? "," : "",
+                              scene->light_count ? "\"KHR_lights_punctual\"" : "");
+}
+
+enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    HATCH_TRY(hatch_glb_put(glb, scene->material_count ? ",\"materials\":[" : ""));
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        HATCH_TRY(print_material(glb, &scene->materials[m]));
+    HATCH_TRY(hatch_glb_put(glb, scene->material_count ? "]" : ""));
+    HATCH_TRY(print_textures(glb));
+    HATCH_TRY(print_images(glb));
+    HATCH_TRY(hatch_glb_put(glb, scene->camera_count ? ",\"cameras\":[" : ""));
+    for (uint32_t c = 0; c < scene->camera_count; c++)
+        HATCH_TRY(print_camera(glb, &scene->cameras[c]));
+    HATCH_TRY(hatch_glb_put(glb, scene->camera_count ? "]" : ""));
+    HATCH_TRY(print_extensions(glb));
+    if (scene->light_count == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["));
+    for (uint32_t l = 0; l < scene->light_count; l++)
+        HATCH_TRY(print_light(glb, &scene->lights[l]));
+    return hatch_glb_put(glb, "]}}");
+}

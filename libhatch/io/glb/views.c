@@ -1,0 +1,321 @@
+/* The binary half of a GLB: one buffer, a view for each attribute, list of indices, matrices, times
+ * and values, and image. */
+#include <assert.h>
+#include <string.h>
+
+#include "io/glb/parts.h"
+
+static size_t component_size(enum hatch_glb_component component)
+{
+    return component == HATCH_GLB_U8 ? 1 : component == HATCH_GLB_U16 ? 2 : 4;
+}
+
+static void add_view(struct hatch_glb *glb, struct hatch_glb_view view)
+{
+    view.offset = glb->size;
+    view.size = view.count * view.components * component_size(view.component);
+    glb->size += (view.size + 3) / 4 * 4;
+    glb->views[glb->view_count++] = view;
+}
+
+static void add_floats(struct hatch_glb *glb, const float *data, size_t count, uint32_t components,
+                       bool bounds)
+{
+    add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
+                                          .data = data,
+                                          .count = count,
+                                          .components = components,
+                                          .bounds = bounds});
+}
+
+uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->attribute_count; i++) {
+        const char *name = mesh->attributes[i].name;
+        if (strcmp(name, HATCH_MORPH_POSITION) == 0 || strcmp(name, HATCH_MORPH_NORMAL) == 0)
+            continue;
+        uint32_t at = count++;
+        for (; at > 1 && strcmp(mesh->attributes[order[at - 1]].name, name) > 0; at--)
+            order[at] = order[at - 1];
+        order[at] = i;
+    }
+    return count;
+}
+
+/* What one target moves, which lies between what others do. */
+static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_mesh *mesh,
+                                    const struct hatch_mesh_attribute *moves, uint32_t target, bool bounds)
+{
+    float *data = HATCH_NEW(glb->scratch, float, (size_t)mesh->vertex_count * 3, glb->err);
+    if (!data)
+        return HATCH_LIMIT;
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        memcpy(&data[3 * v], &moves->data[moves->components * v + 3 * target], 3 * sizeof *data);
+    add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
+                                          .target = HATCH_GLB_VERTICES,
+                                          .data = data,
+                                          .count = mesh->vertex_count,
+                                          .components = 3,
+                                          .bounds = bounds});
+    return HATCH_OK;
+}
+
+static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+{
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
+        bool joints = strncmp(a->name, "JOINTS_", 7) == 0;
+        add_view(glb, (struct hatch_glb_view){.component = joints ? HATCH_GLB_U16 : HATCH_GLB_F32,
+                                              .target = HATCH_GLB_VERTICES,
+                                              .data = a->data,
+                                              .count = mesh->vertex_count,
+                                              .components = a->components,
+                                              .bounds = i == 0});
+    }
+    /* The largest value of a type means primitive restart and is no index. */
+    add_view(glb, (struct hatch_glb_view){
+                      .component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
+                      .target = HATCH_GLB_INDICES,
+                      .data = mesh->indices,
+                      .count = (size_t)mesh->face_count * 3,
+                      .components = 1});
+    const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
+    for (uint32_t t = 0; t < hatch_mesh_targets(mesh); t++) {
+        HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
+        if (turns)
+            HATCH_TRY(add_target(glb, mesh, turns, t, false));
+    }
+    return HATCH_OK;
+}
+
+/* Meshes that nodes draw together are one of the file's; one that no node draws stands alone. */
+static enum hatch_status plan_meshes(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        const struct hatch_node *node = &scene->nodes[n];
+        if (node->mesh_count == 0)
+            continue;
+        uint32_t *size = &glb->group_size[node->first_mesh];
+        assert(*size == 0 || *size == node->mesh_count);
+        *size = node->mesh_count;
+    }
+    uint32_t groups = 0, end = 0;
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        const struct hatch_mesh *mesh = &scene->meshes[m].mesh;
+        assert(m >= end || glb->group_size[m] == 0);
+        if (m >= end) {
+            if (glb->group_size[m] == 0)
+                glb->group_size[m] = 1;
+            end = m + glb->group_size[m];
+            bool faces = false;
+            for (uint32_t i = m; i < end; i++)
+                faces = faces || scene->meshes[i].mesh.face_count > 0;
+            glb->group[m] = faces ? groups++ : HATCH_NONE;
+        }
+        glb->mesh_first[m] = mesh->face_count > 0 ? glb->view_count : HATCH_NONE;
+        if (mesh->face_count > 0)
+            HATCH_TRY(add_mesh(glb, mesh));
+    }
+    return HATCH_OK;
+}
+
+static void plan_motion(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t skins = 0;
+    glb->skin_first = glb->view_count;
+    for (uint32_t s = 0; s < scene->skin_count; s++) {
+        const struct hatch_skin *skin = &scene->skins[s];
+        glb->skin[s] = skin->joint_count > 0 ? skins++ : HATCH_NONE;
+        if (skin->joint_count > 0)
+            add_floats(glb, skin->inverse_bind, skin->joint_count, 16, false);
+    }
+    glb->channel_first = glb->view_count;
+    for (uint32_t a = 0; a < scene->animation_count; a++)
+        for (uint32_t c = 0; c < scene->animations[a].channel_count; c++) {
+            const struct hatch_animation_channel *channel = &scene->animations[a].channels[c];
+            size_t values = (size_t)channel->key_count * (channel->interpolation == HATCH_CUBIC ? 3 : 1);
+            uint32_t components = hatch_channel_width(channel);
+            if (channel->path == HATCH_PATH_WEIGHTS) {
+                values *= components;
+                components = 1;
+            }
+            add_floats(glb, channel->times_s, channel->key_count, 1, true);
+            add_floats(glb, channel->values, values, components, false);
+        }
+}
+
+static bool is_image(const struct hatch_texture *texture)
+{
+    static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xff, 0xd8, 0xff};
+    return texture->data && ((texture->size > 8 && memcmp(texture->data, png, sizeof png) == 0) ||
+                             (texture->size > 8 && memcmp(texture->data, jpeg, sizeof jpeg) == 0));
+}
+
+const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
+                                              uint32_t number)
+{
+    const struct hatch_texture_use *use = number == 0                ? &material->base
+                                          : material->normals.used ? &material->normals.at
+                                                                   : NULL;
+    return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
+}
+
+static void plan_images(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t images = 0, textures = 0;
+    for (uint32_t t = 0; t < scene->texture_count; t++) {
+        bool known = is_image(&scene->textures[t]);
+        glb->image[t] = known ? images++ : HATCH_NONE;
+        for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
+            glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;
+        if (known)
+            add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_U8,
+                                                  .data = scene->textures[t].data,
+                                                  .count = scene->textures[t].size,
+                                                  .components = 1});
+    }
+    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+        const struct hatch_texture_use *use =
+            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+        uint32_t *texture = use ? hatch_glb_texture(glb, use) : NULL;
+        if (use && *texture == HATCH_NONE)
+            *texture = textures++;
+    }
+}
+
+static size_t count_views(const struct hatch_scene *scene)
+{
+    size_t count = (size_t)scene->skin_count + scene->texture_count;
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        count += scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_targets(&scene->meshes[m].mesh);
+    for (uint32_t a = 0; a < scene->animation_count; a++)
+        count += 2 * (size_t)scene->animations[a].channel_count;
+    return count;
+}
+
+enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
+{
+    const struct hatch_scene *scene = glb->scene;
+    uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->skin, &glb->image, &glb->texture};
+    const size_t sizes[] = {scene->mesh_count, scene->mesh_count, scene->mesh_count,
+                            scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        *lists[i] = HATCH_NEW(glb->scratch, uint32_t, sizes[i], glb->err);
+        if (!*lists[i])
+            return HATCH_LIMIT;
+    }
+    glb->views = HATCH_NEW(glb->scratch, struct hatch_glb_view, count_views(scene), glb->err);
+    if (!glb->views)
+        return HATCH_LIMIT;
+    HATCH_TRY(plan_meshes(glb));
+    plan_motion(glb);
+    glb->accessor_count = glb->view_count;
+    plan_images(glb);
+    return HATCH_OK;
+}
+
+static enum hatch_status print_bounds(struct hatch_glb *glb, const struct hatch_glb_view *view)
+{
+    const float *values = view->data;
+    float low[4], high[4];
+    memcpy(low, values, view->components * sizeof *low);
+    memcpy(high, values, view->components * sizeof *high);
+    for (size_t i = 0; i < view->count; i++)
+        for (uint32_t c = 0; c < view->components; c++) {
+            float value = values[i * view->components + c];
+            low[c] = value < low[c] ? value : low[c];
+            high[c] = value > high[c] ? value : high[c];
+        }
+    HATCH_TRY(hatch_glb_numbers(glb, "min", low, view->components));
+    return hatch_glb_numbers(glb, "max", high, view->components);
+}
+
+static enum hatch_status print_accessors(struct hatch_glb *glb)
+{
+    static const char *const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+    HATCH_TRY(hatch_glb_open(glb, "accessors"));
+    for (uint32_t i = 0; i < glb->accessor_count; i++) {
+        const struct hatch_glb_view *view = &glb->views[i];
+        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_buffer_print(
+            &glb->json, glb->err, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", i,
+            (int)view->component, view->count, view->components == 16 ? "MAT4" : types[view->components - 1]));
+        if (view->bounds)
+            HATCH_TRY(print_bounds(glb, view));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_glb_put(glb, "]");
+}
+
+enum hatch_status hatch_glb_print_views(struct hatch_glb *glb)
+{
+    if (glb->accessor_count > 0)
+        HATCH_TRY(print_accessors(glb));
+    if (glb->view_count == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_open(glb, "bufferViews"));
+    for (uint32_t i = 0; i < glb->view_count; i++) {
+        const struct hatch_glb_view *view = &glb->views[i];
+        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
+                                     "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu", view->offset,
+                                     view->size));
+        if (view->target)
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"target\":%d", (int)view->target));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_buffer_print(&glb->json, glb->err, "],\"buffers\":[{\"byteLength\":%zu}]", glb->size);
+}
+
+static void put_u16(uint8_t *at, uint32_t value)
+{
+    at[0] = (uint8_t)value;
+    at[1] = (uint8_t)(value >> 8);
+}
+
+static void put_u32(uint8_t *at, uint32_t value)
+{
+    put_u16(at, value);
+    put_u16(at + 2, value >> 16);
+}
+
+static void put_indices(const struct hatch_glb_view *view, uint8_t *at)
+{
+    const uint32_t *indices = view->data;
+    for (size_t i = 0; i < view->count; i++)
+        if (view->component == HATCH_GLB_U16)
+            put_u16(at + 2 * i, indices[i]);
+        else
+            put_u32(at + 4 * i, indices[i]);
+}
+
+static void put_floats(const struct hatch_glb_view *view, uint8_t *at)
+{
+    const float *values = view->data;
+    for (size_t i = 0; i < view->count * view->components; i++) {
+        uint32_t bits;
+        memcpy(&bits, &values[i], sizeof bits);
+        if (view->component == HATCH_GLB_U16)
+            put_u16(at + 2 * i, (uint32_t)values[i]);
+        else
+            put_u32(at + 4 * i, bits);
+    }
+}
+
+void hatch_glb_put_views(const struct hatch_glb *glb, uint8_t *at)
+{
+    for (uint32_t i = 0; i < glb->view_count; i++) {
+        const struct hatch_glb_view *view = &glb->views[i];
+        if (view->component == HATCH_GLB_U8)
+            memcpy(at + view->offset, view->data, view->size);
+        else if (view->target == HATCH_GLB_INDICES)
+            put_indices(view, at + view->offset);
+        else
+            put_floats(view, at + view->offset);
+    }
+}

@@ -1,0 +1,90 @@
+/* Scenes as binary glTF 2.0 (Khronos, "glTF 2.0 Specification", §4.4). */
+#include <assert.h>
+#include <string.h>
+
+#include "io/glb/parts.h"
+
+enum { GLB_HEADER = 12, CHUNK_HEADER = 8 };
+
+static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
+{
+    struct hatch_buffer *json = &glb->json;
+    HATCH_TRY(hatch_buffer_print(json, glb->err, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hatch\""));
+    if (comment) {
+        HATCH_TRY(hatch_buffer_print(json, glb->err, ",\"extras\":{\"hatch\":"));
+        HATCH_TRY(hatch_glb_text(glb, comment));
+        HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
+    }
+    HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
+    HATCH_TRY(hatch_glb_print_nodes(glb));
+    HATCH_TRY(hatch_glb_print_meshes(glb));
+    HATCH_TRY(hatch_glb_print_looks(glb));
+    HATCH_TRY(hatch_glb_print_motion(glb));
+    HATCH_TRY(hatch_glb_print_views(glb));
+    HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
+    while (json->size % 4)
+        HATCH_TRY(hatch_buffer_add(json, " ", 1, glb->err));
+    return HATCH_OK;
+}
+
+static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_buffer *file)
+{
+    const struct hatch_buffer *json = &glb->json;
+    size_t chunk = glb->size > 0 ? CHUNK_HEADER + glb->size : 0;
+    size_t whole = GLB_HEADER + CHUNK_HEADER + json->size + chunk;
+    if (whole > UINT32_MAX)
+        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", whole,
+                          UINT32_MAX);
+    HATCH_TRY(hatch_buffer_reserve(file, whole, glb->err));
+    HATCH_TRY(hatch_buffer_add(file, "glTF", 4, glb->err));
+    HATCH_TRY(hatch_buffer_add_u32le(file, 2, glb->err));
+    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)whole, glb->err));
+    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)json->size, glb->err));
+    HATCH_TRY(hatch_buffer_add(file, "JSON", 4, glb->err));
+    HATCH_TRY(hatch_buffer_add(file, json->data, json->size, glb->err));
+    if (chunk == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)glb->size, glb->err));
+    HATCH_TRY(hatch_buffer_add(file, "BIN", 4, glb->err));
+    HATCH_TRY(hatch_buffer_add(file, NULL, glb->size, glb->err));
+    hatch_glb_put_views(glb, file->data + file->size - glb->size);
+    return HATCH_OK;
+}
+
+static enum hatch_status write_scene(const struct hatch_scene *scene, const char *name,
+                                     const char *comment, struct hatch_arena *scratch,
+                                     struct hatch_buffer *file, struct hatch_err *err)
+{
+    assert(file->arena != scratch);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_glb glb = {
+        .scene = scene, .name = name, .scratch = scratch, .err = err, .json = {.arena = scratch}};
+    enum hatch_status status = hatch_glb_plan(&glb);
+    if (status == HATCH_OK)
+        status = print_json(&glb, comment);
+    if (status == HATCH_OK)
+        status = write_chunks(&glb, file);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
+enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,
+                                        struct hatch_arena *scratch, struct hatch_buffer *file,
+                                        struct hatch_err *err)
+{
+    return write_scene(scene, NULL, comment, scratch, file, err);
+}
+
+enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *name, const char *comment,
+                                  struct hatch_arena *scratch, struct hatch_buffer *file,
+                                  struct hatch_err *err)
+{
+    assert(mesh->face_count > 0 && mesh->vertex_count > 0);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_scene scene;
+    enum hatch_status status = hatch_scene_of_mesh(mesh, scratch, &scene, err);
+    if (status == HATCH_OK)
+        status = write_scene(&scene, name, comment, scratch, file, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}

@@ -1,0 +1,222 @@
+/* glTF scenes by tinygltf, which parses; what it hands over is believed only after our own checks. */
+#include "io/gltf/reader.h"
+
+#include <cstring>
+#include <exception>
+#include <new>
+
+namespace hatch {
+
+std::string place(const char *what, size_t index)
+{
+    return std::string(what) + " " + std::to_string(index);
+}
+
+std::string place(const char *what, size_t index, const char *part, size_t part_index)
+{
+    return place(what, index) + ", " + place(part, part_index);
+}
+
+enum hatch_status bad(Reader &r, const std::string &where, const std::string &what)
+{
+    return hatch_fail(r.err, HATCH_BAD_INPUT, "%s: %s", where.c_str(), what.c_str());
+}
+
+enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where,
+                              const char *what)
+{
+    if (index == -1 || (index >= 0 && static_cast<size_t>(index) < count))
+        return HATCH_OK;
+    return bad(r, where,
+               std::string(what) + " " + std::to_string(index) + ", there are " +
+                   std::to_string(count));
+}
+
+namespace {
+
+/* What tinygltf's file callbacks need, and the first failure, whose sentence is better than its. */
+struct Files {
+    hatch_gltf_resolve resolve;
+    void *context;
+    struct hatch_arena *scratch;
+    struct hatch_gltf_lengths lengths; /* of the buffers' files, which are read first and in order */
+    size_t next;
+    struct hatch_err err;
+    bool left_folder;
+};
+
+/* A file may be longer than its buffer, which the package does not know; a shorter one is cut. */
+enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes,
+                             struct hatch_err *err)
+{
+    uint64_t length;
+    if (files.next + sizeof length > files.lengths.bytes.size)
+        return HATCH_OK; /* an image */
+    std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
+    files.next += sizeof length;
+    if (bytes->size < length)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, byteLength is %llu", uri,
+                          bytes->size, static_cast<unsigned long long>(length));
+    bytes->size = static_cast<size_t>(length);
+    return HATCH_OK;
+}
+
+/* The package takes a plus for a blank, as forms do and URIs do not. */
+enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes,
+                            struct hatch_err *err)
+{
+    enum hatch_status status = files.resolve(files.context, uri.c_str(), files.scratch, bytes, err);
+    std::string plus = uri;
+    for (char &c : plus)
+        c = c == ' ' ? '+' : c;
+    struct hatch_err again = {};
+    if (status != HATCH_OK && plus != uri &&
+        files.resolve(files.context, plus.c_str(), files.scratch, bytes, &again) == HATCH_OK)
+        return HATCH_OK;
+    return status;
+}
+
+bool file_exists(const std::string &, void *)
+{
+    return true;
+}
+
+std::string keep_path(const std::string &path, void *)
+{
+    return path;
+}
+
+bool read_file(std::vector<unsigned char> *out, std::string *, const std::string &uri, void *data)
+{
+    Files &files = *static_cast<Files *>(data);
+    struct hatch_bytes bytes = {nullptr, 0};
+    struct hatch_err err = {};
+    if (uri.compare(0, 5, "data:") == 0) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: data of an unknown kind", uri.c_str());
+    } else if (!hatch_gltf_uri_is_local(uri.c_str())) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s leaves the file's folder", uri.c_str());
+        files.left_folder = true;
+    } else if (!files.resolve) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: no folder to look in", uri.c_str());
+    } else if (find_file(files, uri, &bytes, &err) == HATCH_OK &&
+               fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
+        out->assign(bytes.data, bytes.data + bytes.size);
+        return true;
+    } else {
+        err.status = HATCH_BAD_INPUT; /* to the user a file without its companion is not whole */
+    }
+    if (files.err.status == HATCH_OK || files.left_folder)
+        files.err = err;
+    return false;
+}
+
+/* Images stay encoded: those of a buffer view are found there later, others are kept here. */
+bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
+                const unsigned char *bytes, int size, void *)
+{
+    if (image->bufferView == -1 && size > 0)
+        image->image.assign(bytes, bytes + size);
+    return true;
+}
+
+enum hatch_status fail_with(const std::string &text, struct hatch_err *err)
+{
+    std::string line = text.substr(0, text.find('\n'));
+    while (!line.empty() && (line.back() == '.' || line.back() == ' '))
+        line.pop_back();
+    return hatch_fail(err, HATCH_BAD_INPUT, "%s", line.empty() ? "not glTF" : line.c_str());
+}
+
+bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &parts, tinygltf::Model *model,
+                 std::string *err)
+{
+    std::string warnings;
+    if (parts.binary.size == 0) /* the package refuses a GLB whose binary part is empty */
+        return parser.LoadASCIIFromString(model, err, &warnings,
+                                          reinterpret_cast<const char *>(parts.json.data),
+                                          static_cast<unsigned int>(parts.json.size), "");
+    return parser.LoadBinaryFromMemory(model, err, &warnings, parts.file.data,
+                                       static_cast<unsigned int>(parts.file.size), "");
+}
+
+/* JSON values in memory take up to this many times their text's size. */
+const size_t json_growth = 32;
+
+enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+                       struct hatch_arena *scratch, tinygltf::Model *model, struct hatch_err *err)
+{
+    struct hatch_gltf_parts parts;
+    if (file.size == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "empty");
+    HATCH_TRY(hatch_gltf_split(file, &parts, err));
+    if (file.size > UINT32_MAX || parts.json.size > scratch->limit_bytes / json_growth)
+        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of JSON need more memory than the limit",
+                          parts.json.size);
+    Files files = {resolve, context, scratch, {}, 0, {}, false};
+    files.lengths.bytes.arena = scratch;
+    HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
+    tinygltf::TinyGLTF parser;
+    parser.SetImageLoader(keep_image, nullptr);
+    parser.SetFsCallbacks({file_exists, keep_path, read_file, nullptr, &files});
+    std::string text;
+    bool parsed = parse_parts(parser, parts, model, &text);
+    if (files.left_folder || (!parsed && files.err.status != HATCH_OK))
+        return hatch_fail(err, files.err.status, "%s", files.err.text);
+    return parsed ? HATCH_OK : fail_with(text, err);
+}
+
+enum hatch_status read_all(Reader &r)
+{
+    if (r.model.asset.version.compare(0, 2, "2.") != 0)
+        return bad(r, "asset", "glTF version " + r.model.asset.version + ", want 2");
+    if (!r.model.asset.minVersion.empty() && r.model.asset.minVersion != "2.0")
+        return bad(r, "asset", "needs a reader of glTF " + r.model.asset.minVersion + ", this one is of 2.0");
+    uint32_t *first_mesh;
+    HATCH_TRY(read_nodes(r));
+    HATCH_TRY(read_images(r));
+    HATCH_TRY(read_materials(r));
+    HATCH_TRY(read_cameras(r));
+    HATCH_TRY(read_lights(r));
+    HATCH_TRY(read_skins(r));
+    HATCH_TRY(read_meshes(r, &first_mesh));
+    HATCH_TRY(attach(r, first_mesh));
+    HATCH_TRY(add_instances(r));
+    return read_animations(r);
+}
+
+enum hatch_status read_file_bytes(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_scene *scene, struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err)
+{
+    tinygltf::Model model;
+    HATCH_TRY(load(file, resolve, context, scratch, &model, err));
+    struct hatch_scene made = {};
+    struct hatch_mesh_notes said = *notes;
+    Reader r = {model, arena, scratch, &made, &said, err};
+    HATCH_TRY(read_all(r));
+    *scene = made;
+    *notes = said;
+    return HATCH_OK;
+}
+
+} // namespace
+} // namespace hatch
+
+extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve,
+                                             void *context, struct hatch_arena *arena,
+                                             struct hatch_arena *scratch, struct hatch_scene *scene,
+                                             struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status;
+    try {
+        status = hatch::read_file_bytes(file, resolve, context, arena, scratch, scene, notes, err);
+    } catch (const std::bad_alloc &) {
+        status = hatch_fail(err, HATCH_LIMIT, "out of memory while parsing glTF");
+    } catch (const std::exception &e) {
+        status = hatch::fail_with(e.what(), err);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}

@@ -1,0 +1,187 @@
+#include "io/gltf/reader.h"
+
+#include <cstdio>
+
+namespace hatch {
+
+namespace {
+
+enum hatch_wrap wrap_of(int mode)
+{
+    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? HATCH_WRAP_CLAMP
+           : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? HATCH_WRAP_MIRROR
+                                                           : HATCH_WRAP_REPEAT;
+}
+
+/* Numbers that stand in an extension, as copy_numbers takes them. */
+std::vector<double> numbers_of(const tinygltf::Value &object, const char *key)
+{
+    std::vector<double> numbers;
+    const tinygltf::Value &list = object.Get(key);
+    for (size_t i = 0; list.IsArray() && i < list.ArrayLen(); i++)
+        numbers.push_back(list.Get(i).IsNumber() ? list.Get(i).GetNumberAsDouble() : 0);
+    return numbers;
+}
+
+int index_of(const tinygltf::Value &object, const char *key, int absent)
+{
+    const tinygltf::Value &value = object.Get(key);
+    return value.IsInt() ? value.GetNumberAsInt() : absent;
+}
+
+/* KHR_texture_transform: where the texture lies, and which coordinates it is read at. */
+enum hatch_status place_texture(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where,
+                                int *set, struct hatch_texture_use *use)
+{
+    auto found = extensions.find("KHR_texture_transform");
+    if (found == extensions.end() || !found->second.IsObject())
+        return HATCH_OK;
+    const tinygltf::Value &said = found->second;
+    const tinygltf::Value &turn = said.Get("rotation");
+    *set = index_of(said, "texCoord", *set);
+    use->placed = true;
+    use->scale[0] = use->scale[1] = 1;
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "offset"), 2, where, "offset", use->offset));
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "scale"), 2, where, "scale", use->scale));
+    if (turn.IsNumber())
+        HATCH_TRY(copy_numbers(r, {turn.GetNumberAsDouble()}, 1, where, "rotation", &use->turn_rad));
+    return HATCH_OK;
+}
+
+/* The image of a texture: the one that every reader knows before those of extensions. */
+int image_of(const tinygltf::Texture &texture)
+{
+    static const char *const names[] = {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu"};
+    int image = texture.source;
+    for (const char *name : names) {
+        auto found = texture.extensions.find(name);
+        if (image == -1 && found != texture.extensions.end() && found->second.IsObject())
+            image = index_of(found->second, "source", -1);
+    }
+    return image;
+}
+
+void note_missing(Reader &r, size_t image)
+{
+    if (r.image_missed[image])
+        return;
+    r.image_missed[image] = true;
+    if (r.notes->images_missing++ > 0)
+        return;
+    const tinygltf::Image &from = r.model.images[image];
+    bool file = !from.uri.empty() && from.uri.compare(0, 5, "data:") != 0;
+    std::string name = file ? from.uri : !from.name.empty() ? from.name : place("number", image);
+    std::snprintf(r.notes->image_missing, sizeof r.notes->image_missing, "%s", name.c_str());
+}
+
+/* A texture whose image is not there is none, which is noted. */
+enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where,
+                           struct hatch_texture_use *use)
+{
+    *use = {};
+    use->texture = HATCH_NONE;
+    use->wrap[0] = use->wrap[1] = HATCH_WRAP_REPEAT;
+    HATCH_TRY(check_index(r, info.index, r.model.textures.size(), where, "texture"));
+    if (info.index == -1)
+        return HATCH_OK;
+    const tinygltf::Texture &texture = r.model.textures[static_cast<size_t>(info.index)];
+    int image = image_of(texture), set = info.texCoord;
+    HATCH_TRY(check_index(r, image, r.model.images.size(), where, "image"));
+    HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
+    HATCH_TRY(place_texture(r, info.extensions, where, &set, use));
+    if (texture.sampler != -1) {
+        const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
+        use->wrap[0] = wrap_of(sampler.wrapS);
+        use->wrap[1] = wrap_of(sampler.wrapT);
+    }
+    bool known = set >= 0 && set <= static_cast<int>(HATCH_TEXCOORD_MAX);
+    use->texcoord = known ? static_cast<uint32_t>(set) : 0;
+    bool there = image != -1 && r.scene->textures[image].data;
+    if (image != -1 && !there)
+        note_missing(r, static_cast<size_t>(image));
+    if (known && there)
+        use->texture = static_cast<uint32_t>(image);
+    else
+        use->placed = false;
+    return HATCH_OK;
+}
+
+/* Read as a base texture is. */
+enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &said, const std::string &where,
+                               struct hatch_normal_map *normals)
+{
+    tinygltf::TextureInfo info;
+    info.index = said.index;
+    info.texCoord = said.texCoord;
+    info.extensions = said.extensions;
+    HATCH_TRY(read_use(r, info, where, &normals->at));
+    normals->used = normals->at.texture != HATCH_NONE;
+    return copy_numbers(r, {said.scale}, 1, where, "scale of the normals", &normals->strength);
+}
+
+/* KHR_materials_pbrSpecularGlossiness, the older way to say what colour a surface has. */
+enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std::string &where,
+                               struct hatch_material *material)
+{
+    tinygltf::TextureInfo info;
+    const tinygltf::Value &texture = said.Get("diffuseTexture");
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "diffuseFactor"), 4, where, "diffuseFactor",
+                           material->base_color));
+    if (!texture.IsObject())
+        return HATCH_OK;
+    info.index = index_of(texture, "index", -1);
+    info.texCoord = index_of(texture, "texCoord", 0);
+    const tinygltf::Value &extensions = texture.Get("extensions");
+    if (extensions.IsObject())
+        for (const std::string &key : extensions.Keys())
+            info.extensions[key] = extensions.Get(key);
+    return read_use(r, info, where, &material->base);
+}
+
+/* hatch_glb_write_scene's mark of a lapped parametrization. */
+bool is_outline(const tinygltf::Material &material)
+{
+    if (!material.extras.IsObject() || !material.extras.Has("hatch"))
+        return false;
+    const tinygltf::Value &said = material.extras.Get("hatch");
+    return said.IsString() && said.Get<std::string>() == "outline";
+}
+
+} // namespace
+
+enum hatch_status read_materials(Reader &r)
+{
+    size_t count = r.model.materials.size();
+    r.scene->materials = HATCH_NEW(r.arena, struct hatch_material, count, r.err);
+    if (!r.scene->materials)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < count; i++) {
+        const tinygltf::Material &from = r.model.materials[i];
+        struct hatch_material *to = &r.scene->materials[i];
+        std::string where = place("material", i);
+        *to = {};
+        to->base.texture = HATCH_NONE;
+        to->base.wrap[0] = to->base.wrap[1] = HATCH_WRAP_REPEAT;
+        to->double_sided = from.doubleSided;
+        to->outline = is_outline(from);
+        to->blend = from.alphaMode == "BLEND" && !to->outline;
+        to->alpha_cutoff = to->blend                   ? 0.5f
+                           : from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff)
+                                                       : 0;
+        for (float &c : to->base_color)
+            c = 1;
+        HATCH_TRY(read_normals(r, from.normalTexture, where, &to->normals));
+        auto diffuse = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
+        if (diffuse != from.extensions.end() && diffuse->second.IsObject()) {
+            HATCH_TRY(read_diffuse(r, diffuse->second, where, to));
+            continue;
+        }
+        HATCH_TRY(copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where,
+                               "baseColorFactor", to->base_color));
+        HATCH_TRY(read_use(r, from.pbrMetallicRoughness.baseColorTexture, where, &to->base));
+    }
+    r.scene->material_count = static_cast<uint32_t>(count);
+    return HATCH_OK;
+}
+
+} // namespace hatch

@@ -1,0 +1,245 @@
+#include "io/gltf/reader.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace hatch {
+
+namespace {
+
+/* Normals of neighbours closer than this count as one: the facets of a flat face share vertices. */
+const float flat_rad = 1e-4f;
+
+/* Is name one of a numbered set ("COLOR_" and 0, 1, ...)? */
+bool is_set(const std::string &name, const char *set)
+{
+    size_t length = std::strlen(set);
+    return name.compare(0, length, set) == 0 && name.size() > length && name.size() < HATCH_MESH_NAME_MAX &&
+           name.find_first_not_of("0123456789", length) == std::string::npos;
+}
+
+/* How many components an attribute of this name has, 0 for one that is not read. */
+int wanted_components(const std::string &name, int has)
+{
+    if (name == "POSITION" || name == "NORMAL")
+        return 3;
+    if (name == "TANGENT" || is_set(name, "JOINTS_") || is_set(name, "WEIGHTS_"))
+        return 4;
+    if (is_set(name, "TEXCOORD_"))
+        return 2;
+    if (is_set(name, "COLOR_"))
+        return has == 3 ? 3 : 4;
+    bool own = name.size() > 1 && name[0] == '_' && name.size() < HATCH_MESH_NAME_MAX;
+    return own && has <= 4 ? has : 0;
+}
+
+int components_of(const Reader &r, int accessor)
+{
+    if (accessor < 0 || static_cast<size_t>(accessor) >= r.model.accessors.size())
+        return 0;
+    return tinygltf::GetNumComponentsInType(
+        static_cast<uint32_t>(r.model.accessors[static_cast<size_t>(accessor)].type));
+}
+
+/* A colour always has four components in a mesh. */
+enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
+{
+    float *wide = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 4, r.err);
+    if (!wide)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < count; i++) {
+        std::memcpy(wide + 4 * i, *data + 3 * i, 3 * sizeof *wide);
+        wide[4 * i + 3] = 1;
+    }
+    *data = wide;
+    return HATCH_OK;
+}
+
+enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor,
+                                 const std::string &where, struct hatch_mesh *mesh)
+{
+    int components = wanted_components(name, components_of(r, accessor));
+    if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_READ) {
+        r.notes->attributes_dropped++;
+        return HATCH_OK;
+    }
+    std::string at = where + ", " + name;
+    float *data;
+    uint32_t count;
+    HATCH_TRY(read_floats(r, accessor, components, at, &data, &count));
+    if (mesh->attribute_count > 0 && count != mesh->vertex_count)
+        return bad(r, at,
+                   std::to_string(count) + " elements, POSITION has " +
+                       std::to_string(mesh->vertex_count));
+    if (is_set(name, "COLOR_") && components == 3) {
+        HATCH_TRY(add_alpha(r, count, &data));
+        components = 4;
+    }
+    struct hatch_mesh_attribute *a = &mesh->attributes[mesh->attribute_count++];
+    std::memcpy(a->name, name.c_str(), name.size() + 1);
+    a->components = static_cast<uint32_t>(components);
+    a->data = data;
+    mesh->vertex_count = count;
+    return HATCH_OK;
+}
+
+enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive,
+                                  const std::string &where, struct hatch_mesh *mesh)
+{
+    auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end())
+        return bad(r, where, "no POSITION");
+    HATCH_TRY(read_attribute(r, "POSITION", position->second, where, mesh));
+    bool normals = primitive.attributes.count("NORMAL") > 0;
+    for (const auto &attribute : primitive.attributes) {
+        /* Tangents without normals are to be ignored (glTF 2.0, §3.7.2.1). */
+        if (attribute.first == "POSITION" || (attribute.first == "TANGENT" && !normals))
+            continue;
+        HATCH_TRY(read_attribute(r, attribute.first, attribute.second, where, mesh));
+    }
+    return HATCH_OK;
+}
+
+/* One more than the largest joint; they must be whole numbers that 16 bits hold. */
+enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where,
+                               uint32_t *count)
+{
+    *count = 0;
+    for (uint32_t a = 0; a < mesh->attribute_count; a++) {
+        const std::string name = mesh->attributes[a].name;
+        const float *joints = mesh->attributes[a].data;
+        for (size_t i = 0; is_set(name, "JOINTS_") && i < static_cast<size_t>(mesh->vertex_count) * 4; i++) {
+            if (!(joints[i] >= 0 && joints[i] <= UINT16_MAX && std::floor(joints[i]) == joints[i]))
+                return bad(r, where, place((name + ": element").c_str(), i / 4) + " is no joint's number");
+            uint32_t after = static_cast<uint32_t>(joints[i]) + 1;
+            *count = after > *count ? after : *count;
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Some exporters leave normals of no length: those take a face's. */
+void mend_normals(struct hatch_mesh *mesh)
+{
+    float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    for (size_t i = 0; normals && i < static_cast<size_t>(mesh->face_count) * 3; i++) {
+        float *n = normals + static_cast<size_t>(mesh->indices[i]) * 3;
+        if (n[0] != 0 || n[1] != 0 || n[2] != 0)
+            continue;
+        double p[3][3];
+        n[2] = 1; /* stays where the face has no area */
+        if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
+            continue;
+        double length = 0, cross[3];
+        for (int k = 0; k < 3; k++) {
+            int a = (k + 1) % 3, b = (k + 2) % 3;
+            cross[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) -
+                       (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+            length += cross[k] * cross[k];
+        }
+        for (int k = 0; k < 3; k++)
+            n[k] = static_cast<float>(cross[k] / std::sqrt(length));
+    }
+}
+
+/* Corner k of triangle i of a strip: every other one is turned, so that all face the same way. */
+uint32_t strip_corner(uint32_t i, uint32_t k)
+{
+    return i + (i % 2 == 1 && k > 0 ? 3 - k : k);
+}
+
+enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_t count,
+                              const std::string &where, struct hatch_mesh *mesh)
+{
+    bool separate = mode == TINYGLTF_MODE_TRIANGLES, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    if (count < 3 || (separate && count % 3 != 0))
+        return bad(r, where, std::to_string(count) + " corners make no triangles");
+    uint32_t faces = separate ? count / 3 : count - 2;
+    mesh->indices = HATCH_NEW(r.arena, uint32_t, static_cast<size_t>(faces) * 3, r.err);
+    if (!mesh->indices)
+        return HATCH_LIMIT;
+    mesh->face_count = 0;
+    for (uint32_t i = 0; i < faces; i++) {
+        uint32_t *face = mesh->indices + static_cast<size_t>(mesh->face_count) * 3;
+        for (uint32_t k = 0; k < 3; k++) {
+            uint32_t corner = separate ? 3 * i + k
+                              : fan    ? (k == 0 ? 0 : i + k)
+                                       : strip_corner(i, k);
+            face[k] = list ? list[corner] : corner;
+            if (face[k] >= mesh->vertex_count)
+                return bad(r, where,
+                           "index " + std::to_string(face[k]) + " of " +
+                               std::to_string(mesh->vertex_count) + " vertices");
+        }
+        /* Strips are joined by triangles without area, which are no part of the surface. */
+        bool joint = face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+        mesh->face_count += separate || !joint;
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, size_t index,
+                                 const std::string &where, struct hatch_scene_mesh *out)
+{
+    struct hatch_mesh mesh = {};
+    HATCH_TRY(read_attributes(r, primitive, where, &mesh));
+    HATCH_TRY(read_morph(r, primitive, index, where, &mesh));
+    uint32_t *list = nullptr, count = mesh.vertex_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
+    if (primitive.indices != -1)
+        HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &list, &count));
+    HATCH_TRY(triangulate(r, primitive.mode, list, count, where, &mesh));
+    hatch_arena_rewind(r.scratch, mark);
+    HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
+    out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
+    HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
+    mend_normals(&mesh);
+    out->file_vertices = mesh.vertex_count;
+    out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
+    out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
+    if (!out->had_normals && mesh.face_count > 0)
+        HATCH_TRY(hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
+    out->mesh = mesh;
+    return HATCH_OK;
+}
+
+bool has_faces(const tinygltf::Primitive &primitive)
+{
+    return primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
+} // namespace
+
+enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
+{
+    size_t count = r.model.meshes.size(), primitives = 0;
+    uint32_t *first = HATCH_NEW(r.scratch, uint32_t, count + 1, r.err);
+    if (!first)
+        return HATCH_LIMIT;
+    for (const tinygltf::Mesh &mesh : r.model.meshes)
+        primitives += mesh.primitives.size();
+    r.scene->meshes = HATCH_NEW(r.arena, struct hatch_scene_mesh, primitives, r.err);
+    if (!r.scene->meshes)
+        return HATCH_LIMIT;
+    for (size_t m = 0; m < count; m++) {
+        const std::vector<tinygltf::Primitive> &list = r.model.meshes[m].primitives;
+        first[m] = r.scene->mesh_count;
+        for (size_t p = 0; p < list.size(); p++) {
+            if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
+                return bad(r, place("mesh", m, "primitive", p),
+                           "mode " + std::to_string(list[p].mode));
+            if (!has_faces(list[p])) {
+                r.notes->primitives_skipped++;
+                continue;
+            }
+            HATCH_TRY(read_primitive(r, list[p], m, place("mesh", m, "primitive", p),
+                                     &r.scene->meshes[r.scene->mesh_count]));
+            r.scene->mesh_count++;
+        }
+    }
+    first[count] = r.scene->mesh_count;
+    *first_mesh = first;
+    return HATCH_OK;
+}
+
+} // namespace hatch

@@ -1,0 +1,141 @@
+#include "io/mesh/file.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "io/mesh/polygon.h"
+#include "io/mesh/text.h"
+
+#define FAR 256 /* extents: floats are wrong there by 2^-16 of an extent */
+
+static bool starts_with(struct hatch_bytes file, const char *magic)
+{
+    size_t length = strlen(magic);
+    return file.size >= length && memcmp(file.data, magic, length) == 0;
+}
+
+/* Endings are compared without regard to case; C's tolower would follow the locale. */
+static bool ends_with(const char *name, const char *ending)
+{
+    size_t length = strlen(name), want = strlen(ending);
+    if (length < want)
+        return false;
+    for (size_t i = 0; i < want; i++) {
+        char c = name[length - want + i];
+        if (c >= 'A' && c <= 'Z')
+            c = (char)(c - 'A' + 'a');
+        if (c != ending[i])
+            return false;
+    }
+    return true;
+}
+
+static uint8_t first_visible(struct hatch_bytes file)
+{
+    for (size_t i = 0; i < file.size; i++)
+        if (file.data[i] > ' ')
+            return file.data[i];
+    return 0;
+}
+
+/* OBJ has no magic word: a text whose first line is one of its commonest. */
+static bool looks_like_obj(struct hatch_bytes file)
+{
+    size_t i = 0;
+    while (i < file.size && (file.data[i] == '#' || file.data[i] <= ' ')) {
+        const uint8_t *newline = memchr(file.data + i, '\n', file.size - i);
+        if (!newline)
+            return false;
+        i = (size_t)(newline - file.data) + 1;
+    }
+    struct hatch_bytes rest = {file.data + i, file.size - i};
+    static const char *const words[] = {"v ", "vt ", "vn ", "o ", "g ", "mtllib ", "usemtl ", NULL};
+    for (const char *const *w = words; *w; w++)
+        if (starts_with(rest, *w))
+            return true;
+    return false;
+}
+
+static enum hatch_mesh_format by_content(struct hatch_bytes file)
+{
+    if (starts_with(file, "glTF") || first_visible(file) == '{')
+        return HATCH_MESH_GLTF;
+    if (starts_with(file, "ply"))
+        return HATCH_MESH_PLY;
+    if (hatch_off_word((const char *)file.data, file.size))
+        return HATCH_MESH_OFF;
+    return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
+}
+
+enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name)
+{
+    static const struct {
+        const char *ending;
+        enum hatch_mesh_format format;
+    } endings[] = {
+        {".glb", HATCH_MESH_GLTF}, {".gltf", HATCH_MESH_GLTF}, {".ply", HATCH_MESH_PLY},
+        {".obj", HATCH_MESH_OBJ},  {".off", HATCH_MESH_OFF},   {".stl", HATCH_MESH_STL},
+    };
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    file = (struct hatch_bytes){(const uint8_t *)text.at, hatch_mesh_text_left(&text)};
+    enum hatch_mesh_format format = by_content(file);
+    for (size_t i = 0; !format && name && i < sizeof endings / sizeof *endings; i++)
+        if (ends_with(name, endings[i].ending))
+            format = endings[i].format;
+    return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
+}
+
+/* Whether a mesh lies so far out that floats are coarse beside its own size. origin: its middle then, else zeros. */
+static bool is_far(const struct hatch_mesh *mesh, double origin[3])
+{
+    float low[3], high[3];
+    double extent = 0;
+    bool far = false, any = hatch_mesh_bounds(mesh, low, high);
+    for (int k = 0; k < 3 && any; k++)
+        extent = fmax(extent, (double)high[k] - (double)low[k]);
+    for (int k = 0; k < 3; k++) {
+        double middle = any ? 0.5 * ((double)low[k] + (double)high[k]) : 0;
+        bool apart = fabs(middle) > FAR * extent;
+        origin[k] = apart ? (double)(float)middle : 0;
+        far = far || apart;
+    }
+    return far;
+}
+
+enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format,
+                                  struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err)
+{
+    static const hatch_mesh_reader readers[] = {[HATCH_MESH_PLY] = hatch_ply_read,
+                                                [HATCH_MESH_OBJ] = hatch_obj_read,
+                                                [HATCH_MESH_OFF] = hatch_off_read,
+                                                [HATCH_MESH_STL] = hatch_stl_read};
+    assert(format != HATCH_MESH_GLTF);
+    if (file.size == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "empty");
+    if (format == HATCH_MESH_UNKNOWN)
+        return hatch_fail(err, HATCH_BAD_INPUT, "not a GLB, glTF, PLY, OBJ, OFF or STL file");
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch), kept = hatch_arena_mark(arena);
+    struct hatch_mesh_notes said = *notes;
+    struct hatch_mesh made;
+    double middle[3] = {0, 0, 0};
+    enum hatch_status status = readers[format](file, middle, arena, scratch, &made, &said, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK && origin && is_far(&made, middle)) {
+        hatch_arena_rewind(arena, kept);
+        said = *notes;
+        status = readers[format](file, middle, arena, scratch, &made, &said, err);
+        hatch_arena_rewind(scratch, mark);
+    }
+    if (status == HATCH_OK)
+        status = hatch_mesh_check(&made, err);
+    if (status != HATCH_OK)
+        return status;
+    *mesh = made;
+    *notes = said;
+    if (origin)
+        memcpy(origin, middle, sizeof middle);
+    return HATCH_OK;
+}

@@ -1,0 +1,286 @@
+/* Wavefront OBJ: vertices, texture coordinates, normals and polygons. A vertex of the mesh is one
+ * combination of the three indices, in order of first use; where faces name positions alone,
+ * vertices are those of the file. */
+#include <string.h>
+
+#include "base/random.h"
+#include "io/mesh/polygon.h"
+#include "io/mesh/text.h"
+
+enum { V, VT, VN, KINDS };
+#define ABSENT UINT32_MAX
+
+/* An index triple, ABSENT where the face does not say. */
+struct corner {
+    uint32_t index[KINDS];
+};
+
+struct obj {
+    struct hatch_mesh_text text;
+    const double *origin;
+    struct hatch_arena *scratch;
+    struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 each */
+    bool plain;                        /* faces name positions alone */
+    struct hatch_buffer vertices;      /* of struct corner, where not plain */
+    uint32_t vertex_count, slot_count;
+    uint32_t *slots;                  /* vertex + 1, by the corner's hash */
+    struct hatch_buffer points, used; /* of the face being read: v, and vertices */
+    struct hatch_faces faces;
+};
+
+static const uint32_t widths[KINDS] = {3, 2, 3};
+
+static uint32_t value_count(const struct obj *o, int kind)
+{
+    return (uint32_t)(o->values[kind].size / (widths[kind] * sizeof(float)));
+}
+
+static const float *values(const struct obj *o, int kind)
+{
+    return (const float *)(const void *)o->values[kind].data;
+}
+
+static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *err)
+{
+    static const char *const names[KINDS] = {"v", "vt", "vn"};
+    float value[3];
+    if (o->values[kind].size / sizeof value >= INT32_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "line %u: too many %s", o->text.line, names[kind]);
+    if (kind == V)
+        HATCH_TRY(hatch_mesh_text_position(&o->text, names[V], o->origin, value, err));
+    for (uint32_t k = 0; k < widths[kind] && kind != V; k++) {
+        struct hatch_mesh_text before = o->text;
+        if (kind == VT && k == 1 && hatch_mesh_text_word(&before).length == 0)
+            value[k] = 0; /* one-dimensional texture */
+        else
+            HATCH_TRY(hatch_mesh_text_float(&o->text, names[kind], &value[k], err));
+    }
+    if (kind == VT)
+        value[1] = 1 - value[1]; /* OBJ's v rises upwards, glTF's downwards */
+    return hatch_buffer_add(&o->values[kind], value, widths[kind] * sizeof *value, err);
+}
+
+/* "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the last value read. */
+static enum hatch_status read_corner(const struct obj *o, struct hatch_text word,
+                                     struct corner *corner, struct hatch_err *err)
+{
+    const char *at = word.at, *end = word.at + word.length;
+    for (int kind = 0; kind < KINDS; kind++) {
+        corner->index[kind] = ABSENT;
+        const char *stop = at;
+        while (stop < end && *stop != '/')
+            stop++;
+        struct hatch_text part = {at, (size_t)(stop - at)};
+        int64_t number, count = value_count(o, kind);
+        if (part.length || kind == V) {
+            if (!hatch_mesh_text_integer(part, &number) || number == 0 || number > count ||
+                number < -count)
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s of %lld",
+                                  o->text.line, hatch_mesh_text_shown(word), word.at,
+                                  kind == V    ? "vertex"
+                                  : kind == VT ? "texture coordinate"
+                                               : "normal",
+                                  hatch_mesh_text_shown(part), part.at, (long long)count);
+            corner->index[kind] = (uint32_t)(number > 0 ? number - 1 : count + number);
+        }
+        at = stop < end ? stop + 1 : end;
+    }
+    if (at != end)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s has more than three parts",
+                          o->text.line, hatch_mesh_text_shown(word), word.at);
+    return HATCH_OK;
+}
+
+static uint64_t corner_hash(const struct corner *corner)
+{
+    uint64_t h = hatch_random_mix((uint64_t)corner->index[V] << 32 | corner->index[VT]);
+    return hatch_random_mix(h ^ corner->index[VN]);
+}
+
+static const struct corner *vertex_corners(const struct obj *o)
+{
+    return (const struct corner *)(const void *)o->vertices.data;
+}
+
+static enum hatch_status grow_slots(struct obj *o, struct hatch_err *err)
+{
+    if (o->vertex_count < o->slot_count / 2)
+        return HATCH_OK;
+    uint32_t count = o->slot_count ? o->slot_count * 2 : 1024;
+    uint32_t *slots = count < o->slot_count ? NULL : HATCH_NEW(o->scratch, uint32_t, count, err);
+    if (!slots)
+        return hatch_fail(err, HATCH_LIMIT, "line %u: %u vertices need too much memory",
+                          o->text.line, o->vertex_count);
+    for (uint32_t v = 0; v < o->vertex_count; v++) {
+        uint64_t slot = corner_hash(&vertex_corners(o)[v]);
+        while (slots[slot & (count - 1)])
+            slot++;
+        slots[slot & (count - 1)] = v + 1;
+    }
+    o->slots = slots;
+    o->slot_count = count;
+    return HATCH_OK;
+}
+
+static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, uint32_t *vertex,
+                                    struct hatch_err *err)
+{
+    HATCH_TRY(grow_slots(o, err));
+    uint64_t slot = corner_hash(corner);
+    uint32_t found;
+    while ((found = o->slots[slot & (o->slot_count - 1)]) != 0) {
+        if (memcmp(&vertex_corners(o)[found - 1], corner, sizeof *corner) == 0) {
+            *vertex = found - 1;
+            return HATCH_OK;
+        }
+        slot++;
+    }
+    HATCH_TRY(hatch_buffer_add(&o->vertices, corner, sizeof *corner, err));
+    *vertex = o->vertex_count++;
+    o->slots[slot & (o->slot_count - 1)] = o->vertex_count;
+    return HATCH_OK;
+}
+
+/* Whether some face names more than positions. Continued lines start with a number. */
+static bool names_more(struct hatch_bytes file)
+{
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    do {
+        struct hatch_text word = hatch_mesh_text_word(&text);
+        if (word.length == 0 || !strchr("f-0123456789", *word.at))
+            continue;
+        const char *newline = memchr(word.at, '\n', (size_t)(text.end - word.at));
+        if (memchr(word.at, '/', (size_t)((newline ? newline : text.end) - word.at)))
+            return true;
+    } while (hatch_mesh_text_next_line(&text));
+    return false;
+}
+
+static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
+{
+    o->points.size = o->used.size = 0;
+    uint32_t count = 0;
+    for (;;) {
+        struct hatch_text word = hatch_mesh_text_word(&o->text);
+        struct corner corner;
+        if (word.length == 0)
+            break;
+        HATCH_TRY(read_corner(o, word, &corner, err));
+        uint32_t vertex = corner.index[V];
+        if (!o->plain)
+            HATCH_TRY(vertex_for(o, &corner, &vertex, err));
+        HATCH_TRY(hatch_buffer_add(&o->points, &corner.index[V], sizeof vertex, err));
+        HATCH_TRY(hatch_buffer_add(&o->used, &vertex, sizeof vertex, err));
+        count++;
+    }
+    if (count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of no corners", o->text.line);
+    return hatch_faces_add(&o->faces, values(o, V), (const uint32_t *)(const void *)o->points.data,
+                           (const uint32_t *)(const void *)o->used.data, count, err);
+}
+
+/* Grouping, materials, lines and display hints: what does not change the surface. */
+static bool is_ignored(struct hatch_text word)
+{
+    static const char *const words[] = {"o",      "g",      "s",          "mg",        "usemtl",
+                                        "mtllib", "usemap", "maplib",     "l",         "p",
+                                        "vp",     "lod",    "bevel",      "c_interp",  "d_interp",
+                                        "ctech",  "stech",  "shadow_obj", "trace_obj", NULL};
+    for (const char *const *w = words; *w; w++)
+        if (hatch_text_is(word, *w))
+            return true;
+    return false;
+}
+
+static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
+{
+    struct hatch_text word = hatch_mesh_text_word(&o->text);
+    if (word.length == 0)
+        return HATCH_OK;
+    if (hatch_text_is(word, "v"))
+        return read_value(o, V, err);
+    if (hatch_text_is(word, "vt"))
+        return read_value(o, VT, err);
+    if (hatch_text_is(word, "vn"))
+        return read_value(o, VN, err);
+    if (hatch_text_is(word, "f"))
+        return read_face(o, err);
+    if (is_ignored(word))
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", o->text.line,
+                      hatch_mesh_text_shown(word), word.at);
+}
+
+/* The values that the vertices' corners name; an attribute that some corner lacks is left out. */
+static enum hatch_status gather(struct obj *o, int kind, float **out, struct hatch_err *err)
+{
+    const struct corner *corners = vertex_corners(o);
+    uint32_t width = widths[kind];
+    *out = NULL;
+    for (uint32_t v = 0; v < o->vertex_count; v++)
+        if (corners[v].index[kind] == ABSENT)
+            return HATCH_OK;
+    float *data = HATCH_NEW(o->scratch, float, (size_t)o->vertex_count *width, err);
+    if (!data)
+        return HATCH_LIMIT;
+    for (uint32_t v = 0; v < o->vertex_count; v++)
+        memcpy(&data[(size_t)v * width], &values(o, kind)[(size_t)corners[v].index[kind] * width],
+               width * sizeof *data);
+    *out = data;
+    return HATCH_OK;
+}
+
+static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *notes,
+                                      struct hatch_err *err)
+{
+    uint32_t count = value_count(o, V);
+    uint8_t *seen = HATCH_NEW(o->scratch, uint8_t, count, err);
+    if (!seen)
+        return HATCH_LIMIT;
+    for (uint32_t v = 0; v < o->vertex_count; v++)
+        seen[vertex_corners(o)[v].index[V]] = 1;
+    for (uint32_t i = 0; i < count; i++)
+        notes->unreferenced_dropped += !seen[i];
+    return HATCH_OK;
+}
+
+static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct hatch_mesh *mesh,
+                                struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    if (o->plain)
+        return hatch_faces_finish(&o->faces, values(o, V), value_count(o, V), arena, mesh, notes,
+                                  err);
+    float *positions, *texcoords, *normals, *data;
+    struct hatch_mesh made;
+    HATCH_TRY(count_unused(o, notes, err));
+    HATCH_TRY(gather(o, V, &positions, err));
+    HATCH_TRY(gather(o, VT, &texcoords, err));
+    HATCH_TRY(gather(o, VN, &normals, err));
+    HATCH_TRY(hatch_faces_finish(&o->faces, positions, o->vertex_count, arena, &made, notes, err));
+    if (texcoords) {
+        HATCH_TRY(hatch_mesh_add(arena, &made, "TEXCOORD_0", 2, &data, err));
+        memcpy(data, texcoords, (size_t)made.vertex_count * 2 * sizeof *data);
+    }
+    if (normals)
+        HATCH_TRY(hatch_faces_add_normals(normals, arena, &made, err));
+    *mesh = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    struct obj o = {
+        .text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .plain = !names_more(file)};
+    o.text.comment = '#';
+    o.text.continues = true;
+    for (int kind = 0; kind < KINDS; kind++)
+        o.values[kind].arena = scratch;
+    o.vertices.arena = o.points.arena = o.used.arena = scratch;
+    o.faces = hatch_faces_in(scratch);
+    do
+        HATCH_TRY(read_line(&o, err));
+    while (hatch_mesh_text_next_line(&o.text));
+    return finish(&o, arena, mesh, notes, err);
+}

@@ -1,0 +1,297 @@
+/* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and
+ * triangle strips. Binary numbers and words of text come through one function, so that the two
+ * forms differ in nothing else. */
+#include "io/mesh/ply.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "io/mesh/polygon.h"
+
+struct ply {
+    struct hatch_ply_header header;
+    const double *origin;
+    struct hatch_mesh_text text;             /* ascii */
+    struct hatch_reader reader;              /* binary */
+    const struct hatch_ply_element *element; /* being read, and which of it: for messages */
+    uint64_t item;
+    struct hatch_arena *scratch;
+    uint32_t vertex_count;
+    float *positions, *normals, *texcoords; /* NULL where the file has none */
+    struct hatch_buffer corners;
+    struct hatch_faces faces;
+};
+
+static enum hatch_status fail(const struct ply *p, struct hatch_err *err, const char *what)
+{
+    if (p->header.ascii)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %llu: %s", p->text.line,
+                          p->element->name, (unsigned long long)p->item, what);
+    return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: %s %llu: %s", p->reader.at,
+                      p->element->name, (unsigned long long)p->item, what);
+}
+
+static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
+{
+    switch (type) {
+    case HATCH_PLY_INT8:
+        return (int8_t)hatch_read_u8(reader);
+    case HATCH_PLY_UINT8:
+        return hatch_read_u8(reader);
+    case HATCH_PLY_INT16:
+        return (int16_t)hatch_read_u16(reader);
+    case HATCH_PLY_UINT16:
+        return hatch_read_u16(reader);
+    case HATCH_PLY_INT32:
+        return (int32_t)hatch_read_u32(reader);
+    case HATCH_PLY_UINT32:
+        return hatch_read_u32(reader);
+    case HATCH_PLY_FLOAT32:
+        return (double)hatch_read_f32(reader);
+    default:
+        return hatch_read_f64(reader);
+    }
+}
+
+/* The next number; a double holds every type's values exactly. */
+static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, double *number,
+                                     struct hatch_err *err)
+{
+    if (p->header.ascii) {
+        struct hatch_text word = hatch_mesh_text_any_word(&p->text);
+        if (word.length == 0)
+            return fail(p, err, "the file is cut");
+        return hatch_text_decimal(word, number) ? HATCH_OK : fail(p, err, "not a number");
+    }
+    *number = read_binary(&p->reader, type);
+    return p->reader.cut ? fail(p, err, "the file is cut") : HATCH_OK;
+}
+
+/* The least bytes that one element takes: in text a digit and a blank for every number. */
+static size_t least_size(const struct ply *p, const struct hatch_ply_element *element)
+{
+    size_t size = 0;
+    for (uint32_t i = 0; i < element->property_count; i++) {
+        const struct hatch_ply_property *property = &element->properties[i];
+        enum hatch_ply_type type = property->count_type ? property->count_type : property->type;
+        size += p->header.ascii ? 2 : hatch_ply_size(type);
+    }
+    return size;
+}
+
+static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
+{
+    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) : hatch_reader_left(&p->reader);
+    size_t least = least_size(p, p->element);
+    if (!least && p->element->kind != HATCH_PLY_OTHER && p->element->count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no properties", p->element->name);
+    if (least && p->element->count > left / least + 1)
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu",
+                          p->element->name, (unsigned long long)p->element->count, least, left);
+    return HATCH_OK;
+}
+
+/* The length of a list, checked against the bytes that are left. */
+static enum hatch_status read_length(struct ply *p, const struct hatch_ply_property *property,
+                                     uint32_t *length, struct hatch_err *err)
+{
+    double number;
+    HATCH_TRY(read_number(p, property->count_type, &number, err));
+    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) / 2 + 1
+                                  : hatch_reader_left(&p->reader) / hatch_ply_size(property->type);
+    if (!(number >= 0 && number <= (double)left && number < (double)INT32_MAX))
+        return fail(p, err, "a list longer than the file");
+    if (floor(number) < number)
+        return fail(p, err, "the length of a list is no whole number");
+    *length = (uint32_t)number;
+    return HATCH_OK;
+}
+
+/* What is not read may be anything in text: scanners write "nan" where a quality is not known. */
+static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *property,
+                              struct hatch_err *err)
+{
+    uint32_t length = 1;
+    double number;
+    if (property->count_type)
+        HATCH_TRY(read_length(p, property, &length, err));
+    for (uint32_t i = 0; i < length; i++)
+        if (!p->header.ascii)
+            HATCH_TRY(read_number(p, property->type, &number, err));
+        else if (hatch_mesh_text_any_word(&p->text).length == 0)
+            return fail(p, err, "the file is cut");
+    return HATCH_OK;
+}
+
+static enum hatch_status make_room(struct ply *p, struct hatch_err *err)
+{
+    bool has[HATCH_PLY_USES] = {false};
+    for (uint32_t i = 0; i < p->element->property_count; i++)
+        has[p->element->properties[i].use] = true;
+    if (p->positions)
+        return fail(p, err, "vertices for the second time");
+    if (!has[HATCH_PLY_X] || !has[HATCH_PLY_Y] || !has[HATCH_PLY_Z])
+        return hatch_fail(err, HATCH_BAD_INPUT, "element vertex: no x, y and z");
+    if (p->element->count > INT32_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d", INT32_MAX);
+    p->vertex_count = (uint32_t)p->element->count;
+    p->positions = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
+    if (!p->positions)
+        return HATCH_LIMIT;
+    if (has[HATCH_PLY_NX] && has[HATCH_PLY_NY] && has[HATCH_PLY_NZ]) {
+        p->normals = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
+        if (!p->normals)
+            return HATCH_LIMIT;
+    }
+    if (has[HATCH_PLY_U] && has[HATCH_PLY_V]) {
+        p->texcoords = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 2, err);
+        if (!p->texcoords)
+            return HATCH_LIMIT;
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
+{
+    HATCH_TRY(make_room(p, err));
+    for (p->item = 0; p->item < p->element->count; p->item++)
+        for (uint32_t i = 0; i < p->element->property_count; i++) {
+            const struct hatch_ply_property *property = &p->element->properties[i];
+            double number;
+            if (property->use == HATCH_PLY_SKIP) {
+                HATCH_TRY(skip(p, property, err));
+                continue;
+            }
+            HATCH_TRY(read_number(p, property->type, &number, err));
+            float value = (float)number;
+            if (!isfinite(value))
+                return fail(p, err, "a number is not finite");
+            size_t v = (size_t)p->item, k = (size_t)property->use;
+            if (k <= HATCH_PLY_Z)
+                p->positions[v * 3 + k - HATCH_PLY_X] = (float)(number - p->origin[k - HATCH_PLY_X]);
+            else if (k <= HATCH_PLY_NZ && p->normals)
+                p->normals[v * 3 + k - HATCH_PLY_NX] = value;
+            else if (k >= HATCH_PLY_U && p->texcoords)
+                p->texcoords[v * 2 + k - HATCH_PLY_U] = value;
+        }
+    return HATCH_OK;
+}
+
+/* One list of corners; in a strip -1 starts anew and is kept as UINT32_MAX. */
+static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_property *property,
+                                      struct hatch_err *err)
+{
+    uint32_t length;
+    HATCH_TRY(read_length(p, property, &length, err));
+    p->corners.size = 0;
+    for (uint32_t i = 0; i < length; i++) {
+        double number;
+        HATCH_TRY(read_number(p, property->type, &number, err));
+        bool restart = p->element->kind == HATCH_PLY_STRIPS && number == -1;
+        if (!restart && !(number >= 0 && number < p->vertex_count && floor(number) == number))
+            return fail(p, err, "a corner is no vertex");
+        uint32_t corner = restart ? UINT32_MAX : (uint32_t)number;
+        HATCH_TRY(hatch_buffer_add(&p->corners, &corner, sizeof corner, err));
+    }
+    return HATCH_OK;
+}
+
+/* Every other triangle of a strip is turned, so that all face one way; those with a repeated corner
+ * only join parts and are left out. */
+static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint32_t count,
+                                    struct hatch_err *err)
+{
+    uint32_t start = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (corner[i] == UINT32_MAX)
+            start = i + 1;
+        if (i < start + 2 || corner[i] == UINT32_MAX)
+            continue;
+        bool odd = (i - start) % 2 == 1;
+        const uint32_t triangle[3] = {corner[i - 2], corner[odd ? i : i - 1],
+                                      corner[odd ? i - 1 : i]};
+        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+            continue;
+        HATCH_TRY(hatch_faces_add(&p->faces, p->positions, triangle, triangle, 3, err));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
+{
+    if (!p->positions)
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no vertices before it",
+                          p->element->name);
+    for (p->item = 0; p->item < p->element->count; p->item++)
+        for (uint32_t i = 0; i < p->element->property_count; i++) {
+            const struct hatch_ply_property *property = &p->element->properties[i];
+            if (property->use != HATCH_PLY_INDICES) {
+                HATCH_TRY(skip(p, property, err));
+                continue;
+            }
+            HATCH_TRY(read_corners(p, property, err));
+            const uint32_t *corner = (const uint32_t *)(const void *)p->corners.data;
+            uint32_t count = (uint32_t)(p->corners.size / sizeof *corner);
+            if (p->element->kind == HATCH_PLY_STRIPS)
+                HATCH_TRY(add_strips(p, corner, count, err));
+            else
+                HATCH_TRY(hatch_faces_add(&p->faces, p->positions, corner, corner, count, err));
+        }
+    return HATCH_OK;
+}
+
+static enum hatch_status skip_element(struct ply *p, struct hatch_err *err)
+{
+    for (p->item = 0; p->element->property_count && p->item < p->element->count; p->item++)
+        for (uint32_t i = 0; i < p->element->property_count; i++)
+            HATCH_TRY(skip(p, &p->element->properties[i], err));
+    return HATCH_OK;
+}
+
+static enum hatch_status read_body(struct ply *p, struct hatch_err *err)
+{
+    for (uint32_t e = 0; e < p->header.element_count; e++) {
+        p->element = &p->header.elements[e];
+        p->item = 0;
+        HATCH_TRY(check_count(p, err));
+        if (p->element->kind == HATCH_PLY_VERTEX)
+            HATCH_TRY(read_vertices(p, err));
+        else if (p->element->kind == HATCH_PLY_OTHER)
+            HATCH_TRY(skip_element(p, err));
+        else
+            HATCH_TRY(read_faces(p, err));
+    }
+    if (!p->positions)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no element vertex");
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    struct ply *p = HATCH_NEW(scratch, struct ply, 1, err);
+    if (!p)
+        return HATCH_LIMIT;
+    p->scratch = p->corners.arena = scratch;
+    p->faces = hatch_faces_in(scratch);
+    p->origin = origin;
+    p->text = hatch_mesh_text_of(file);
+    HATCH_TRY(hatch_ply_read_header(&p->text, &p->header, err));
+    p->reader = hatch_reader_of(file);
+    p->reader.big_endian = p->header.big_endian;
+    p->reader.at = (size_t)(p->text.at - (const char *)file.data);
+    HATCH_TRY(read_body(p, err));
+    struct hatch_mesh made;
+    float *data;
+    HATCH_TRY(
+        hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
+    if (p->normals)
+        HATCH_TRY(hatch_faces_add_normals(p->normals, arena, &made, err));
+    if (p->texcoords) {
+        HATCH_TRY(hatch_mesh_add(arena, &made, "TEXCOORD_0", 2, &data, err));
+        memcpy(data, p->texcoords, (size_t)made.vertex_count * 2 * sizeof *data);
+    }
+    *mesh = made;
+    return HATCH_OK;
+}

@@ -1,0 +1,243 @@
+#include "io/mesh/polygon.h"
+
+#include <string.h>
+
+#include "math/vector.h"
+
+/* Steps that the concave polygons of one file may cost together: some seconds. */
+#define WORK_LIMIT ((uint64_t)500000000)
+
+struct hatch_faces hatch_faces_in(struct hatch_arena *scratch)
+{
+    return (struct hatch_faces){
+        .indices = {.arena = scratch}, .work_left = WORK_LIMIT, .scratch = scratch};
+}
+
+static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t *vertex, uint32_t a,
+                                      uint32_t b, uint32_t c, struct hatch_err *err)
+{
+    const uint32_t triangle[3] = {vertex[a], vertex[b], vertex[c]};
+    if (faces->face_count >= UINT32_MAX / 3 - 1)
+        return hatch_fail(err, HATCH_LIMIT, "more than %u triangles", faces->face_count);
+    faces->face_count++;
+    return hatch_buffer_add(&faces->indices, triangle, sizeof triangle, err);
+}
+
+/* A polygon laid into the plane that fits it best (Newell's normal), counter-clockwise. */
+struct outline {
+    double (*at)[2];
+    uint32_t *next, *previous;
+    uint32_t *reflex; /* corners that turn the other way or not at all */
+    uint32_t count, reflex_count;
+};
+
+static void newell_normal(const float *positions, const uint32_t *point, uint32_t count,
+                          double normal[3])
+{
+    double origin[3], a[3], b[3], cross[3];
+    hatch_vec_of(&positions[(size_t)point[0] * 3], origin);
+    normal[0] = normal[1] = normal[2] = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        hatch_vec_of(&positions[(size_t)point[i] * 3], a);
+        hatch_vec_of(&positions[(size_t)point[(i + 1) % count] * 3], b);
+        hatch_vec_sub(a, origin, a);
+        hatch_vec_sub(b, origin, b);
+        hatch_vec_cross(a, b, cross);
+        hatch_vec_add_scaled(normal, 1, cross, normal);
+    }
+}
+
+/* Whether the triangles from one corner to all others keep the polygon's side. */
+static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_t count,
+                          uint32_t start, const double normal[3])
+{
+    double p[3], a[3], b[3], cross[3];
+    hatch_vec_of(&positions[(size_t)point[start] * 3], p);
+    for (uint32_t i = 1; i + 1 < count; i++) {
+        hatch_vec_of(&positions[(size_t)point[(start + i) % count] * 3], a);
+        hatch_vec_of(&positions[(size_t)point[(start + i + 1) % count] * 3], b);
+        hatch_vec_triangle(p, a, b, cross);
+        if (hatch_vec_dot(cross, normal) < 0)
+            return false;
+    }
+    return true;
+}
+
+static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vertex, uint32_t count,
+                                 uint32_t start, struct hatch_err *err)
+{
+    for (uint32_t i = 1; i + 1 < count; i++)
+        HATCH_TRY(
+            add_triangle(faces, vertex, start, (start + i) % count, (start + i + 1) % count, err));
+    return HATCH_OK;
+}
+
+static double turn(const struct outline *o, uint32_t a, uint32_t b, uint32_t c)
+{
+    const double *p = o->at[a], *q = o->at[b], *r = o->at[c];
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+static double corner_turn(const struct outline *o, uint32_t corner)
+{
+    return turn(o, o->previous[corner], corner, o->next[corner]);
+}
+
+static bool same_place(const struct outline *o, uint32_t a, uint32_t b)
+{
+    return o->at[a][0] == o->at[b][0] && o->at[a][1] == o->at[b][1];
+}
+
+/* A corner is an ear when it turns the polygon's way and no reflex corner lies in its triangle. */
+static bool is_ear(const struct outline *o, uint32_t corner)
+{
+    uint32_t a = o->previous[corner], c = o->next[corner];
+    if (!(turn(o, a, corner, c) > 0))
+        return false;
+    for (uint32_t i = 0; i < o->reflex_count; i++) {
+        uint32_t p = o->reflex[i];
+        if (p == a || p == corner || p == c || same_place(o, p, a) || same_place(o, p, corner) ||
+            same_place(o, p, c))
+            continue;
+        if (turn(o, a, corner, p) >= 0 && turn(o, corner, c, p) >= 0 && turn(o, c, a, p) >= 0)
+            return false;
+    }
+    return true;
+}
+
+/* Clipping changes its two neighbours' turns; a reflex corner may become none, never the reverse.
+ */
+static void drop_unreflex(struct outline *o)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < o->reflex_count; i++)
+        if (o->next[o->reflex[i]] != UINT32_MAX && !(corner_turn(o, o->reflex[i]) > 0))
+            o->reflex[kept++] = o->reflex[i];
+    o->reflex_count = kept;
+}
+
+static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
+                                   const uint32_t *vertex, struct hatch_err *err)
+{
+    uint32_t corner = 0, left = o->count, misses = 0;
+    while (left > 3) {
+        uint64_t cost = (uint64_t)o->reflex_count + 1;
+        if (cost > faces->work_left)
+            return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large",
+                              o->count);
+        faces->work_left -= cost;
+        /* After a whole round without an ear the polygon crosses itself: any corner goes. */
+        if (misses < left && !is_ear(o, corner)) {
+            corner = o->next[corner];
+            misses++;
+            continue;
+        }
+        uint32_t a = o->previous[corner], c = o->next[corner];
+        HATCH_TRY(add_triangle(faces, vertex, a, corner, c, err));
+        o->next[a] = c;
+        o->previous[c] = a;
+        o->next[corner] = UINT32_MAX;
+        left--;
+        misses = 0;
+        drop_unreflex(o);
+        corner = c;
+    }
+    return add_triangle(faces, vertex, o->previous[corner], corner, o->next[corner], err);
+}
+
+/* Along which axis the polygon is flattened: the normal's longest. */
+static void lay_out(const float *positions, const uint32_t *point, const double normal[3],
+                    struct outline *o)
+{
+    int axis = 0;
+    for (int k = 1; k < 3; k++)
+        if (fabs(normal[k]) > fabs(normal[axis]))
+            axis = k;
+    int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    double side = normal[axis] < 0 ? -1 : 1;
+    for (uint32_t i = 0; i < o->count; i++) {
+        o->at[i][0] = (double)positions[(size_t)point[i] * 3 + (size_t)x];
+        o->at[i][1] = side * (double)positions[(size_t)point[i] * 3 + (size_t)y];
+        o->next[i] = (i + 1) % o->count;
+        o->previous[i] = (i + o->count - 1) % o->count;
+    }
+    o->reflex_count = 0;
+    for (uint32_t i = 0; i < o->count; i++)
+        if (!(corner_turn(o, i) > 0))
+            o->reflex[o->reflex_count++] = i;
+}
+
+static enum hatch_status add_concave(struct hatch_faces *faces, const float *positions,
+                                     const uint32_t *point, const uint32_t *vertex, uint32_t count,
+                                     const double normal[3], struct hatch_err *err)
+{
+    /* Room for the triangles is made first, so that the outline on top of them can be given back.
+     */
+    HATCH_TRY(hatch_buffer_reserve(&faces->indices, (size_t)count * 3 * sizeof(uint32_t), err));
+    struct hatch_arena_mark mark = hatch_arena_mark(faces->scratch);
+    struct outline o = {.count = count};
+    o.at = hatch_arena_array(faces->scratch, count, sizeof *o.at, err);
+    o.next = o.at ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
+    o.previous = o.next ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
+    o.reflex = o.previous ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
+    enum hatch_status status = o.reflex ? HATCH_OK : HATCH_LIMIT;
+    if (status == HATCH_OK) {
+        lay_out(positions, point, normal, &o);
+        status = clip_ears(faces, &o, vertex, err);
+    }
+    hatch_arena_rewind(faces->scratch, mark);
+    return status;
+}
+
+enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positions,
+                                  const uint32_t *point, const uint32_t *vertex, uint32_t count,
+                                  struct hatch_err *err)
+{
+    if (count < 3) {
+        faces->lines_dropped++;
+        return HATCH_OK;
+    }
+    if (count == 3)
+        return add_triangle(faces, vertex, 0, 1, 2, err);
+    faces->polygons_split++;
+    double normal[3];
+    newell_normal(positions, point, count, normal);
+    for (uint32_t start = 0; start < 2; start++)
+        if (fan_is_proper(positions, point, count, start, normal))
+            return add_fan(faces, vertex, count, start, err);
+    return add_concave(faces, positions, point, vertex, count, normal, err);
+}
+
+enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const float *positions,
+                                     uint32_t vertex_count, struct hatch_arena *arena,
+                                     struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                     struct hatch_err *err)
+{
+    if (faces->face_count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces: %u loose vertices", vertex_count);
+    HATCH_TRY(hatch_mesh_make(arena, vertex_count, faces->face_count, mesh, err));
+    memcpy(mesh->indices, faces->indices.data, faces->indices.size);
+    memcpy(mesh->attributes[0].data, positions, (size_t)vertex_count * 3 * sizeof *positions);
+    notes->polygons_split += faces->polygons_split;
+    notes->degenerate_dropped += faces->lines_dropped;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_arena *arena,
+                                          struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    double normal[3];
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        hatch_vec_of(&normals[v * 3], normal);
+        if (!(hatch_vec_length(normal) > 0))
+            return HATCH_OK;
+    }
+    float *data;
+    HATCH_TRY(hatch_mesh_add(arena, mesh, "NORMAL", 3, &data, err));
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        hatch_vec_of(&normals[v * 3], normal);
+        hatch_vec_normalize(normal);
+        hatch_vec_round(normal, &data[v * 3]);
+    }
+    return HATCH_OK;
+}

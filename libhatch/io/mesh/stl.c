@@ -1,0 +1,155 @@
+/* STL, binary and text. Triangles come one by one, each with corners of its own; the normals of the
+ * file are not read: many are wrong or zero, and the corners say the same. */
+#include <math.h>
+#include <string.h>
+
+#include "io/mesh/polygon.h"
+#include "io/mesh/text.h"
+
+enum { HEADER = 80, TRIANGLE = 50 };
+
+/* A word of the format: most programs write them small, some do not. */
+static bool is(struct hatch_text word, const char *small)
+{
+    size_t i = 0;
+    for (; i < word.length && small[i]; i++) {
+        char c = word.at[i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != small[i])
+            return false;
+    }
+    return i == word.length && !small[i];
+}
+
+/* Binary files may begin with "solid", too: but soon a byte follows that no text has. */
+static bool looks_like_text(struct hatch_bytes file)
+{
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    const size_t far = 1024;
+    if (!is(hatch_mesh_text_any_word(&text), "solid"))
+        return false;
+    for (size_t i = 0; i < file.size && i < far; i++)
+        if (file.data[i] < '\t')
+            return false;
+    return true;
+}
+
+static bool is_binary(struct hatch_bytes file)
+{
+    if (file.size < HEADER + 4)
+        return false;
+    struct hatch_reader reader = hatch_reader_of(file);
+    hatch_read_bytes(&reader, HEADER);
+    uint64_t count = hatch_read_u32(&reader);
+    return file.size == HEADER + 4 + count * TRIANGLE || !looks_like_text(file);
+}
+
+static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh,
+                              struct hatch_err *err)
+{
+    if (faces == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
+    if (faces > UINT32_MAX / 3 - 1)
+        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces,
+                          UINT32_MAX / 3 - 1);
+    uint32_t corners = (uint32_t)faces * 3;
+    HATCH_TRY(hatch_mesh_make(arena, corners, (uint32_t)faces, mesh, err));
+    for (uint32_t i = 0; i < corners; i++)
+        mesh->indices[i] = i;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_binary(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
+                                     struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    struct hatch_reader reader = hatch_reader_of(file);
+    hatch_read_bytes(&reader, HEADER);
+    uint32_t count = hatch_read_u32(&reader);
+    if (hatch_reader_left(&reader) / TRIANGLE < count)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "offset %d: %u triangles, there are bytes for %zu (or text that does not "
+                          "start with solid)",
+                          HEADER, count, hatch_reader_left(&reader) / TRIANGLE);
+    struct hatch_mesh made;
+    HATCH_TRY(make(count, arena, &made, err));
+    float *to = made.attributes[0].data;
+    for (uint32_t f = 0; f < count; f++) {
+        hatch_read_bytes(&reader, 12);
+        for (int i = 0; i < 9; i++) {
+            *to = (float)((double)hatch_read_f32(&reader) - origin[i % 3]);
+            if (!isfinite(*to++))
+                return hatch_fail(err, HATCH_BAD_INPUT, "triangle %u: a position is not finite", f);
+        }
+        hatch_read_u16(&reader);
+    }
+    *mesh = made;
+    return HATCH_OK;
+}
+
+/* Where reading text stands. */
+struct solids {
+    const double *origin;
+    struct hatch_mesh_text text;
+    struct hatch_buffer positions;
+    uint32_t corners; /* of the facet being read */
+    bool first;       /* the next word begins a line */
+    bool naming;      /* words are a solid's name, up to the line's end or a facet */
+    bool ended;
+};
+
+static enum hatch_status take_word(struct solids *s, struct hatch_text word, struct hatch_err *err)
+{
+    bool first = s->first, facet = is(word, "facet");
+    s->first = false;
+    if (s->naming && !facet)
+        return HATCH_OK;
+    s->naming = is(word, "solid") || is(word, "endsolid");
+    s->ended = s->naming ? is(word, "endsolid") : s->ended;
+    if (is(word, "vertex")) {
+        float p[3];
+        HATCH_TRY(hatch_mesh_text_position(&s->text, "vertex", s->origin, p, err));
+        s->corners++;
+        return hatch_buffer_add(&s->positions, p, sizeof p, err);
+    }
+    if (is(word, "endfacet")) {
+        if (s->corners != 3)
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3", s->text.line,
+                              s->corners, s->corners == 1 ? "" : "s");
+        s->corners = 0;
+        return HATCH_OK;
+    }
+    /* Normals, and whatever else programs put behind a line's first word. */
+    if (!first || s->naming || facet || is(word, "outer") || is(word, "endloop"))
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", s->text.line,
+                      hatch_mesh_text_shown(word), word.at);
+}
+
+/* Lines mean nothing but where a solid's name ends: some programs write none. */
+static enum hatch_status read_text(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_err *err)
+{
+    struct solids s = {.origin = origin, .text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
+    do {
+        s.first = true;
+        s.naming = false;
+        for (struct hatch_text word; (word = hatch_mesh_text_word(&s.text)).length > 0;)
+            HATCH_TRY(take_word(&s, word, err));
+    } while (hatch_mesh_text_next_line(&s.text));
+    if (!s.ended || s.corners)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", s.text.line);
+    struct hatch_mesh made;
+    HATCH_TRY(make(s.positions.size / (9 * sizeof(float)), arena, &made, err));
+    memcpy(made.attributes[0].data, s.positions.data, s.positions.size);
+    *mesh = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_stl_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    (void)notes;
+    return is_binary(file) ? read_binary(file, origin, arena, mesh, err)
+                           : read_text(file, origin, arena, scratch, mesh, err);
+}

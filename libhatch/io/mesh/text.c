@@ -1,0 +1,145 @@
+#include "io/mesh/text.h"
+
+#include <math.h>
+#include <string.h>
+
+struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes)
+{
+    struct hatch_text text = hatch_text_of(bytes);
+    return (struct hatch_mesh_text){.at = text.at, .end = text.at + text.length, .line = 1};
+}
+
+size_t hatch_mesh_text_left(const struct hatch_mesh_text *text)
+{
+    return (size_t)(text->end - text->at);
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/* The length of a backslash with the line's end behind it, or 0. */
+static size_t continuation(const struct hatch_mesh_text *text)
+{
+    size_t left = hatch_mesh_text_left(text);
+    if (!text->continues || left < 2 || text->at[0] != '\\')
+        return 0;
+    if (text->at[1] == '\n')
+        return 2;
+    return left > 2 && text->at[1] == '\r' && text->at[2] == '\n' ? 3 : 0;
+}
+
+static void skip_blanks(struct hatch_mesh_text *text)
+{
+    while (text->at < text->end) {
+        size_t joined = continuation(text);
+        if (joined) {
+            text->at += joined;
+            text->line++;
+        } else if (is_blank(*text->at)) {
+            text->at++;
+        } else {
+            break;
+        }
+    }
+    if (text->comment && text->at < text->end && *text->at == text->comment)
+        while (text->at < text->end && *text->at != '\n')
+            text->at++;
+}
+
+struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text)
+{
+    skip_blanks(text);
+    const char *start = text->at;
+    while (text->at < text->end && !is_blank(*text->at) && *text->at != '\n' &&
+           !(*text->at == '\\' && continuation(text)))
+        text->at++;
+    return (struct hatch_text){start, (size_t)(text->at - start)};
+}
+
+bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
+{
+    const char *newline = memchr(text->at, '\n', hatch_mesh_text_left(text));
+    if (!newline) {
+        text->at = text->end;
+        return false;
+    }
+    text->at = newline + 1;
+    text->line++;
+    return text->at < text->end;
+}
+
+struct hatch_text hatch_mesh_text_any_word(struct hatch_mesh_text *text)
+{
+    for (;;) {
+        struct hatch_text word = hatch_mesh_text_word(text);
+        if (word.length || !hatch_mesh_text_next_line(text))
+            return word;
+    }
+}
+
+int hatch_mesh_text_shown(struct hatch_text word)
+{
+    return word.length < 40 ? (int)word.length : 40;
+}
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number)
+{
+    const char *at = word.at, *end = word.at + word.length;
+    bool negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
+    if (at == end)
+        return false;
+    int64_t value = 0;
+    for (; at < end; at++) {
+        if (!is_digit(*at) || value > ((int64_t)1 << 58))
+            return false;
+        value = value * 10 + (*at - '0');
+    }
+    *number = negative ? -value : value;
+    return true;
+}
+
+static enum hatch_status next_number(struct hatch_mesh_text *text, const char *what, double *number,
+                                     struct hatch_err *err)
+{
+    struct hatch_text word = hatch_mesh_text_word(text);
+    double value;
+    if (word.length == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line,
+                          what);
+    if (!hatch_text_decimal(word, &value))
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is no number", text->line, what,
+                          hatch_mesh_text_shown(word), word.at);
+    if (!isfinite((float)value))
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is too large", text->line, what,
+                          hatch_mesh_text_shown(word), word.at);
+    *number = value;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what,
+                                        float *number, struct hatch_err *err)
+{
+    double value = 0;
+    HATCH_TRY(next_number(text, what, &value, err));
+    *number = (float)value;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_mesh_text_position(struct hatch_mesh_text *text, const char *what, const double origin[3],
+                                           float position[3], struct hatch_err *err)
+{
+    double value = 0;
+    for (int k = 0; k < 3; k++) {
+        HATCH_TRY(next_number(text, what, &value, err));
+        position[k] = (float)(value - origin[k]);
+    }
+    return HATCH_OK;
+}

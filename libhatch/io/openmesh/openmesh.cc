@@ -1,0 +1,209 @@
+#include <cmath>
+#include <exception>
+#include <new>
+#include <vector>
+
+/* OpenMesh grows its vectors with values that it sets later; gcc sees that through its templates. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+
+/* C may give a struct and a function one name (hatch_arena_mark); C++ sees a hidden constructor. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+extern "C" {
+#include "io/openmesh/openmesh.h"
+}
+#pragma GCC diagnostic pop
+
+namespace {
+
+struct Traits : OpenMesh::DefaultTraits {
+    typedef OpenMesh::Vec3d Point;
+    typedef OpenMesh::Vec3d Normal;
+};
+typedef OpenMesh::TriMesh_ArrayKernelT<Traits> Mesh;
+
+/* Centre and size of the mesh's box: quadrics lose their digits far from the origin, and at 1e30. */
+struct Frame {
+    double centre[3], size;
+};
+
+Frame frame_of(const struct hatch_mesh *mesh)
+{
+    float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    Frame frame = {{0, 0, 0}, 0};
+    hatch_mesh_bounds(mesh, low, high);
+    for (int k = 0; k < 3; k++) {
+        double a = static_cast<double>(low[k]), b = static_cast<double>(high[k]);
+        frame.centre[k] = (a + b) / 2;
+        frame.size = std::fmax(frame.size, b - a);
+    }
+    frame.size = frame.size > 0 ? frame.size : 1;
+    return frame;
+}
+
+void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_t *point,
+                uint32_t count, Mesh *to)
+{
+    const float *positions = mesh->attributes[0].data;
+    uint32_t added = 0;
+    for (uint32_t v = 0; v < mesh->vertex_count && added < count; v++) {
+        if (point[v] != added)
+            continue; /* not the first vertex of its point */
+        double p[3];
+        for (size_t k = 0; k < 3; k++)
+            p[k] = (static_cast<double>(positions[v * size_t{3} + k]) - frame.centre[k]) / frame.size;
+        to->add_vertex(Mesh::Point(p[0], p[1], p[2]));
+        added++;
+    }
+}
+
+uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *to)
+{
+    uint32_t left_out = 0;
+    omerr().disable(); /* a library does not print */
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        Mesh::VertexHandle corner[3];
+        for (size_t c = 0; c < 3; c++)
+            corner[c] = Mesh::VertexHandle(static_cast<int>(point[mesh->indices[f * size_t{3} + c]]));
+        bool distinct = corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
+        bool added = distinct && to->add_face(corner[0], corner[1], corner[2]).is_valid();
+        left_out += !added;
+    }
+    omerr().enable();
+    return left_out;
+}
+
+enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame,
+                       struct hatch_arena *scratch, Mesh *to, uint32_t *left_out,
+                       struct hatch_err *err)
+{
+    uint32_t count;
+    if (mesh->vertex_count > INT32_MAX / 3 || mesh->face_count > INT32_MAX / 3)
+        return hatch_fail(err, HATCH_LIMIT, "%u faces are too many for OpenMesh", mesh->face_count);
+    uint32_t *point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    if (!point)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &count, err));
+    add_points(mesh, frame, point, count, to);
+    *left_out = add_faces(mesh, point, to);
+    to->request_face_status();
+    to->request_edge_status();
+    to->request_vertex_status();
+    to->request_halfedge_status();
+    to->delete_isolated_vertices();
+    to->garbage_collection();
+    if (to->n_faces() == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no face fits into a surface");
+    return HATCH_OK;
+}
+
+void reduce(Mesh *mesh, uint32_t face_count)
+{
+    typedef OpenMesh::Decimater::DecimaterT<Mesh> Decimater;
+    typedef OpenMesh::Decimater::ModQuadricT<Mesh>::Handle Quadric;
+    mesh->request_face_normals();
+    mesh->update_face_normals();
+    Decimater decimater(*mesh);
+    Quadric quadric;
+    decimater.add(quadric);
+    decimater.module(quadric).unset_max_err();
+    decimater.initialize();
+    decimater.decimate_to_faces(0, face_count);
+    mesh->garbage_collection();
+}
+
+enum hatch_status store(const Mesh &from, const Frame &frame, struct hatch_arena *arena,
+                        struct hatch_mesh *out, struct hatch_err *err)
+{
+    struct hatch_mesh made;
+    HATCH_TRY(hatch_mesh_make(arena, static_cast<uint32_t>(from.n_vertices()),
+                              static_cast<uint32_t>(from.n_faces()), &made, err));
+    float *position = made.attributes[0].data;
+    for (const auto &vertex : from.vertices())
+        for (unsigned k = 0; k < 3; k++)
+            *position++ = static_cast<float>(from.point(vertex)[k] * frame.size + frame.centre[k]);
+    uint32_t *index = made.indices;
+    for (const auto &face : from.faces())
+        for (auto corner = from.cfv_ccwbegin(face); corner != from.cfv_ccwend(face); ++corner)
+            *index++ = static_cast<uint32_t>(corner->idx());
+    *out = made;
+    return HATCH_OK;
+}
+
+uint32_t count_loops(const Mesh &mesh)
+{
+    std::vector<bool> seen(mesh.n_halfedges());
+    uint32_t loops = 0;
+    for (const auto &start : mesh.halfedges()) {
+        if (!mesh.is_boundary(start) || seen[static_cast<size_t>(start.idx())])
+            continue;
+        loops++;
+        Mesh::HalfedgeHandle at = start;
+        do {
+            seen[static_cast<size_t>(at.idx())] = true;
+            at = mesh.next_halfedge_handle(at);
+        } while (at != start);
+    }
+    return loops;
+}
+
+/* Runs a body that may throw, and gives scratch back. */
+template <typename Body>
+enum hatch_status guarded(struct hatch_arena *scratch, struct hatch_err *err, Body body)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status;
+    try {
+        status = body();
+    } catch (const std::bad_alloc &) {
+        status = hatch_fail(err, HATCH_LIMIT, "out of memory in OpenMesh");
+    } catch (const std::exception &e) {
+        status = hatch_fail(err, HATCH_BAD_INPUT, "OpenMesh: %s", e.what());
+    }
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
+} // namespace
+
+extern "C" enum hatch_status hatch_mesh_decimate(const struct hatch_mesh *mesh, uint32_t face_count,
+                                                 struct hatch_arena *arena,
+                                                 struct hatch_arena *scratch,
+                                                 struct hatch_mesh *out, uint32_t *left_out,
+                                                 struct hatch_err *err)
+{
+    return guarded(scratch, err, [&]() {
+        Mesh work;
+        uint32_t refused;
+        Frame frame = frame_of(mesh);
+        HATCH_TRY(load(mesh, frame, scratch, &work, &refused, err));
+        if (work.n_faces() > face_count)
+            reduce(&work, face_count);
+        HATCH_TRY(store(work, frame, arena, out, err));
+        if (left_out)
+            *left_out = refused;
+        return HATCH_OK;
+    });
+}
+
+extern "C" enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *mesh,
+                                                     struct hatch_arena *scratch,
+                                                     struct hatch_connectivity *connectivity,
+                                                     struct hatch_err *err)
+{
+    return guarded(scratch, err, [&]() {
+        Mesh work;
+        uint32_t refused;
+        HATCH_TRY(load(mesh, frame_of(mesh), scratch, &work, &refused, err));
+        *connectivity = {static_cast<uint32_t>(work.n_vertices()),
+                         static_cast<uint32_t>(work.n_edges()),
+                         static_cast<uint32_t>(work.n_faces()), count_loops(work), refused};
+        return HATCH_OK;
+    });
+}

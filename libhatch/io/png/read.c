@@ -1,0 +1,181 @@
+#include "io/png/png.h"
+
+#include <png.h>
+#include <setjmp.h>
+#include <stdbool.h>
+#include <string.h>
+
+#define SIDE_MAX (1u << 24)
+#define PACK_RATIO_MAX 1032u /* deflate shrinks no further */
+#define CHUNK_BYTES_MAX                                                                            \
+    (8u << 20) /* ancillary chunks: ICC profiles and texts, which are not used */
+#define SIGNATURE_BYTES 8u
+
+/* Everything that libpng's jumps must not lose lives here. */
+struct reading {
+    struct hatch_bytes file;
+    size_t at;
+    struct hatch_arena *arena, *scratch;
+    struct hatch_err *err;
+    enum hatch_status status; /* what a failure is, when libpng's own message does not say it */
+    struct hatch_image image;
+    uint32_t depth, passes;
+    uint8_t **rows;
+};
+
+static void fail_decoding(png_structp png, png_const_charp message)
+{
+    struct reading *r = png_get_error_ptr(png);
+    if (r->status == HATCH_OK)
+        r->status = hatch_fail(r->err, HATCH_BAD_INPUT, "%s at byte %zu of %zu", message, r->at,
+                               r->file.size);
+    longjmp(png_jmpbuf(png), 1);
+}
+
+/* Warnings are about ancillary chunks, which this reader does not use. */
+static void ignore_warning(png_structp png, png_const_charp message)
+{
+    (void)png;
+    (void)message;
+}
+
+static void take_bytes(png_structp png, png_bytep out, size_t size)
+{
+    struct reading *r = png_get_io_ptr(png);
+    if (size > r->file.size - r->at)
+        png_error(png, "cut");
+    memcpy(out, r->file.data + r->at, size);
+    r->at += size;
+}
+
+/* Ends decoding with a status that has been put into err. */
+static void stop(png_structp png, enum hatch_status status)
+{
+    struct reading *r = png_get_error_ptr(png);
+    r->status = status;
+    png_error(png, "stopped");
+}
+
+/* The size is looked at before anything is taken for it. */
+static void check_size(png_structp png, png_infop info)
+{
+    struct reading *r = png_get_error_ptr(png);
+    uint64_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+    uint64_t bits = (uint64_t)png_get_channels(png, info) * png_get_bit_depth(png, info);
+    uint64_t floats = width * height * 4 * sizeof(float);
+    size_t left = r->arena->limit_bytes - r->arena->used_bytes;
+    if (floats > left)
+        stop(png, hatch_fail(r->err, HATCH_LIMIT,
+                             "%llux%llu pixels need more than the %zu bytes allowed",
+                             (unsigned long long)width, (unsigned long long)height, left));
+    if (width * height * bits / 8 / PACK_RATIO_MAX > r->file.size)
+        stop(png, hatch_fail(r->err, HATCH_BAD_INPUT,
+                             "%llux%llu pixels in a file of %zu bytes: cut, or not true",
+                             (unsigned long long)width, (unsigned long long)height, r->file.size));
+}
+
+/* Palettes, low depths and transparent colours become whole channels of 8 or 16 bits. */
+static void ask_for_channels(png_structp png, png_infop info)
+{
+    struct reading *r = png_get_error_ptr(png);
+    png_set_expand(png);
+    if (png_get_bit_depth(png, info) == 16)
+        png_set_swap(png); /* to the machine's order */
+    r->passes = (uint32_t)png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    r->depth = png_get_bit_depth(png, info);
+}
+
+static void make_room(png_structp png, png_infop info)
+{
+    static const char *const names[] = {"", "Y", "YA", "RGB", "RGBA"};
+    struct reading *r = png_get_error_ptr(png);
+    uint32_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+    size_t row_bytes = png_get_rowbytes(png, info);
+    enum hatch_status status = hatch_image_make(
+        r->arena, width, height, names[png_get_channels(png, info)], &r->image, r->err);
+    if (status != HATCH_OK)
+        stop(png, status);
+    r->rows = HATCH_NEW(r->scratch, uint8_t *, height, r->err);
+    uint8_t *bytes = r->rows ? hatch_arena_array(r->scratch, height, row_bytes, r->err) : NULL;
+    if (!bytes)
+        stop(png, HATCH_LIMIT);
+    for (uint32_t y = 0; y < height; y++)
+        r->rows[y] = bytes + y * row_bytes;
+}
+
+static void read_all(png_structp png, png_infop info)
+{
+    struct reading *r = png_get_error_ptr(png);
+    png_set_read_fn(png, r, take_bytes);
+    png_set_user_limits(png, SIDE_MAX, SIDE_MAX);
+    png_set_chunk_malloc_max(png, CHUNK_BYTES_MAX);
+    png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    png_read_info(png, info);
+    check_size(png, info);
+    ask_for_channels(png, info);
+    make_room(png, info);
+    png_read_image(png, r->rows);
+    png_read_end(png, NULL);
+}
+
+/* The only frame that libpng jumps back to; it holds nothing that a jump could spoil. */
+static void read_or_fail(png_structp png, png_infop info)
+{
+    if (setjmp(png_jmpbuf(png)) == 0)
+        read_all(png, info);
+}
+
+static enum hatch_status widen(struct reading *r)
+{
+    struct hatch_image *image = &r->image;
+    uint32_t top = r->depth == 16 ? 65535u : 255u;
+    float *linear = HATCH_NEW(r->scratch, float, top + 1, r->err);
+    if (!linear)
+        return HATCH_LIMIT;
+    for (uint32_t code = 0; code <= top; code++)
+        linear[code] = hatch_srgb_to_linear((float)code / (float)top);
+    uint32_t channels = image->channel_count;
+    bool alpha = channels % 2 == 0;
+    float *out = image->pixels;
+    for (uint32_t y = 0; y < image->height; y++)
+        for (size_t i = 0; i < (size_t)image->width * channels; i++, out++) {
+            uint32_t code =
+                r->depth == 16 ? ((const uint16_t *)(const void *)r->rows[y])[i] : r->rows[y][i];
+            bool is_alpha = alpha && i % channels == channels - 1;
+            *out = is_alpha ? (float)code / (float)top : linear[code];
+        }
+    return HATCH_OK;
+}
+
+static enum hatch_status decode(struct reading *r)
+{
+    png_structp png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning);
+    if (!png)
+        return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading");
+    png_infop info = png_create_info_struct(png);
+    if (info)
+        read_or_fail(png, info);
+    else
+        r->status = hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading");
+    png_destroy_read_struct(&png, &info, NULL);
+    return r->status == HATCH_OK ? widen(r) : r->status;
+}
+
+enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_image *image,
+                                 struct hatch_err *err)
+{
+    if (file.size < SIGNATURE_BYTES || png_sig_cmp(file.data, 0, SIGNATURE_BYTES))
+        return hatch_fail(err, HATCH_BAD_INPUT, "not a PNG file");
+    struct reading r = {.file = file, .arena = arena, .scratch = scratch, .err = err};
+    struct hatch_arena_mark mark = hatch_arena_mark(arena), temporary = hatch_arena_mark(scratch);
+    enum hatch_status status = decode(&r);
+    hatch_arena_rewind(scratch, temporary);
+    if (status == HATCH_OK)
+        *image = r.image;
+    else
+        hatch_arena_rewind(arena, mark);
+    return status;
+}

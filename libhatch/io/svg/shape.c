@@ -1,0 +1,131 @@
+/* The shapes that are no paths, as lines and arcs. */
+#include <string.h>
+
+#include "io/svg/parts.h"
+
+struct hatch_text hatch_svg_attribute(const char *const *attributes, const char *name)
+{
+    for (; *attributes; attributes += 2)
+        if (strcmp(attributes[0], name) == 0)
+            return (struct hatch_text){attributes[1], strlen(attributes[1])};
+    return (struct hatch_text){"", 0};
+}
+
+/* Lengths by name; those that are not there are 0. */
+static enum hatch_status read_lengths(const char *const *attributes, const char *const *named, uint32_t count,
+                                      double page, double *lengths, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        struct hatch_text text = hatch_svg_attribute(attributes, named[i]);
+        lengths[i] = 0;
+        if (text.length && hatch_svg_length(text, page, &lengths[i], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", named[i]);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status draw_line(const char *const *attributes, double page, struct hatch_svg_pen *pen,
+                                   struct hatch_err *err)
+{
+    static const char *const named[] = {"x1", "y1", "x2", "y2"};
+    double v[4];
+    HATCH_TRY(read_lengths(attributes, named, 4, page, v, err));
+    HATCH_TRY(hatch_svg_move(pen, v[0], v[1], err));
+    return hatch_svg_line(pen, v[2], v[3], err);
+}
+
+static enum hatch_status draw_ellipse(double x, double y, double rx, double ry, struct hatch_svg_pen *pen,
+                                      struct hatch_err *err)
+{
+    const double radii[2] = {rx, ry}, left[2] = {x - rx, y}, right[2] = {x + rx, y};
+    if (!(rx > 0 && ry > 0))
+        return HATCH_OK;
+    HATCH_TRY(hatch_svg_move(pen, right[0], y, err));
+    HATCH_TRY(hatch_svg_arc(pen, radii, 0, false, true, left, err));
+    return hatch_svg_arc(pen, radii, 0, false, true, right, err);
+}
+
+static enum hatch_status draw_circle(const char *const *attributes, double page, struct hatch_svg_pen *pen,
+                                     struct hatch_err *err)
+{
+    static const char *const named[] = {"cx", "cy", "r"};
+    double v[3];
+    HATCH_TRY(read_lengths(attributes, named, 3, page, v, err));
+    return draw_ellipse(v[0], v[1], v[2], v[2], pen, err);
+}
+
+static enum hatch_status draw_oval(const char *const *attributes, double page, struct hatch_svg_pen *pen,
+                                   struct hatch_err *err)
+{
+    static const char *const named[] = {"cx", "cy", "rx", "ry"};
+    double v[4];
+    HATCH_TRY(read_lengths(attributes, named, 4, page, v, err));
+    return draw_ellipse(v[0], v[1], v[2], v[3], pen, err);
+}
+
+/* From one corner's end to the next one's start, and around that corner. */
+static enum hatch_status draw_side(struct hatch_svg_pen *pen, const double radii[2], double to_x, double to_y,
+                                   double end_x, double end_y, struct hatch_err *err)
+{
+    const double end[2] = {end_x, end_y};
+    HATCH_TRY(hatch_svg_line(pen, to_x, to_y, err));
+    return hatch_svg_arc(pen, radii, 0, false, true, end, err);
+}
+
+static enum hatch_status draw_rect(const char *const *attributes, double page, struct hatch_svg_pen *pen,
+                                   struct hatch_err *err)
+{
+    static const char *const named[] = {"x", "y", "width", "height", "rx", "ry"};
+    double v[6];
+    HATCH_TRY(read_lengths(attributes, named, 6, page, v, err));
+    double x = v[0], y = v[1], width = v[2], height = v[3];
+    double radii[2] = {v[4] > 0 ? v[4] : v[5], v[5] > 0 ? v[5] : v[4]};
+    if (!(width > 0 && height > 0))
+        return HATCH_OK;
+    radii[0] = radii[0] > 0 ? (radii[0] < width / 2 ? radii[0] : width / 2) : 0;
+    radii[1] = radii[1] > 0 ? (radii[1] < height / 2 ? radii[1] : height / 2) : 0;
+    double left = x + radii[0], right = x + width - radii[0], top = y + radii[1], low = y + height - radii[1];
+    HATCH_TRY(hatch_svg_move(pen, left, y, err));
+    HATCH_TRY(draw_side(pen, radii, right, y, x + width, top, err));
+    HATCH_TRY(draw_side(pen, radii, x + width, low, right, y + height, err));
+    HATCH_TRY(draw_side(pen, radii, left, y + height, x, low, err));
+    return draw_side(pen, radii, x, top, left, y, err);
+}
+
+static enum hatch_status draw_points(const char *const *attributes, bool closed, struct hatch_svg_pen *pen,
+                                     struct hatch_err *err)
+{
+    struct hatch_text rest = hatch_svg_attribute(attributes, "points");
+    double first[2] = {0, 0}, point[2];
+    bool begun = false;
+    for (hatch_svg_skip(&rest); rest.length; begun = true) {
+        if (!hatch_svg_numbers(&rest, 2, point))
+            return hatch_fail(err, HATCH_BAD_INPUT, "points: a number is missing or wrong");
+        if (!begun)
+            memcpy(first, point, sizeof first);
+        HATCH_TRY(begun ? hatch_svg_line(pen, point[0], point[1], err)
+                        : hatch_svg_move(pen, point[0], point[1], err));
+    }
+    return closed && begun ? hatch_svg_line(pen, first[0], first[1], err) : HATCH_OK;
+}
+
+enum hatch_status hatch_svg_shape(const char *element, const char *const *attributes, double page,
+                                  struct hatch_svg_pen *pen, bool *drawn, struct hatch_err *err)
+{
+    *drawn = true;
+    if (strcmp(element, "path") == 0)
+        HATCH_TRY(hatch_svg_path(hatch_svg_attribute(attributes, "d"), pen, err));
+    else if (strcmp(element, "line") == 0)
+        HATCH_TRY(draw_line(attributes, page, pen, err));
+    else if (strcmp(element, "polyline") == 0 || strcmp(element, "polygon") == 0)
+        HATCH_TRY(draw_points(attributes, strcmp(element, "polygon") == 0, pen, err));
+    else if (strcmp(element, "circle") == 0)
+        HATCH_TRY(draw_circle(attributes, page, pen, err));
+    else if (strcmp(element, "ellipse") == 0)
+        HATCH_TRY(draw_oval(attributes, page, pen, err));
+    else if (strcmp(element, "rect") == 0)
+        HATCH_TRY(draw_rect(attributes, page, pen, err));
+    else
+        *drawn = false;
+    return hatch_svg_end(pen, err);
+}

@@ -1,0 +1,194 @@
+/* CSS 2.1, sections 4 and 5, as far as drawings need it. */
+#include "io/svg/sheet.h"
+
+#include <string.h>
+
+#define WEIGHT_ID 10000u
+#define WEIGHT_CLASS 100u
+
+static bool is_name(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           (c & 0x80) != 0;
+}
+
+static void skip(struct hatch_text *text, size_t length)
+{
+    text->at += length;
+    text->length -= length;
+}
+
+static void skip_blanks(struct hatch_text *text)
+{
+    while (text->length && *text->at && strchr(" \t\r\n\f", *text->at))
+        skip(text, 1);
+}
+
+/* The text with blanks in place of comments. */
+static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_arena *arena, struct hatch_err *err)
+{
+    char *made = HATCH_NEW(arena, char, text->length, err);
+    bool comment = false;
+    size_t begin = 0;
+    if (!made)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < text->length; i++) {
+        bool ends = comment && i >= begin + 3 && text->at[i - 1] == '*' && text->at[i] == '/';
+        if (!comment && i + 1 < text->length && text->at[i] == '/' && text->at[i + 1] == '*') {
+            comment = true;
+            begin = i;
+        }
+        made[i] = comment ? ' ' : text->at[i];
+        comment &= !ends;
+    }
+    text->at = made;
+    return HATCH_OK;
+}
+
+/* Takes what stands before the first of these characters off. */
+static struct hatch_text take_until(struct hatch_text *text, const char *ends)
+{
+    struct hatch_text taken = *text;
+    while (text->length && !(*text->at && strchr(ends, *text->at)))
+        skip(text, 1);
+    taken.length -= text->length;
+    return taken;
+}
+
+static struct hatch_text without_blanks_behind(struct hatch_text text)
+{
+    while (text.length && strchr(" \t\r\n\f", text.at[text.length - 1]))
+        text.length--;
+    return text;
+}
+
+/* Takes a part off a selector: '.', '#' or 0 for an element's, and its name; false where there is none. */
+static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text *name)
+{
+    *kind = 0;
+    if (selector->length && (*selector->at == '.' || *selector->at == '#')) {
+        *kind = *selector->at;
+        skip(selector, 1);
+    }
+    *name = *selector;
+    if (!*kind && selector->length && *selector->at == '*')
+        skip(selector, 1);
+    else
+        while (selector->length && is_name(*selector->at))
+            skip(selector, 1);
+    name->length -= selector->length;
+    return name->length > 0;
+}
+
+/* 0 where it is more than names joined. */
+static uint32_t weigh(struct hatch_text selector)
+{
+    uint32_t weight = 0;
+    char kind;
+    struct hatch_text name;
+    for (bool first = true; selector.length; first = false) {
+        if (!take_part(&selector, &kind, &name) || (!kind && !first))
+            return 0;
+        weight += kind == '#' ? WEIGHT_ID : kind == '.' ? WEIGHT_CLASS : 1;
+    }
+    return weight;
+}
+
+/* Behind those of its weight: of two the later wins. */
+static enum hatch_status add_rule(struct hatch_svg_sheet *sheet, const struct hatch_svg_rule *rule,
+                                  struct hatch_err *err)
+{
+    if (sheet->count == HATCH_SVG_RULES_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "more than %u rules of style", HATCH_SVG_RULES_MAX);
+    uint32_t at = sheet->count++;
+    for (; at > 0 && sheet->rules[at - 1].weight > rule->weight; at--)
+        sheet->rules[at] = sheet->rules[at - 1];
+    sheet->rules[at] = *rule;
+    return HATCH_OK;
+}
+
+/* A rule that begins with '@': up to its semicolon, or with all its braces. */
+static void skip_at_rule(struct hatch_text *text)
+{
+    uint32_t depth = 0;
+    take_until(text, ";{");
+    do {
+        if (text->length)
+            depth += *text->at == '{' ? 1u : *text->at == '}' ? UINT32_MAX : 0u;
+        skip(text, text->length > 0);
+        if (depth)
+            take_until(text, "{}");
+    } while (depth && text->length);
+}
+
+static enum hatch_status read_rule(struct hatch_text *text, struct hatch_svg_sheet *sheet, struct hatch_err *err)
+{
+    struct hatch_text selectors = take_until(text, "{");
+    skip(text, text->length > 0);
+    struct hatch_svg_rule rule = {.declarations = take_until(text, "}")};
+    skip(text, text->length > 0);
+    while (selectors.length) {
+        skip_blanks(&selectors);
+        rule.selector = without_blanks_behind(take_until(&selectors, ","));
+        skip(&selectors, selectors.length > 0);
+        rule.weight = weigh(rule.selector);
+        if (rule.weight)
+            HATCH_TRY(add_rule(sheet, &rule, err));
+        sheet->others += !rule.weight && rule.selector.length > 0;
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena,
+                                       struct hatch_svg_sheet *sheet, struct hatch_err *err)
+{
+    struct hatch_svg_sheet made = {0};
+    HATCH_TRY(blank_comments(&text, arena, err));
+    skip_blanks(&text);
+    if (text.length && !(made.rules = HATCH_NEW(arena, struct hatch_svg_rule, HATCH_SVG_RULES_MAX, err)))
+        return HATCH_LIMIT;
+    for (; text.length; skip_blanks(&text)) {
+        if (*text.at == '@') {
+            made.others++;
+            skip_at_rule(&text);
+        } else {
+            HATCH_TRY(read_rule(&text, &made, err));
+        }
+    }
+    *sheet = made;
+    return HATCH_OK;
+}
+
+static bool has_class(struct hatch_text classes, struct hatch_text name)
+{
+    struct hatch_text one;
+    while (hatch_text_word(&classes, &one))
+        if (one.length == name.length && memcmp(one.at, name.at, name.length) == 0)
+            return true;
+    return false;
+}
+
+static bool fits(struct hatch_text selector, const char *element, struct hatch_text classes, struct hatch_text id)
+{
+    char kind;
+    struct hatch_text name;
+    while (take_part(&selector, &kind, &name)) {
+        bool same = kind == '.'   ? has_class(classes, name)
+                    : kind == '#' ? id.length == name.length && memcmp(id.at, name.at, name.length) == 0
+                                  : hatch_text_is(name, "*") || hatch_text_is(name, element);
+        if (!same)
+            return false;
+    }
+    return true;
+}
+
+enum hatch_status hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element,
+                                        const char *const *attributes, double page, struct hatch_svg_look *look,
+                                        struct hatch_err *err)
+{
+    struct hatch_text classes = hatch_svg_attribute(attributes, "class"), id = hatch_svg_attribute(attributes, "id");
+    for (uint32_t i = 0; i < sheet->count; i++)
+        if (fits(sheet->rules[i].selector, element, classes, id))
+            HATCH_TRY(hatch_svg_style(sheet->rules[i].declarations, page, look, err));
+    return HATCH_OK;
+}

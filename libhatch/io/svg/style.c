@@ -1,0 +1,123 @@
+/* What an element is drawn in: its attributes and its style. */
+#include <string.h>
+
+#include "io/svg/parts.h"
+
+static struct hatch_text trimmed(struct hatch_text text)
+{
+    while (text.length && strchr(" \t\r\n", *text.at)) {
+        text.at++;
+        text.length--;
+    }
+    while (text.length && strchr(" \t\r\n", text.at[text.length - 1]))
+        text.length--;
+    return text;
+}
+
+static enum hatch_status bad_value(struct hatch_text name, struct hatch_text value, struct hatch_err *err)
+{
+    return hatch_fail(err, HATCH_BAD_INPUT, "%.*s '%.*s' is not understood", (int)name.length, name.at,
+                      (int)(value.length < 40 ? value.length : 40), value.at);
+}
+
+static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value,
+                                    const struct hatch_svg_look *look, enum hatch_svg_paint *paint, float *rgb,
+                                    struct hatch_err *err)
+{
+    if (hatch_text_is(value, "none") || hatch_text_is(value, "transparent")) {
+        *paint = HATCH_SVG_NONE;
+    } else if (value.length > 4 && memcmp(value.at, "url(", 4) == 0) {
+        *paint = HATCH_SVG_SERVER;
+    } else if (hatch_text_is(value, "currentColor") || hatch_text_is(value, "currentcolor")) {
+        *paint = HATCH_SVG_COLOR;
+        memcpy(rgb, look->color_rgb, 3 * sizeof *rgb);
+    } else if (hatch_svg_color(value, rgb)) {
+        *paint = HATCH_SVG_COLOR;
+    } else {
+        return bad_value(name, value, err);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status read_share(struct hatch_text name, struct hatch_text value, double *share,
+                                    struct hatch_err *err)
+{
+    struct hatch_text rest = value;
+    double number;
+    if (!hatch_svg_number(&rest, &number) || (rest.length && !hatch_text_is(rest, "%")))
+        return bad_value(name, value, err);
+    number /= rest.length ? 100 : 1;
+    *share = number > 0 ? number < 1 ? number : 1 : 0;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_width(struct hatch_text value, double page, struct hatch_svg_look *look,
+                                    struct hatch_err *err)
+{
+    double width;
+    HATCH_TRY(hatch_svg_length(value, page, &width, err));
+    if (!(width >= 0))
+        return hatch_fail(err, HATCH_BAD_INPUT, "stroke-width %g is negative", width);
+    look->width = width;
+    return HATCH_OK;
+}
+
+static bool is_none(struct hatch_text value)
+{
+    return hatch_text_is(value, "none");
+}
+
+enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
+                                     struct hatch_svg_look *look, struct hatch_err *err)
+{
+    float ignored[3];
+    value = trimmed(value);
+    if (value.length > 10 && memcmp(value.at + value.length - 10, "!important", 10) == 0)
+        value = trimmed((struct hatch_text){value.at, value.length - 10});
+    if (value.length == 0 || hatch_text_is(value, "inherit"))
+        return HATCH_OK;
+    if (hatch_text_is(name, "stroke"))
+        return read_paint(name, value, look, &look->stroke, look->stroke_rgb, err);
+    if (hatch_text_is(name, "fill"))
+        return read_paint(name, value, look, &look->fill, ignored, err);
+    if (hatch_text_is(name, "color"))
+        return hatch_svg_color(value, look->color_rgb) ? HATCH_OK : bad_value(name, value, err);
+    if (hatch_text_is(name, "stroke-width"))
+        return read_width(value, page, look, err);
+    if (hatch_text_is(name, "stroke-opacity"))
+        return read_share(name, value, &look->stroke_opacity, err);
+    if (hatch_text_is(name, "opacity"))
+        return read_share(name, value, &look->own_opacity, err);
+    if (hatch_text_is(name, "stroke-dasharray"))
+        look->dashes = is_none(value) ? (struct hatch_text){"", 0} : value;
+    if (hatch_text_is(name, "stroke-dashoffset"))
+        return hatch_svg_length(value, page, &look->dash_offset, err);
+    if (hatch_text_is(name, "stroke-linecap"))
+        look->capped = !hatch_text_is(value, "butt");
+    if (hatch_text_is(name, "display"))
+        look->hidden |= is_none(value);
+    if (hatch_text_is(name, "visibility"))
+        look->hidden |= hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
+    if (hatch_text_is(name, "filter") || hatch_text_is(name, "mask") || hatch_text_is(name, "clip-path"))
+        look->masked |= !is_none(value);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_svg_style(struct hatch_text rest, double page, struct hatch_svg_look *look,
+                                  struct hatch_err *err)
+{
+    while (rest.length) {
+        const char *end = memchr(rest.at, ';', rest.length);
+        struct hatch_text one = {rest.at, end ? (size_t)(end - rest.at) : rest.length};
+        size_t passed = one.length + (end != NULL);
+        rest = (struct hatch_text){rest.at + passed, rest.length - passed};
+        const char *colon = one.length ? memchr(one.at, ':', one.length) : NULL;
+        if (!colon)
+            continue;
+        size_t before = (size_t)(colon - one.at);
+        struct hatch_text name = trimmed((struct hatch_text){one.at, before});
+        struct hatch_text value = {colon + 1, one.length - before - 1};
+        HATCH_TRY(hatch_svg_property(name, value, page, look, err));
+    }
+    return HATCH_OK;
+}

@@ -1,0 +1,317 @@
+#include "io/svg/svg.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "io/svg/parts.h"
+#include "io/svg/sheet.h"
+#include "io/svg/tree.h"
+
+#define PAGE_MAX 1e6
+#define NOT_SQUARE 1e-3
+#define TOLERANCE_PX 0.05
+#define WIDTH_SHARE_MAX 0.25 /* of the page */
+
+/* A drawing while its elements are drawn. */
+struct drawing {
+    uint32_t size_px;
+    struct hatch_arena *arena;
+    struct hatch_svg_tree tree;
+    struct hatch_svg_sheet sheet;
+    struct hatch_svg_look *looks; /* of the elements that the drawing is in, by depth from 1 on */
+    uint32_t depth;
+    double page;                  /* user units */
+    struct hatch_svg_pen pen;
+    struct hatch_path_builder dash;
+    uint32_t dash_count;
+    struct hatch_stroke_list strokes;
+    struct hatch_svg_notes notes;
+    bool told; /* where a fault lies is in its sentence */
+};
+
+bool hatch_svg_is(struct hatch_bytes file)
+{
+    static const uint8_t utf8[] = {0xef, 0xbb, 0xbf};
+    size_t at = file.size >= 3 && memcmp(file.data, utf8, 3) == 0 ? 3 : 0;
+    if (file.size >= 2 && file.data[0] + file.data[1] == 0xfe + 0xff)
+        return true; /* UTF-16 */
+    while (at < file.size && strchr(" \t\r\n", file.data[at]) && file.data[at])
+        at++;
+    return at < file.size && file.data[at] == '<';
+}
+
+static bool is_any(const char *name, const char *const *list)
+{
+    for (; *list; list++)
+        if (strcmp(name, *list) == 0)
+            return true;
+    return false;
+}
+
+static double root_of_area(const struct hatch_svg_matrix *m)
+{
+    return sqrt(fabs(m->a * m->d - m->b * m->c));
+}
+
+static bool is_outside(const struct hatch_path_builder *line, double margin)
+{
+    bool left = true, right = true, above = true, below = true;
+    for (uint32_t i = 0; i < line->count; i++) {
+        left &= line->xy[2 * i] < -margin;
+        right &= line->xy[2 * i] > 1 + margin;
+        above &= line->xy[2 * i + 1] < -margin;
+        below &= line->xy[2 * i + 1] > 1 + margin;
+    }
+    return left || right || above || below;
+}
+
+/* A line of the tile becomes a stroke. */
+static enum hatch_status add_stroke(void *context, struct hatch_path_builder *line, struct hatch_err *err)
+{
+    struct drawing *d = context;
+    const struct hatch_svg_look *look = &d->looks[d->depth];
+    double width = look->width * root_of_area(&look->matrix);
+    float width_px = (float)(width * d->size_px);
+    if (!(width_px > 0) || (line->count == 1 && !look->capped))
+        return HATCH_OK;
+    if (!(width <= WIDTH_SHARE_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke %g of the page wide, want %g at most", width,
+                          WIDTH_SHARE_MAX);
+    if (is_outside(line, width / 2)) {
+        d->notes.outside++;
+        return HATCH_OK;
+    }
+    struct hatch_stroke stroke = {.width_px = width_px,
+                                  .tone = (float)(look->stroke_opacity * look->opacity),
+                                  .id = d->strokes.count + 1,
+                                  .texture_seed = d->strokes.count + 1};
+    memcpy(stroke.rgb, look->stroke_rgb, sizeof stroke.rgb);
+    HATCH_TRY(hatch_path_finish(line, d->arena, &stroke, err));
+    d->notes.strokes++;
+    return hatch_stroke_list_add(&d->strokes, d->arena, &stroke, err);
+}
+
+/* A subpath becomes a stroke, or one for each of its dashes. */
+static enum hatch_status add_line(void *context, struct hatch_path_builder *line, struct hatch_err *err)
+{
+    struct drawing *d = context;
+    const struct hatch_svg_look *look = &d->looks[d->depth];
+    return hatch_svg_dash(line, look, d->page, root_of_area(&look->matrix), &d->dash, &d->dash_count, add_stroke, d,
+                          err);
+}
+
+/* The group's look, changed by the element's attributes, then by style sheets, then by its own style. */
+static enum hatch_status look_at(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    struct hatch_svg_look *look = &d->looks[d->depth];
+    const char *const *attributes = node->attributes;
+    struct hatch_svg_matrix own;
+    *look = d->looks[d->depth - 1];
+    look->own_opacity = 1;
+    for (const char *const *a = attributes; *a; a += 2)
+        HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])},
+                                     (struct hatch_text){a[1], strlen(a[1])}, d->page, look, err));
+    HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, look, err));
+    HATCH_TRY(hatch_svg_style(hatch_svg_attribute(attributes, "style"), d->page, look, err));
+    look->opacity *= look->own_opacity;
+    struct hatch_text transform = hatch_svg_attribute(attributes, "transform");
+    if (transform.length == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_svg_transform(transform, &own, err));
+    look->matrix = hatch_svg_multiply(&look->matrix, &own);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_page(struct drawing *d, const char *const *attributes, struct hatch_err *err)
+{
+    double box[4] = {0, 0, 100, 100};
+    struct hatch_text view = hatch_svg_attribute(attributes, "viewBox");
+    struct hatch_text size[2] = {hatch_svg_attribute(attributes, "width"),
+                                 hatch_svg_attribute(attributes, "height")};
+    bool viewed = view.length > 0;
+    hatch_svg_skip(&view);
+    if (viewed && !hatch_svg_numbers(&view, 4, box))
+        return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers");
+    for (int axis = 0; axis < 2 && !viewed; axis++)
+        if (size[axis].length)
+            HATCH_TRY(hatch_svg_length(size[axis], 100, &box[2 + axis], err));
+    if (!(box[2] > 0 && box[3] > 0))
+        return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g", box[2], box[3]);
+    if (box[2] > PAGE_MAX || box[3] > PAGE_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "a page of %g x %g units, want %g at most", box[2], box[3], PAGE_MAX);
+    if (fabs(box[2] - box[3]) > NOT_SQUARE * fmax(box[2], box[3]))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a page of %g x %g, but a tile is a square", box[2], box[3]);
+    d->page = box[2];
+    d->looks[0] = (struct hatch_svg_look){
+        .fill = HATCH_SVG_COLOR,
+        .width = 1,
+        .stroke_opacity = 1,
+        .opacity = 1,
+        .dashes = {"", 0},
+        .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
+    return HATCH_OK;
+}
+
+/* What is no shape and no group. */
+static void pass_over(struct drawing *d, const char *element)
+{
+    static const char *const silent[] = {"defs",   "symbol", "clipPath", "mask",  "marker", "style",
+                                         "pattern", "title",  "desc",     "metadata", "linearGradient",
+                                         "radialGradient", "filter", "namedview", NULL};
+    static const char *const texts[] = {"text", "tspan", "textPath", "foreignObject", NULL};
+    if (is_any(element, texts))
+        d->notes.texts++;
+    else if (strcmp(element, "image") == 0)
+        d->notes.images++;
+    else if (!is_any(element, silent) && !strchr(element, ':'))
+        d->notes.others++;
+}
+
+/* Draws the element if it is a shape that is stroked. */
+static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    static const char *const shapes[] = {"path",     "line",   "polyline", "polygon",
+                                         "circle",   "ellipse", "rect",     NULL};
+    const struct hatch_svg_look *look = &d->looks[d->depth];
+    bool drawn;
+    if (!is_any(node->name, shapes)) {
+        pass_over(d, node->name);
+        return HATCH_OK;
+    }
+    if (look->hidden)
+        return HATCH_OK;
+    d->notes.fills += look->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
+    d->notes.gradients += look->stroke == HATCH_SVG_SERVER;
+    if (look->stroke != HATCH_SVG_COLOR || !(look->stroke_opacity * look->opacity > 0))
+        return HATCH_OK;
+    d->notes.others += look->masked;
+    d->pen.matrix = look->matrix;
+    d->pen.x = d->pen.y = 0;
+    d->pen.line.count = 0;
+    return hatch_svg_shape(node->name, node->attributes, d->page, &d->pen, &drawn, err);
+}
+
+static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err);
+
+static enum hatch_status draw_content(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    enum hatch_status status = HATCH_OK;
+    for (const struct hatch_svg_node *child = node->first; child && status == HATCH_OK; child = child->next)
+        status = draw_element(d, child, err);
+    return status;
+}
+
+/* A symbol's page, if it has one, becomes what the clone asks for, in the middle of it; else nothing changes. */
+static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_node *clone,
+                                    const struct hatch_svg_node *symbol, struct hatch_err *err)
+{
+    static const char *const sides[] = {"width", "height"};
+    struct hatch_text view = hatch_svg_attribute(symbol->attributes, "viewBox");
+    double box[4], size[2] = {d->page, d->page};
+    hatch_svg_skip(&view);
+    if (view.length == 0)
+        return HATCH_OK;
+    if (!hatch_svg_numbers(&view, 4, box) || !(box[2] > 0 && box[3] > 0))
+        return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers, and a size");
+    for (int axis = 0; axis < 2; axis++) {
+        struct hatch_text text = hatch_svg_attribute(clone->attributes, sides[axis]);
+        if (text.length == 0)
+            text = hatch_svg_attribute(symbol->attributes, sides[axis]);
+        if (text.length)
+            HATCH_TRY(hatch_svg_length(text, d->page, &size[axis], err));
+    }
+    double scale = fmin(size[0] / box[2], size[1] / box[3]);
+    struct hatch_svg_matrix fit = {scale, 0, 0, scale, size[0] / 2 - scale * (box[0] + box[2] / 2),
+                                   size[1] / 2 - scale * (box[1] + box[3] / 2)};
+    struct hatch_svg_look *look = &d->looks[d->depth];
+    look->matrix = hatch_svg_multiply(&look->matrix, &fit);
+    return HATCH_OK;
+}
+
+/* The element that a clone names, at the clone's place and in its look. The tree has no clones that never end. */
+static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    static const char *const axes[] = {"x", "y"};
+    struct hatch_text href = hatch_svg_href(node);
+    const struct hatch_svg_node *named = hatch_svg_find(&d->tree, href);
+    struct hatch_svg_look *look = &d->looks[d->depth];
+    double at[2] = {0, 0};
+    if (href.length && *href.at != '#')
+        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not opened",
+                          (int)(href.length < 60 ? href.length : 60), href.at);
+    d->notes.others += !named;
+    for (int axis = 0; axis < 2; axis++) {
+        struct hatch_text text = hatch_svg_attribute(node->attributes, axes[axis]);
+        if (text.length && hatch_svg_length(text, d->page, &at[axis], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", axes[axis]);
+    }
+    struct hatch_svg_matrix moved = {1, 0, 0, 1, at[0], at[1]};
+    look->matrix = hatch_svg_multiply(&look->matrix, &moved);
+    if (!named)
+        return HATCH_OK;
+    if (strcmp(named->name, "symbol") != 0)
+        return draw_element(d, named, err);
+    d->depth++;
+    HATCH_TRY(look_at(d, named, err));
+    HATCH_TRY(fit_symbol(d, node, named, err));
+    HATCH_TRY(draw_content(d, named, err));
+    d->depth--;
+    return HATCH_OK;
+}
+
+/* No deeper than HATCH_SVG_DEPTH_MAX: the tree says so. */
+static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    static const char *const groups[] = {"g", "a", "switch", NULL};
+    enum hatch_status status;
+    if (strchr(node->name, ':')) {
+        pass_over(d, node->name);
+        return HATCH_OK;
+    }
+    d->depth++;
+    status = look_at(d, node, err);
+    if (status == HATCH_OK && (node == d->tree.root || is_any(node->name, groups)))
+        status = draw_content(d, node, err);
+    else if (status == HATCH_OK && strcmp(node->name, "use") == 0)
+        status = draw_clone(d, node, err);
+    else if (status == HATCH_OK)
+        status = draw(d, node, err);
+    d->depth--;
+    if (status != HATCH_OK && !d->told) {
+        d->told = true;
+        return hatch_fail_at(err, "line %u: ", node->line);
+    }
+    return status;
+}
+
+static enum hatch_status read_drawing(struct drawing *d, struct hatch_bytes file, struct hatch_arena *scratch,
+                              struct hatch_err *err)
+{
+    HATCH_TRY(hatch_svg_tree_read(file, scratch, &d->tree, err));
+    struct hatch_text sheet = {(const char *)d->tree.sheet.data, d->tree.sheet.size};
+    HATCH_TRY(hatch_svg_sheet_read(sheet, scratch, &d->sheet, err));
+    d->notes.others = d->tree.others + d->sheet.others;
+    d->looks = HATCH_NEW(scratch, struct hatch_svg_look, HATCH_SVG_DEPTH_MAX + 2, err);
+    if (!d->looks)
+        return HATCH_LIMIT;
+    if (read_page(d, d->tree.root->attributes, err) != HATCH_OK)
+        return hatch_fail_at(err, "line %u: ", d->tree.root->line);
+    return draw_element(d, d->tree.root, err);
+}
+
+enum hatch_status hatch_svg_read(struct hatch_bytes file, uint32_t size_px, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_stroke_list *strokes,
+                                 struct hatch_svg_notes *notes, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    const struct hatch_path_builder line = {.arena = scratch, .tolerance = TOLERANCE_PX / size_px};
+    struct drawing d = {.size_px = size_px, .arena = arena, .dash = line};
+    d.pen = (struct hatch_svg_pen){.line = line, .finish = add_line, .context = &d};
+    enum hatch_status status = read_drawing(&d, file, scratch, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK) {
+        *strokes = d.strokes;
+        *notes = d.notes;
+    }
+    return status;
+}

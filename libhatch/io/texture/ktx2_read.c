@@ -1,0 +1,252 @@
+#include <stdbool.h>
+#include <string.h>
+#include <zstd.h>
+
+#include "io/texture/container.h"
+#include "io/texture/parts.h"
+
+#define SIDE_MAX (1u << 24)
+#define PAIRS_PLACE 56u /* of their offset and size, in the header */
+#define SCHEME_NONE 0u
+#define SCHEME_ZSTD 2u
+/* A Zstandard block holds at most 128 KiB and takes at least four bytes. */
+#define ZSTD_RATIO_MAX 32768u
+
+struct header {
+    uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
+};
+
+/* What a VkFormat holds; 0 channels: it is not read. */
+static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
+{
+    *code = HATCH_TEXELS_PLAIN;
+    switch (vk_format) {
+    case 9:
+    case 15:
+        return 1;
+    case 16:
+    case 22:
+        return 2;
+    case 23:
+    case 29:
+        return 3;
+    case 37:
+    case 43:
+        return 4;
+    case 98:
+        *code = HATCH_TEXELS_R32UI;
+        return 1;
+    case 131:
+    case 132:
+        *code = HATCH_TEXELS_BC1;
+        return 3;
+    case 139:
+        *code = HATCH_TEXELS_BC4;
+        return 1;
+    case 145:
+    case 146:
+        *code = HATCH_TEXELS_BC7;
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+static enum hatch_status read_header(struct hatch_reader *reader, struct header *header,
+                                     struct hatch_err *err)
+{
+    static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
+    const uint8_t *first = hatch_read_bytes(reader, sizeof identifier);
+    if (!first || memcmp(first, identifier, sizeof identifier) != 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "not a KTX2 file");
+    header->vk_format = hatch_read_u32(reader);
+    header->type_size = hatch_read_u32(reader);
+    header->width = hatch_read_u32(reader);
+    header->height = hatch_read_u32(reader);
+    header->depth = hatch_read_u32(reader);
+    header->layers = hatch_read_u32(reader);
+    header->faces = hatch_read_u32(reader);
+    header->levels = hatch_read_u32(reader);
+    header->scheme = hatch_read_u32(reader);
+    hatch_read_bytes(reader, HATCH_KTX2_HEADER_BYTES - HATCH_KTX2_IDENTIFIER_BYTES - 9 * 4);
+    if (reader->cut)
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes, want %u",
+                          reader->size, HATCH_KTX2_HEADER_BYTES);
+    return HATCH_OK;
+}
+
+static enum hatch_status check_header(const struct header *header, struct hatch_texels *texture,
+                                      struct hatch_err *err)
+{
+    enum hatch_texels_code code;
+    uint32_t channels = channels_of(header->vk_format, &code);
+    uint32_t type_size = code == HATCH_TEXELS_R32UI ? 4 : 1;
+    if (!channels)
+        return hatch_fail(err, HATCH_BAD_INPUT, "VkFormat %u is not 8 bits a channel, nor BC1, BC4, BC7 or R32UI",
+                          header->vk_format);
+    if (header->type_size != type_size)
+        return hatch_fail(err, HATCH_BAD_INPUT, "typeSize %u, want %u", header->type_size, type_size);
+    if (header->faces != 1)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u faces, want 1", header->faces);
+    if (header->scheme != SCHEME_NONE && header->scheme != SCHEME_ZSTD)
+        return hatch_fail(err, HATCH_BAD_INPUT, "supercompression %u is neither none nor Zstandard",
+                          header->scheme);
+    if (header->width < 1 || header->width > SIDE_MAX || header->height < 1 ||
+        header->height > SIDE_MAX || header->depth > SIDE_MAX || header->layers > SIDE_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, %u layers, want 1 to %u",
+                          header->width, header->height, header->depth, header->layers, SIDE_MAX);
+    if (header->depth && header->layers)
+        return hatch_fail(err, HATCH_BAD_INPUT, "arrays of 3D textures are not read");
+    *texture = (struct hatch_texels){.width = header->width,
+                                     .height = header->height,
+                                     .depth = header->depth,
+                                     .layers = header->layers,
+                                     .channels = channels,
+                                     .level_count = header->levels ? header->levels : 1,
+                                     .code = code};
+    if (texture->level_count > hatch_texels_chain_length(texture))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u levels, want at most %u", texture->level_count,
+                          hatch_texels_chain_length(texture));
+    return HATCH_OK;
+}
+
+/* The bytes of one level, in floating point, where no product overflows. */
+static double level_bytes(const struct hatch_texels *texture, uint32_t level)
+{
+    uint32_t side = hatch_texels_block_side(texture->code);
+    double deep = texture->depth ? hatch_mip_size(texture->depth, level)
+                                 : (texture->layers ? texture->layers : 1);
+    double blocks = (double)((hatch_mip_size(texture->width, level) + side - 1) / side) *
+                    ((hatch_mip_size(texture->height, level) + side - 1) / side);
+    return deep * blocks * hatch_texels_block_bytes(texture->code, texture->channels);
+}
+
+static enum hatch_status check_memory(const struct hatch_texels *texture,
+                                      const struct hatch_arena *arena, struct hatch_err *err)
+{
+    double total = 0;
+    for (uint32_t level = 0; level < texture->level_count; level++)
+        total += level_bytes(texture, level);
+    size_t left = arena->limit_bytes - arena->used_bytes;
+    if (total > (double)left)
+        return hatch_fail(err, HATCH_LIMIT, "%.0f bytes of texels, more than the %zu allowed",
+                          total, left);
+    return HATCH_OK;
+}
+
+static enum hatch_status inflate(struct hatch_bytes packed, uint8_t *texels, size_t size,
+                                 uint32_t level, struct hatch_err *err)
+{
+    size_t got = ZSTD_decompress(texels, size, packed.data, packed.size);
+    if (ZSTD_isError(got))
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level,
+                          ZSTD_getErrorName(got));
+    if (got != size)
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %zu bytes, want %zu", level, got, size);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_level(struct hatch_reader *reader, const struct header *header,
+                                    uint32_t level, struct hatch_arena *arena,
+                                    struct hatch_texels *texture, struct hatch_err *err)
+{
+    uint64_t offset = hatch_read_u64(reader), length = hatch_read_u64(reader);
+    uint64_t whole = hatch_read_u64(reader);
+    if (reader->cut)
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the level index");
+    if (offset > reader->size || length > reader->size - offset)
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut: level %u ends behind the file's %zu bytes",
+                          level, reader->size);
+    size_t size = hatch_texels_level_size(texture, level);
+    bool packed = header->scheme == SCHEME_ZSTD;
+    if (whole != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu",
+                          level, (unsigned long long)length, (unsigned long long)whole, size);
+    uint8_t *texels = HATCH_NEW(arena, uint8_t, size, err);
+    if (!texels)
+        return HATCH_LIMIT;
+    texture->texels[level] = texels;
+    const uint8_t *from = reader->data + offset;
+    if (packed)
+        return inflate((struct hatch_bytes){from, (size_t)length}, texels, size, level, err);
+    memcpy(texels, from, size);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_levels(struct hatch_reader *reader, const struct header *header,
+                                     struct hatch_arena *arena, struct hatch_texels *texture,
+                                     struct hatch_err *err)
+{
+    for (uint32_t level = 0; level < texture->level_count; level++)
+        HATCH_TRY(read_level(reader, header, level, arena, texture, err));
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena,
+                                  struct hatch_texels *texture, struct hatch_err *err)
+{
+    struct hatch_reader reader = hatch_reader_of(file);
+    struct header header = {0};
+    struct hatch_texels made;
+    HATCH_TRY(read_header(&reader, &header, err));
+    HATCH_TRY(check_header(&header, &made, err));
+    HATCH_TRY(check_memory(&made, arena, err));
+    struct hatch_arena_mark mark = hatch_arena_mark(arena);
+    enum hatch_status status = read_levels(&reader, &header, arena, &made, err);
+    if (status == HATCH_OK)
+        *texture = made;
+    else
+        hatch_arena_rewind(arena, mark);
+    return status;
+}
+
+static bool is_text(const uint8_t *bytes, size_t size)
+{
+    return size > 0 && memchr(bytes, 0, size) == bytes + size - 1;
+}
+
+/* A pair is a key with its zero and a value, padded to four bytes. */
+static enum hatch_status read_pair(struct hatch_reader *reader, struct hatch_arena *arena, const char **pair,
+                                   bool *taken, struct hatch_err *err)
+{
+    uint32_t size = hatch_read_u32(reader);
+    const uint8_t *key = hatch_read_bytes(reader, size);
+    if (reader->cut)
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the key and value pairs");
+    const uint8_t *end = size ? memchr(key, 0, size) : NULL;
+    size_t padding = (4 - size % 4) % 4, key_size = end ? (size_t)(end - key) : 0;
+    if (hatch_reader_left(reader) >= padding)
+        hatch_read_bytes(reader, padding);
+    *taken = end && is_text(end + 1, size - key_size - 1);
+    if (!*taken)
+        return HATCH_OK;
+    pair[0] = hatch_arena_text(arena, (const char *)key, key_size, err);
+    pair[1] = hatch_arena_text(arena, (const char *)end + 1, size - key_size - 2, err);
+    return pair[0] && pair[1] ? HATCH_OK : HATCH_LIMIT;
+}
+
+enum hatch_status hatch_ktx2_read_keys(struct hatch_bytes file, struct hatch_arena *arena,
+                                       const char *const **key_values, struct hatch_err *err)
+{
+    struct hatch_reader reader = hatch_reader_of(file);
+    struct header header = {0};
+    HATCH_TRY(read_header(&reader, &header, err));
+    reader.at = PAIRS_PLACE;
+    uint32_t offset = hatch_read_u32(&reader), size = hatch_read_u32(&reader), count = 0;
+    if (offset > file.size || size > file.size - offset)
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut: the key and value pairs end behind the file's %zu bytes",
+                          file.size);
+    struct hatch_reader pairs = hatch_reader_of((struct hatch_bytes){file.data + offset, size});
+    /* A pair takes eight bytes or more. */
+    const char **made = HATCH_NEW(arena, const char *, (size_t)size / 8 * 2 + 3, err);
+    if (!made)
+        return HATCH_LIMIT;
+    while (hatch_reader_left(&pairs) > 0) {
+        bool taken = false;
+        HATCH_TRY(read_pair(&pairs, arena, made + count, &taken, err));
+        count += taken ? 2 : 0;
+    }
+    made[count] = NULL;
+    *key_values = made;
+    return HATCH_OK;
+}

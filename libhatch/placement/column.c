@@ -1,0 +1,98 @@
+#include "placement/column.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "filter/pyramid.h"
+
+enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t levels, uint64_t seed,
+                                     float growth, struct hatch_arena *arena,
+                                     struct hatch_tam_label *label, struct hatch_err *err)
+{
+    char text[24];
+    int digits = snprintf(text, sizeof text, "%" PRIu64, seed);
+    const char *kept = hatch_arena_text(arena, text, (size_t)digits, err);
+    if (!kept)
+        return HATCH_LIMIT;
+    *label = (struct hatch_tam_label){levels, kept, style->name, growth};
+    return HATCH_OK;
+}
+
+/* Joins reflectance, id and t of one level into the image. */
+static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level,
+                                  struct hatch_arena *scratch, struct hatch_image *image,
+                                  struct hatch_err *err)
+{
+    size_t pixels = (size_t)image->width * image->height;
+    uint32_t inks = image->channel_count, channels = inks + 2;
+    const float *ink = image->pixels;
+    float *joined = HATCH_NEW(scratch, float, channels * pixels, err);
+    if (!joined)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < pixels; i++) {
+        for (uint32_t c = 0; c < inks; c++)
+            joined[channels * i + c] = ink[inks * i + c];
+        joined[channels * i + inks] = canvas->id[level][i];
+        joined[channels * i + inks + 1] = canvas->along[level][i];
+    }
+    image->channel_count = channels;
+    image->channels[inks] = (struct hatch_channel){"id", HATCH_UINT};
+    image->channels[inks + 1] = (struct hatch_channel){"t", HATCH_FLOAT};
+    image->pixels = joined;
+    return HATCH_OK;
+}
+
+/* Below the drawn levels a pixel holds a mixture of strokes: no identity. */
+static void clear_ids(struct hatch_mipmap *column, uint32_t first)
+{
+    for (uint32_t level = first; level < column->level_count; level++) {
+        struct hatch_image *image = &column->levels[level];
+        uint32_t channels = image->channel_count;
+        for (size_t i = 0; i < (size_t)image->width * image->height; i++)
+            image->pixels[channels * i + channels - 2] = image->pixels[channels * i + channels - 1] = 0;
+    }
+}
+
+static void show_ink(const struct hatch_canvas *canvas, uint32_t level, struct hatch_image *image)
+{
+    uint32_t size = hatch_canvas_size(canvas, level);
+    *image = (struct hatch_image){.width = size, .height = size, .channel_count = 1};
+    image->pixels = canvas->paper[level];
+    image->channels[0] = (struct hatch_channel){"Y", HATCH_HALF};
+    if (!canvas->rgb[level])
+        return;
+    image->pixels = canvas->rgb[level];
+    image->channel_count = 3;
+    for (uint32_t c = 0; c < 3; c++)
+        image->channels[c] = (struct hatch_channel){{"RGB"[c]}, HATCH_HALF};
+}
+
+static enum hatch_status column_of(const struct hatch_canvas *canvas, struct hatch_arena *scratch,
+                                   struct hatch_mipmap *column, struct hatch_err *err)
+{
+    for (uint32_t level = 0; level < canvas->levels; level++) {
+        show_ink(canvas, level, &column->levels[level]);
+        if (canvas->id[level])
+            HATCH_TRY(join_ids(canvas, level, scratch, &column->levels[level], err));
+    }
+    HATCH_TRY(hatch_mipmap_complete(column, canvas->levels, scratch, err));
+    if (canvas->id[0])
+        clear_ids(column, canvas->levels);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas,
+                                       const struct hatch_tam_label *label, uint32_t tone, float target,
+                                       struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
+                                       struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
+    struct hatch_mipmap column = {.levels = levels};
+    hatch_tam_label_column(label, tone, target, &column);
+    enum hatch_status status = column_of(canvas, scratch, &column, err);
+    if (status == HATCH_OK)
+        status = sink(context, tone, &column, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}

@@ -1,0 +1,251 @@
+#include "placement/fill.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "placement/column.h"
+#include "placement/potential.h"
+#include "placement/place.h"
+
+/* After this many choices in a row that found no paper to darken, or nothing small enough, an image is
+ * as close to its target as it gets: the ink may be too thin to reach it. */
+#define FRUITLESS_MAX 8u
+/* How much less a stroke may darken than the one tried before it did, on paper that others darkened since. */
+#define OVERLAP_SHARE 0.8
+
+struct filler {
+    const struct hatch_style *style;
+    const struct hatch_fill_options *options;
+    struct hatch_canvas canvas;
+    struct hatch_potential field;                        /* method FIELD */
+    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
+    float targets[HATCH_TAM_TONES_MAX];
+    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on each level; 0: none was */
+    struct hatch_arena *arena;
+    struct hatch_stroke_list strokes;
+    uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
+    float *scale;          /* of each stroke: the share of its full size that it is drawn at */
+    uint32_t scale_capacity;
+};
+
+static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *arena,
+                                       struct hatch_err *err)
+{
+    for (uint32_t level = 0; level < f->options->levels; level++) {
+        f->pyramids[level][0] = f->canvas.paper[level];
+        for (uint32_t p = 1, size = hatch_canvas_size(&f->canvas, level); size >> p; p++) {
+            size_t pixels = (size_t)(size >> p) * (size >> p);
+            float *paper = HATCH_NEW(arena, float, pixels, err);
+            if (!paper)
+                return HATCH_LIMIT;
+            for (size_t i = 0; i < pixels; i++)
+                paper[i] = 1;
+            f->pyramids[level][p] = paper;
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Takes the change of the stroke just drawn into the pyramids of that level. */
+static void update_pyramid(struct filler *f, uint32_t level)
+{
+    const struct hatch_footprint *print = &f->canvas.footprint;
+    uint32_t size = hatch_canvas_size(&f->canvas, level);
+    float share = 1;
+    for (uint32_t p = 1; size >> p; p++) {
+        share *= 0.25f;
+        for (uint32_t i = 0; i < print->count; i++) {
+            uint32_t x = print->at[i] % size >> p, y = print->at[i] / size >> p;
+            f->pyramids[level][p][y * (size >> p) + x] -= f->canvas.change[i] * share;
+        }
+    }
+}
+
+/* Draws on every level that receives the stroke, finest to coarsest. */
+static void draw(struct filler *f, const struct hatch_stroke *stroke, float scale_before, float scale)
+{
+    for (uint32_t level = 0; level <= stroke->level; level++) {
+        hatch_canvas_draw(&f->canvas, stroke, level, scale_before, scale);
+        if (f->options->method == HATCH_FILL_FIELD)
+            hatch_potential_deposit(&f->field, &f->canvas, level);
+        else
+            update_pyramid(f, level);
+    }
+    if (f->options->method == HATCH_FILL_FIELD)
+        hatch_potential_settle(&f->field);
+}
+
+static uint32_t candidates_of(const struct filler *f, uint32_t tone)
+{
+    uint32_t light = f->style->candidates_light, dark = f->style->candidates_dark;
+    if (f->options->tones < 2)
+        return light;
+    double share = (double)tone / (double)(f->options->tones - 1);
+    return (uint32_t)((double)light + ((double)dark - (double)light) * share + 0.5);
+}
+
+/* The directions of a column; where the schedule leaves a gap, all of them. */
+static uint32_t directions_of(const struct hatch_style *style, float target, float *angles)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < style->direction_count; i++)
+        if (target >= style->directions[i].from && target <= style->directions[i].to)
+            angles[count++] = style->directions[i].angle_rad;
+    for (uint32_t i = 0; count == 0 && i < style->direction_count; i++)
+        angles[i] = style->directions[i].angle_rad;
+    return count ? count : style->direction_count;
+}
+
+static struct hatch_stroke place(struct filler *f, const struct hatch_choice *choice)
+{
+    if (f->options->method == HATCH_FILL_FIELD) {
+        hatch_potential_start(&f->field, choice->level);
+        return hatch_place_by_field(f->style, &f->field, choice);
+    }
+    return hatch_place_exhaustively(&f->canvas, f->pyramids, choice);
+}
+
+/* Appends the stroke and remembers its size. */
+static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke, float scale,
+                                  struct hatch_err *err)
+{
+    if (f->strokes.count == f->scale_capacity) {
+        uint32_t capacity = f->scale_capacity ? 2 * f->scale_capacity : 1024;
+        float *larger = HATCH_NEW(f->arena, float, capacity, err);
+        if (!larger)
+            return HATCH_LIMIT;
+        if (f->scale)
+            memcpy(larger, f->scale, f->scale_capacity * sizeof *larger);
+        f->scale = larger;
+        f->scale_capacity = capacity;
+    }
+    f->scale[f->strokes.count] = scale;
+    stroke->id = f->strokes.count + 1;
+    return hatch_stroke_list_add(&f->strokes, f->arena, stroke, err);
+}
+
+/* Lets the strokes that belong to this level grow by one step each, the oldest first, as long as the
+ * image is lighter than its target. */
+static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
+{
+    if (!(f->options->growth > 0))
+        return;
+    uint32_t columns = f->options->tones / 3 > 1 ? f->options->tones / 3 : 1;
+    float step = f->options->growth / (float)columns;
+    for (uint32_t i = 0; i < f->strokes.count; i++) {
+        const struct hatch_stroke *stroke = &f->strokes.items[i];
+        if (stroke->level != level || stroke->column == tone || !(f->scale[i] < 1))
+            continue;
+        if (!(f->canvas.darkness[level] < (double)f->targets[tone]))
+            return;
+        float scale = f->scale[i] + step < 0.999f ? f->scale[i] + step : 1;
+        draw(f, stroke, f->scale[i], scale);
+        f->scale[i] = scale;
+    }
+}
+
+/* How dark a stroke would just do. Finer images receive it too, half as dark from one to the next: where one has
+ * less to spare, its error and the image's are made even. Nothing or less: better wait for a darker column. */
+static double room_for_stroke(const struct filler *f, uint32_t level, double target)
+{
+    double missing = target - f->canvas.darkness[level], room = missing;
+    for (uint32_t finer = 0; finer < level; finer++) {
+        double spare = ldexp(target - f->canvas.darkness[finer], (int)(level - finer));
+        room = fmin(room, (missing + spare) / 2);
+    }
+    return room;
+}
+
+/* Whether the shortest stroke would be too dark, so that trying is in vain: where columns lie closer than that, most
+ * images wait for a darker one. */
+static bool is_hopeless(const struct filler *f, uint32_t tone, uint32_t level, double room)
+{
+    double shortest = f->gain_per_length[level] * (double)f->style->length_min * OVERLAP_SHARE;
+    double step = (double)f->targets[tone] - (tone ? (double)f->targets[tone - 1] : 0);
+    return shortest > step && shortest > 2 * room;
+}
+
+/* Whether one more stroke brings the image closer to its target; else what to try instead. */
+enum verdict { TAKE, SHORTER, FRUITLESS };
+
+static enum verdict judge(double gain, double room)
+{
+    if (gain > 2 * room)
+        return SHORTER;
+    return gain > 1e-9 ? TAKE : FRUITLESS;
+}
+
+/* Adds strokes to one image until no stroke brings its mean closer to the target. An image that is too
+ * dark already, because a coarser one's strokes were dark, receives none. */
+static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t level, struct hatch_err *err)
+{
+    double target = (double)f->targets[tone];
+    struct hatch_choice choice = {.seed = f->options->seed,
+                                  .level = level,
+                                  .candidates = candidates_of(f, tone),
+                                  .length_max = f->style->length_max,
+                                  .scale = 1 - f->options->growth};
+    choice.direction_count = directions_of(f->style, f->targets[tone], choice.directions);
+    if (f->options->color)
+        hatch_style_color_at(f->style, f->targets[tone], choice.rgb);
+    grow_strokes(f, tone, level);
+    for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
+        double room = room_for_stroke(f, level, target);
+        if (!(room > 0) || is_hopeless(f, tone, level, room))
+            return HATCH_OK;
+        choice.number = f->choices++;
+        struct hatch_stroke stroke = place(f, &choice);
+        double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);
+        f->gain_per_length[level] = gain / (double)stroke.length;
+        switch (judge(gain, room)) {
+        case TAKE:
+            fruitless = 0;
+            stroke.column = tone;
+            HATCH_TRY(remember(f, &stroke, choice.scale, err));
+            draw(f, &stroke, 0, choice.scale);
+            break;
+        case SHORTER:
+            fruitless = choice.length_max > f->style->length_min ? fruitless + 1 : FRUITLESS_MAX;
+            choice.length_max = stroke.length * (float)(room / gain);
+            break;
+        case FRUITLESS:
+            fruitless++;
+            break;
+        }
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct hatch_brush *brush,
+                                 const struct hatch_fill_options *options, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
+                                 struct hatch_stroke_list *list, struct hatch_err *err)
+{
+    assert((options->size_px & (options->size_px - 1)) == 0);
+    assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX);
+    assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
+    struct filler f = {.style = style, .options = options, .arena = arena};
+    hatch_style_targets(style, options->tones, f.targets);
+    struct hatch_tam_label label;
+    HATCH_TRY(hatch_column_label(style, options->levels, options->seed, options->growth, arena, &label, err));
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px,
+                                                 options->levels, options->color, options->ids,
+                                                 &f.canvas, err);
+    if (status == HATCH_OK)
+        status = options->method == HATCH_FILL_FIELD
+                     ? hatch_potential_make(scratch, options->size_px, options->levels, brush, &f.field, err)
+                     : make_pyramids(&f, scratch, err);
+    for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
+        for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
+            status = fill_image(&f, tone, level, err);
+        if (status == HATCH_OK)
+            status = hatch_column_deliver(&f.canvas, &label, tone, f.targets[tone], scratch, sink, context,
+                                          err);
+    }
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK && list)
+        *list = f.strokes;
+    return status;
+}

@@ -1,0 +1,116 @@
+#include "placement/place.h"
+
+#include <math.h>
+
+#include "base/random.h"
+
+#define SHORTLIST 6u
+#define COARSE_SAMPLES 24u
+
+/* A standard normal number from twelve uniform ones (their sum has variance 1): no libm, the same
+ * everywhere, and never beyond 6. */
+static float normal(uint64_t seed, uint64_t stream, uint64_t index)
+{
+    float sum = -6;
+    for (uint64_t i = 0; i < 12; i += 2) {
+        uint64_t bits = hatch_random_u64(seed, stream, index + i);
+        sum += (float)(bits >> 40) * 0x1p-24f + (float)(bits & 0xffffffu) * 0x1p-24f;
+    }
+    return sum;
+}
+
+struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struct hatch_choice *choice,
+                                    uint32_t candidate)
+{
+    uint64_t index = (uint64_t)candidate * 32;
+    uint64_t place = hatch_random_u64(choice->seed, choice->number, index);
+    uint64_t shape = hatch_random_u64(choice->seed, choice->number, index + 1);
+    float longest = choice->length_max > style->length_min ? choice->length_max : style->length_min;
+    struct hatch_stroke stroke = {
+        .x = (float)(place >> 40) * 0x1p-24f,
+        .y = (float)(place & 0xffffffu) * 0x1p-24f,
+        .length = style->length_min + (longest - style->length_min) * ((float)(shape >> 40) * 0x1p-24f),
+        .width_px = style->width_px,
+        .tone = style->ink,
+        .level = choice->level,
+        .texture_seed = (uint32_t)shape,
+        .rgb = {choice->rgb[0], choice->rgb[1], choice->rgb[2]},
+    };
+    float jitter = style->jitter_rad > 0
+                       ? style->jitter_rad * normal(choice->seed, choice->number, index + 2)
+                       : 0;
+    if (style->bend_max_rad > 0) {
+        uint64_t bend = hatch_random_u64(choice->seed, choice->number, index + 14);
+        float most = style->bend_max_rad - style->bend_min_rad;
+        stroke.bend_rad = style->bend_min_rad + most * ((float)(bend >> 40) * 0x1p-24f);
+        stroke.bend_rad = bend & 1 ? -stroke.bend_rad : stroke.bend_rad;
+    }
+    stroke.angle_rad = choice->directions[candidate % choice->direction_count] + jitter;
+    return stroke;
+}
+
+struct scored {
+    float score;
+    struct hatch_stroke stroke;
+};
+
+/* Keeps the list sorted, best first; among equals the earlier candidate stands first. */
+static uint32_t insert(struct scored *list, uint32_t count, const struct scored *entry)
+{
+    uint32_t at = count < SHORTLIST ? count : SHORTLIST - 1;
+    if (count == SHORTLIST && !(entry->score < list[at].score))
+        return count;
+    for (; at > 0 && entry->score < list[at - 1].score; at--)
+        list[at] = list[at - 1];
+    list[at] = *entry;
+    return count < SHORTLIST ? count + 1 : count;
+}
+
+static struct hatch_stroke moved_across(const struct hatch_stroke *stroke, float distance)
+{
+    struct hatch_stroke moved = *stroke;
+    moved.x = hatch_stroke_wrap(stroke->x - (float)sin((double)stroke->angle_rad) * distance);
+    moved.y = hatch_stroke_wrap(stroke->y + (float)cos((double)stroke->angle_rad) * distance);
+    return moved;
+}
+
+/* Steps across its own direction while the score falls, in halving steps. */
+static struct scored settle(const struct hatch_potential *field, const struct hatch_stroke *stroke)
+{
+    struct scored best = {hatch_potential_score(field, stroke, UINT32_MAX), *stroke};
+    for (float step = 4.0f / (float)field->size; step * (float)field->size > 0.4f; step /= 2)
+        for (uint32_t tries = 0; tries < 4; tries++) {
+            struct hatch_stroke ahead = moved_across(&best.stroke, step);
+            struct hatch_stroke behind = moved_across(&best.stroke, -step);
+            float score_ahead = hatch_potential_score(field, &ahead, UINT32_MAX);
+            float score_behind = hatch_potential_score(field, &behind, UINT32_MAX);
+            if (score_ahead < best.score && score_ahead <= score_behind)
+                best = (struct scored){score_ahead, ahead};
+            else if (score_behind < best.score)
+                best = (struct scored){score_behind, behind};
+            else
+                break;
+        }
+    return best;
+}
+
+struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const struct hatch_potential *field,
+                                         const struct hatch_choice *choice)
+{
+    struct scored list[SHORTLIST] = {{0}};
+    uint32_t count = 0;
+    for (uint32_t c = 0; c < choice->candidates; c++) {
+        struct scored entry = {0, hatch_candidate(style, choice, c)};
+        entry.stroke.length *= choice->scale; /* the score is that of what will be drawn now */
+        entry.score = hatch_potential_score(field, &entry.stroke, COARSE_SAMPLES);
+        count = insert(list, count, &entry);
+    }
+    struct scored best = settle(field, &list[0].stroke);
+    for (uint32_t i = 1; i < count; i++) {
+        struct scored other = settle(field, &list[i].stroke);
+        if (other.score < best.score)
+            best = other;
+    }
+    best.stroke.length /= choice->scale;
+    return best.stroke;
+}

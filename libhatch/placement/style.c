@@ -1,0 +1,299 @@
+#include "placement/style.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "image/color.h"
+
+#define RADIANS_PER_DEGREE 0.017453292519943295
+#define SHOWN_MAX 40u /* letters of a key that is none */
+
+void hatch_style_default(struct hatch_style *style)
+{
+    *style = (struct hatch_style){
+        .name = "ink",
+        .brush = HATCH_BRUSH_INK,
+        .width_px = 1.8f,
+        .length_min = 0.3f,
+        .length_max = 1.0f,
+        .jitter_rad = 0.01570796327f, /* 0.9 degrees */
+        .ink = 1,
+        .overlap = HATCH_OVERLAP_DARKENS,
+        .tone_max = 0.9f,
+        .tone_gamma = 1,
+        .direction_count = 3,
+        .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
+        .candidates_light = 1000,
+        .candidates_dark = 100,
+    };
+}
+
+void hatch_style_color_at(const struct hatch_style *style, float tone, float rgb[3])
+{
+    const struct hatch_style_color *colors = style->colors;
+    uint32_t above = 0;
+    while (above < style->color_count && colors[above].tone < tone)
+        above++;
+    for (int c = 0; c < 3; c++) {
+        if (style->color_count == 0)
+            rgb[c] = 0;
+        else if (above == 0 || above == style->color_count)
+            rgb[c] = colors[above ? above - 1 : 0].rgb[c];
+        else
+            rgb[c] = colors[above - 1].rgb[c] + (colors[above].rgb[c] - colors[above - 1].rgb[c]) *
+                                                    (tone - colors[above - 1].tone) /
+                                                    (colors[above].tone - colors[above - 1].tone);
+    }
+}
+
+void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target)
+{
+    for (uint32_t i = 0; i < tones; i++) {
+        double share = (double)(i + 1) / (double)tones;
+        target[i] = (float)((double)style->tone_max * pow(share, (double)style->tone_gamma));
+    }
+}
+
+/* Where the parser is, and what it fills. */
+struct reading {
+    struct hatch_style style;
+    bool directions_given; /* the first "direction" line replaces the default schedule */
+    bool colors_given;     /* and the first "color" line the colours */
+};
+
+/* The keys whose values are plain numbers: how many, their range, where they go. */
+struct number_key {
+    const char *name;
+    uint32_t count;
+    double low, high;
+    double scale; /* from the file's unit to the struct's */
+    size_t at[2];
+};
+
+#define AT(field) offsetof(struct hatch_style, field)
+static const struct number_key number_keys[] = {
+    {"width", 1, 0.5, 64, 1, {AT(width_px), 0}},
+    {"length", 2, 0, 4, 1, {AT(length_min), AT(length_max)}},
+    {"bend", 2, 0, HATCH_STROKE_BEND_MAX / RADIANS_PER_DEGREE, RADIANS_PER_DEGREE,
+     {AT(bend_min_rad), AT(bend_max_rad)}},
+    {"jitter", 1, 0, 90, RADIANS_PER_DEGREE, {AT(jitter_rad), 0}},
+    {"ink", 1, 0.01, 1, 1, {AT(ink), 0}},
+    {"darkest", 1, 0.01, 1, 1, {AT(tone_max), 0}},
+    {"gamma", 1, 0.1, 10, 1, {AT(tone_gamma), 0}},
+};
+
+static enum hatch_status take_number(struct hatch_text *rest, const char *key, double low, double high,
+                                     double *value, struct hatch_err *err)
+{
+    struct hatch_text word;
+    if (!hatch_text_word(rest, &word))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: a value is missing", key);
+    if (!hatch_text_number(word, value))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key,
+                          (int)(word.length < 40 ? word.length : 40), word.at);
+    if (!(*value >= low && *value <= high))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, *value, low, high);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_direction(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    double angle, from, to;
+    HATCH_TRY(take_number(rest, "direction", -360, 360, &angle, err));
+    HATCH_TRY(take_number(rest, "direction", 0, 1, &from, err));
+    HATCH_TRY(take_number(rest, "direction", 0, 1, &to, err));
+    if (from > to)
+        return hatch_fail(err, HATCH_BAD_INPUT, "direction: from tone %g to tone %g is empty", from, to);
+    if (!r->directions_given)
+        r->style.direction_count = 0;
+    r->directions_given = true;
+    if (r->style.direction_count == HATCH_STYLE_DIRECTIONS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "direction: more than %u", HATCH_STYLE_DIRECTIONS_MAX);
+    r->style.directions[r->style.direction_count++] = (struct hatch_style_direction){
+        (float)(angle * RADIANS_PER_DEGREE), (float)from, (float)to};
+    return HATCH_OK;
+}
+
+static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_style_color color;
+    struct hatch_text word;
+    double tone;
+    HATCH_TRY(take_number(rest, "color", 0, 1, &tone, err));
+    color.tone = (float)tone;
+    if (!hatch_text_word(rest, &word) || !hatch_color_from_hex(word, color.rgb))
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: want a darkness and six hexadecimal digits");
+    if (!r->colors_given)
+        r->style.color_count = 0;
+    r->colors_given = true;
+    uint32_t count = r->style.color_count;
+    if (count == HATCH_STYLE_COLORS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: more than %u", HATCH_STYLE_COLORS_MAX);
+    if (count && !(color.tone > r->style.colors[count - 1].tone))
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: darkness %g does not rise", tone);
+    r->style.colors[r->style.color_count++] = color;
+    return HATCH_OK;
+}
+
+static struct hatch_text trimmed(struct hatch_text text)
+{
+    while (text.length && (*text.at == ' ' || *text.at == '\t')) {
+        text.at++;
+        text.length--;
+    }
+    while (text.length && (text.at[text.length - 1] == ' ' || text.at[text.length - 1] == '\t'))
+        text.length--;
+    return text;
+}
+
+static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text word, rest_of_line;
+    if (!hatch_text_word(rest, &word))
+        return hatch_fail(err, HATCH_BAD_INPUT, "brush: a value is missing");
+    for (int kind = 0; kind < HATCH_BRUSH_IMAGE; kind++)
+        if (hatch_text_is(word, hatch_brush_name((enum hatch_brush_kind)kind))) {
+            r->style.brush = (enum hatch_brush_kind)kind;
+            return HATCH_OK;
+        }
+    if (!hatch_text_is(word, "image"))
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple, round or image FILE",
+                          (int)(word.length < 40 ? word.length : 40), word.at);
+    rest_of_line = trimmed(*rest); /* a file's name may hold spaces */
+    if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
+        return hatch_fail(err, HATCH_BAD_INPUT, "brush: image wants a file name of up to %zu bytes",
+                          sizeof r->style.brush_file - 1);
+    r->style.brush = HATCH_BRUSH_IMAGE;
+    memset(r->style.brush_file, 0, sizeof r->style.brush_file);
+    memcpy(r->style.brush_file, rest_of_line.at, rest_of_line.length);
+    rest->length = 0;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    static const char *const names[] = {"darkens", "flat", "covers"};
+    struct hatch_text word = {NULL, 0};
+    bool any = hatch_text_word(rest, &word);
+    for (unsigned i = 0; any && i < 3; i++)
+        if (hatch_text_is(word, names[i])) {
+            r->style.overlap = (enum hatch_overlap)i;
+            return HATCH_OK;
+        }
+    return hatch_fail(err, HATCH_BAD_INPUT, "overlap: want darkens, flat or covers");
+}
+
+static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r,
+                                         struct hatch_err *err)
+{
+    double light, dark;
+    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &light, err));
+    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &dark, err));
+    if (light != floor(light) || dark != floor(dark))
+        return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %g %g, want whole numbers", light, dark);
+    r->style.candidates_light = (uint32_t)light;
+    r->style.candidates_dark = (uint32_t)dark;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text word;
+    if (!hatch_text_word(rest, &word) || word.length >= sizeof r->style.name)
+        return hatch_fail(err, HATCH_BAD_INPUT, "name: want one word of up to %zu bytes",
+                          sizeof r->style.name - 1);
+    memset(r->style.name, 0, sizeof r->style.name);
+    memcpy(r->style.name, word.at, word.length);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_numbers(const struct number_key *key, struct hatch_text *rest,
+                                      struct reading *r, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < key->count; i++) {
+        double value;
+        HATCH_TRY(take_number(rest, key->name, key->low, key->high, &value, err));
+        float stored = (float)(value * key->scale);
+        memcpy((char *)&r->style + key->at[i], &stored, sizeof stored);
+    }
+    return HATCH_OK;
+}
+
+static const struct {
+    const char *name;
+    enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
+} keys[] = {{"name", read_name},
+            {"brush", read_brush},
+            {"direction", read_direction},
+            {"overlap", read_overlap},
+            {"color", read_color},
+            {"candidates", read_candidates}};
+
+static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
+{
+    const char *near = NULL;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        near = hatch_text_is_near(key, keys[i].name) ? keys[i].name : near;
+    for (size_t i = 0; i < sizeof number_keys / sizeof *number_keys; i++)
+        near = hatch_text_is_near(key, number_keys[i].name) ? number_keys[i].name : near;
+    int shown = (int)(key.length < SHOWN_MAX ? key.length : SHOWN_MAX);
+    if (near)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s', perhaps %s", shown, key.at, near);
+    return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
+}
+
+static enum hatch_status read_line(struct hatch_text line, struct reading *r, struct hatch_err *err)
+{
+    struct hatch_text key, extra;
+    if (!hatch_text_word(&line, &key))
+        return HATCH_OK;
+    bool known = false;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (hatch_text_is(key, keys[i].name)) {
+            known = true;
+            HATCH_TRY(keys[i].read(&line, r, err));
+        }
+    for (size_t i = 0; i < sizeof number_keys / sizeof *number_keys; i++)
+        if (hatch_text_is(key, number_keys[i].name)) {
+            known = true;
+            HATCH_TRY(read_numbers(&number_keys[i], &line, r, err));
+            r->style.tone_max_given |= number_keys[i].at[0] == AT(tone_max);
+        }
+    if (!known)
+        return fail_unknown(key, err);
+    if (hatch_text_word(&line, &extra))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", (int)key.length, key.at);
+    return HATCH_OK;
+}
+
+static enum hatch_status check_ranges(const struct hatch_style *style, struct hatch_err *err)
+{
+    if (style->length_min > style->length_max)
+        return hatch_fail(err, HATCH_BAD_INPUT, "length: the shortest, %g, is above the longest, %g",
+                          (double)style->length_min, (double)style->length_max);
+    if (style->bend_min_rad > style->bend_max_rad)
+        return hatch_fail(err, HATCH_BAD_INPUT, "bend: the least, %g, is above the most, %g",
+                          (double)style->bend_min_rad / RADIANS_PER_DEGREE,
+                          (double)style->bend_max_rad / RADIANS_PER_DEGREE);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
+                                    struct hatch_err *err)
+{
+    struct reading r = {.style = *style};
+    struct hatch_text rest = hatch_text_of(text), line;
+    for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
+        const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
+        if (comment)
+            line.length = (size_t)(comment - line.at);
+        if (read_line(line, &r, err) != HATCH_OK)
+            return hatch_fail_at(err, "line %u: ", number);
+        if (check_ranges(&r.style, err) != HATCH_OK)
+            return hatch_fail_at(err, "line %u: ", number);
+    }
+    *style = r.style;
+    return HATCH_OK;
+}

@@ -1,0 +1,128 @@
+#include <string.h>
+
+#include "math/vector.h"
+#include "scene/scene.h"
+
+struct flat {
+    const struct hatch_scene *scene;
+    const float *world;
+    struct hatch_mesh mesh;
+    float *normals, *texcoords; /* NULL: left out */
+    uint32_t vertex, face;
+};
+
+static void transform(const float *matrix, const float *p, float *out)
+{
+    for (int row = 0; row < 3; row++) {
+        double sum = (double)matrix[12 + row];
+        for (int k = 0; k < 3; k++)
+            sum += (double)matrix[k * 4 + row] * (double)p[k];
+        out[row] = (float)sum;
+    }
+}
+
+/* The cofactors of the matrix: they turn normals (the inverse transposed, but for its scale), and with
+ * the sign of the determinant they do so for mirrors too. */
+static double cofactors(const float *matrix, double out[3][3])
+{
+    double column[3][3];
+    for (int k = 0; k < 3; k++)
+        hatch_vec_of(matrix + 4 * k, column[k]);
+    for (int k = 0; k < 3; k++)
+        hatch_vec_cross(column[(k + 1) % 3], column[(k + 2) % 3], out[k]);
+    return hatch_vec_dot(column[0], out[0]);
+}
+
+static void turn_normal(double cofactor[3][3], double determinant, const float *normal, float *out)
+{
+    double turned[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
+        hatch_vec_add_scaled(turned, (determinant < 0 ? -1 : 1) * (double)normal[k], cofactor[k],
+                             turned);
+    hatch_vec_normalize(turned);
+    hatch_vec_round(turned, out);
+}
+
+static void add_mesh(struct flat *f, const struct hatch_mesh *mesh, const float *matrix)
+{
+    double cofactor[3][3], determinant = cofactors(matrix, cofactor);
+    const float *positions = mesh->attributes[0].data;
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        size_t to = f->vertex + v;
+        transform(matrix, &positions[v * 3], &f->mesh.attributes[0].data[to * 3]);
+        if (f->normals)
+            turn_normal(cofactor, determinant, &normals[v * 3], &f->normals[to * 3]);
+        if (f->texcoords)
+            memcpy(&f->texcoords[to * 2], &texcoords[v * 2], 2 * sizeof *texcoords);
+    }
+    for (uint32_t i = 0; i < mesh->face_count; i++)
+        for (uint32_t c = 0; c < 3; c++) {
+            uint32_t from = determinant < 0 ? (3 - c) % 3 : c;
+            f->mesh.indices[(size_t)(f->face + i) * 3 + c] =
+                mesh->indices[(size_t)i * 3 + from] + f->vertex;
+        }
+    f->vertex += mesh->vertex_count;
+    f->face += mesh->face_count;
+}
+
+struct totals {
+    uint64_t vertices, faces;
+    bool normals, texcoords; /* all have them */
+};
+
+static struct totals count(const struct hatch_scene *scene)
+{
+    struct totals t = {0, 0, true, true};
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        for (uint32_t m = 0; m < scene->nodes[n].mesh_count; m++) {
+            const struct hatch_mesh *mesh = &scene->meshes[scene->nodes[n].first_mesh + m].mesh;
+            t.vertices += mesh->vertex_count;
+            t.faces += mesh->face_count;
+            t.normals = t.normals && hatch_mesh_find(mesh, "NORMAL", 3);
+            t.texcoords = t.texcoords && hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+        }
+    return t;
+}
+
+static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena,
+                                 struct hatch_err *err)
+{
+    static const float still[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    HATCH_TRY(hatch_mesh_make(arena, (uint32_t)total.vertices, (uint32_t)total.faces, &f->mesh, err));
+    if (total.normals)
+        HATCH_TRY(hatch_mesh_add(arena, &f->mesh, "NORMAL", 3, &f->normals, err));
+    if (total.texcoords)
+        HATCH_TRY(hatch_mesh_add(arena, &f->mesh, "TEXCOORD_0", 2, &f->texcoords, err));
+    for (uint32_t n = 0; n < f->scene->node_count; n++) {
+        const struct hatch_node *node = &f->scene->nodes[n];
+        for (uint32_t m = 0; m < node->mesh_count; m++)
+            add_mesh(f, &f->scene->meshes[node->first_mesh + m].mesh,
+                     node->skin == HATCH_NONE ? &f->world[(size_t)n * 16] : still);
+    }
+    return hatch_mesh_check(&f->mesh, err);
+}
+
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                      struct hatch_err *err)
+{
+    struct totals total = count(scene);
+    if (total.faces == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "the scene has no faces");
+    if (total.faces > UINT32_MAX / 3 - 1 || total.vertices > UINT32_MAX - 1)
+        return hatch_fail(err, HATCH_LIMIT, "the scene's instances have %llu faces",
+                          (unsigned long long)total.faces);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    float *world = HATCH_NEW(scratch, float, (size_t)scene->node_count * 16, err);
+    if (!world)
+        return HATCH_LIMIT;
+    hatch_scene_pose(scene, HATCH_NONE, 0, world);
+    struct flat f = {.scene = scene, .world = world};
+    enum hatch_status status = flatten(&f, total, arena, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *mesh = f.mesh;
+    return status;
+}

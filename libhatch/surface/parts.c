@@ -1,0 +1,178 @@
+/* From the mesh's faces to the surface's, component after component; then each component's figures. */
+#include <assert.h>
+#include <string.h>
+
+#include "math/vector.h"
+#include "mesh/fans.h"
+#include "surface/work.h"
+
+static enum hatch_status allocate(const struct hatch_surface_work *w, struct hatch_surface *s,
+                                  struct hatch_err *err)
+{
+    size_t faces = s->face_count, points = s->point_count;
+    s->components = HATCH_NEW(w->arena, struct hatch_component, s->component_count, err);
+    s->points = s->components ? HATCH_NEW(w->arena, double, points * 3, err) : NULL;
+    s->corners = s->points ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
+    s->opposite = s->corners ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
+    s->point_component = s->opposite ? HATCH_NEW(w->arena, uint32_t, points, err) : NULL;
+    s->corner_vertex = s->point_component ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
+    s->face_source = s->corner_vertex ? HATCH_NEW(w->arena, uint32_t, faces, err) : NULL;
+    return s->face_source ? HATCH_OK : HATCH_LIMIT;
+}
+
+/* new_face: per face of the mesh. */
+static void order_faces(const struct hatch_surface_work *w, struct hatch_surface *s,
+                        uint32_t *new_face)
+{
+    for (uint32_t f = 0; f < w->mesh->face_count; f++)
+        if (!w->dropped[f])
+            s->components[w->component[f]].face_count++;
+    uint32_t first = 0;
+    for (uint32_t c = 0; c < s->component_count; c++) {
+        s->components[c].first_face = first;
+        first += s->components[c].face_count;
+        s->components[c].face_count = 0;
+    }
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        if (w->dropped[f])
+            continue;
+        struct hatch_component *component = &s->components[w->component[f]];
+        new_face[f] = component->first_face + component->face_count++;
+        s->face_source[new_face[f]] = f;
+    }
+}
+
+/* Points are numbered as the faces meet them. new_point: per fan, HATCH_NO_SIDE each. */
+static void number_points(const struct hatch_surface_work *w, struct hatch_surface *s,
+                          uint32_t *new_point)
+{
+    const float *positions = w->mesh->attributes[0].data;
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < s->face_count; f++) {
+        uint32_t source = s->face_source[f], part = w->component[source];
+        struct hatch_component *component = &s->components[part];
+        if (f == component->first_face)
+            component->first_point = count;
+        for (uint32_t c = 0; c < 3; c++) {
+            uint32_t from = 3 * source + (w->flipped[source] ? (3 - c) % 3 : c);
+            uint32_t *point = &new_point[w->fan[from]], vertex = w->mesh->indices[from];
+            if (*point == HATCH_NO_SIDE) {
+                *point = count++;
+                s->point_component[*point] = part;
+                hatch_vec_of(&positions[(size_t)vertex * 3], &s->points[(size_t)*point * 3]);
+                component->point_count++;
+            }
+            s->corners[3 * f + c] = *point;
+            s->corner_vertex[3 * f + c] = vertex;
+        }
+    }
+    assert(count == s->point_count);
+}
+
+/* A turned face's corners are its first, last and middle one: its sides run backwards, last first. */
+static uint32_t new_side(const struct hatch_surface_work *w, const uint32_t *new_face, uint32_t side)
+{
+    uint32_t face = side / 3, c = side % 3;
+    return 3 * new_face[face] + (w->flipped[face] ? 2 - c : c);
+}
+
+static void join_sides(const struct hatch_surface_work *w, struct hatch_surface *s,
+                       const uint32_t *new_face)
+{
+    memset(s->opposite, 0xff, (size_t)s->face_count * 3 * sizeof *s->opposite);
+    for (uint32_t side = 0; side < 3 * w->mesh->face_count; side++)
+        if (w->partner[side] != HATCH_NO_EDGE)
+            s->opposite[new_side(w, new_face, side)] = new_side(w, new_face, w->partner[side]);
+}
+
+enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w,
+                                        struct hatch_surface *surface, struct hatch_err *err)
+{
+    uint32_t *new_face = HATCH_NEW(w->scratch, uint32_t, w->mesh->face_count, err);
+    uint32_t *new_point = new_face ? HATCH_NEW(w->scratch, uint32_t, w->fan_count, err) : NULL;
+    if (!new_point)
+        return HATCH_LIMIT;
+    surface->component_count = w->component_count;
+    surface->point_count = w->fan_count;
+    for (uint32_t f = 0; f < w->mesh->face_count; f++) {
+        surface->face_count += !w->dropped[f];
+        surface->point_count -= w->dropped[f] ? 3 : 0; /* each of its corners is a fan of its own */
+    }
+    HATCH_TRY(allocate(w, surface, err));
+    memset(new_point, 0xff, w->fan_count * sizeof *new_point);
+    order_faces(w, surface, new_face);
+    number_points(w, surface, new_point);
+    join_sides(w, surface, new_face);
+    return HATCH_OK;
+}
+
+/* Each edge once: from its only or its lower side. */
+static bool owns_edge(const struct hatch_surface *s, uint32_t side)
+{
+    return s->opposite[side] == HATCH_NO_SIDE || side < s->opposite[side];
+}
+
+static double mean_edge(const struct hatch_surface *s, const struct hatch_component *part)
+{
+    double sum = 0;
+    uint32_t count = 0;
+    for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count); side++) {
+        if (!owns_edge(s, side))
+            continue;
+        sum += hatch_vec_distance(&s->points[(size_t)s->corners[side] * 3],
+                                  &s->points[(size_t)s->corners[hatch_side_end(side)] * 3]);
+        count++;
+    }
+    return sum / count;
+}
+
+void hatch_surface_place(struct hatch_surface *s)
+{
+    for (uint32_t c = 0; c < s->component_count; c++) {
+        struct hatch_component *part = &s->components[c];
+        double *points = &s->points[(size_t)part->first_point * 3];
+        double low[3], high[3];
+        hatch_vec_copy(points, low);
+        hatch_vec_copy(points, high);
+        for (size_t i = 0; i < (size_t)part->point_count * 3; i++) {
+            low[i % 3] = fmin(low[i % 3], points[i]);
+            high[i % 3] = fmax(high[i % 3], points[i]);
+        }
+        part->scale = mean_edge(s, part);
+        for (int k = 0; k < 3; k++)
+            part->center[k] = (low[k] + high[k]) / 2;
+        for (size_t i = 0; i < (size_t)part->point_count * 3; i++)
+            points[i] = (points[i] - part->center[i % 3]) / part->scale;
+    }
+}
+
+/* A border point has one fan, and so two border sides: its loop is what they join. */
+enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_arena *scratch,
+                                      struct hatch_err *err)
+{
+    uint32_t *loop = HATCH_NEW(scratch, uint32_t, s->point_count, err);
+    uint8_t *on_border = loop ? HATCH_NEW(scratch, uint8_t, s->point_count, err) : NULL;
+    if (!on_border)
+        return HATCH_LIMIT;
+    hatch_sets_init(loop, s->point_count);
+    for (uint32_t c = 0; c < s->component_count; c++) {
+        struct hatch_component *part = &s->components[c];
+        uint32_t edges = 0;
+        part->orientable = true;
+        for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count);
+             side++) {
+            uint32_t other = s->opposite[side], end = hatch_side_end(side);
+            edges += owns_edge(s, side);
+            if (other == HATCH_NO_SIDE) {
+                hatch_sets_join(loop, s->corners[side], s->corners[end]);
+                on_border[s->corners[side]] = on_border[s->corners[end]] = 1;
+            } else if (hatch_sides_contrary(s, side, other)) {
+                part->orientable = false;
+            }
+        }
+        part->euler = (int32_t)((int64_t)part->point_count - edges + part->face_count);
+        for (uint32_t p = part->first_point; p < part->first_point + part->point_count; p++)
+            part->border_loops += on_border[p] && loop[p] == p;
+    }
+    return HATCH_OK;
+}

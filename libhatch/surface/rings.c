@@ -1,0 +1,105 @@
+/* The ring of each point, by going from face to face around it. */
+
+#include "surface/work.h"
+
+/* Where a walk around a point stands: the point's corner of a face, and whether the face is clockwise for
+ * the point's ring. */
+struct place {
+    uint32_t corner;
+    bool flipped;
+};
+
+/* The side over which a counter-clockwise walk enters or leaves the face. */
+static uint32_t side_of(struct place at, bool leave)
+{
+    return leave != at.flipped ? hatch_side_end(hatch_side_end(at.corner)) : at.corner;
+}
+
+/* The end of a side that is not the point. */
+static uint32_t far_end(const struct hatch_surface *s, uint32_t side, uint32_t point)
+{
+    return s->corners[side] == point ? s->corners[hatch_side_end(side)] : s->corners[side];
+}
+
+/* Goes on to the next face, counter-clockwise or clockwise; false at a border. */
+static bool step(const struct hatch_surface *s, bool counter_clockwise, struct place *at)
+{
+    uint32_t side = side_of(*at, counter_clockwise), other = s->opposite[side];
+    uint32_t point = s->corners[at->corner];
+    if (other == HATCH_NO_SIDE)
+        return false;
+    at->flipped = at->flipped != hatch_sides_contrary(s, side, other);
+    at->corner = s->corners[other] == point ? other : hatch_side_end(other);
+    return true;
+}
+
+/* The outside is that of the point's first face; an open ring starts at its clockwise end. Returns where
+ * the ring ends. */
+static uint32_t walk(struct hatch_surface *s, uint32_t first_corner, uint32_t entry,
+                     uint8_t *corner_flipped)
+{
+    uint32_t point = s->corners[first_corner];
+    struct place at = {.corner = first_corner};
+    bool inside;
+    do
+        inside = step(s, false, &at);
+    while (inside && at.corner != first_corner);
+    uint32_t start = at.corner;
+    do {
+        corner_flipped[at.corner] = at.flipped;
+        s->ring_point[entry] = far_end(s, side_of(at, false), point);
+        s->ring_face[entry] = at.corner / 3;
+        s->ring_flipped[entry++] = at.flipped;
+        inside = step(s, true, &at);
+    } while (inside && at.corner != start);
+    if (!inside) {
+        s->ring_point[entry] = far_end(s, side_of(at, true), point);
+        s->ring_face[entry++] = HATCH_NO_SIDE;
+    }
+    return entry;
+}
+
+static void find_turned(struct hatch_surface *s, const uint8_t *corner_flipped)
+{
+    for (uint32_t p = 0; p < s->point_count; p++) {
+        if (s->components[s->point_component[p]].orientable)
+            continue;
+        for (uint32_t i = s->ring_first[p]; i < s->ring_first[p + 1]; i++) {
+            uint32_t shared = s->ring_face[i] == HATCH_NO_SIDE ? i - 1 : i;
+            uint32_t corner = 3 * s->ring_face[shared];
+            while (s->corners[corner] != s->ring_point[i])
+                corner++;
+            s->ring_turned[i] = corner_flipped[corner] != s->ring_flipped[shared];
+        }
+    }
+}
+
+static uint32_t count_entries(const struct hatch_surface *s)
+{
+    uint32_t count = 3 * s->face_count;
+    for (uint32_t side = 0; side < 3 * s->face_count; side++)
+        count += s->opposite[side] == HATCH_NO_SIDE; /* as many border points as border sides */
+    return count;
+}
+
+enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_err *err)
+{
+    size_t entries = count_entries(s);
+    s->ring_first = HATCH_NEW(arena, uint32_t, (size_t)s->point_count + 1, err);
+    s->ring_point = s->ring_first ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
+    s->ring_face = s->ring_point ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
+    s->ring_flipped = s->ring_face ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
+    s->ring_turned = s->ring_flipped ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
+    uint32_t *first_corner = s->ring_turned ? HATCH_NEW(scratch, uint32_t, s->point_count, err) : NULL;
+    uint8_t *corner_flipped =
+        first_corner ? HATCH_NEW(scratch, uint8_t, (size_t)s->face_count * 3, err) : NULL;
+    if (!corner_flipped)
+        return HATCH_LIMIT;
+    for (uint32_t corner = 3 * s->face_count; corner-- > 0;)
+        first_corner[s->corners[corner]] = corner;
+    for (uint32_t p = 0; p < s->point_count; p++)
+        s->ring_first[p + 1] = walk(s, first_corner[p], s->ring_first[p], corner_flipped);
+    find_turned(s, corner_flipped);
+    return HATCH_OK;
+}

@@ -1,0 +1,139 @@
+#include "surface/surface.h"
+
+#include "math/vector.h"
+#include "mesh/dropped.h"
+#include "mesh/fans.h"
+#include "mesh/orient.h"
+#include "surface/work.h"
+
+static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                    struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    uint32_t *vertex_to_point = HATCH_NEW(w->scratch, uint32_t, mesh->vertex_count, err);
+    w->point = vertex_to_point ? HATCH_NEW(w->scratch, uint32_t, (size_t)mesh->face_count * 3, err) : NULL;
+    w->dropped = w->point ? HATCH_NEW(w->scratch, uint8_t, mesh->face_count, err) : NULL;
+    if (!w->dropped)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_mesh_weld(mesh, w->scratch, vertex_to_point, &w->position_count, err));
+    hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
+    notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch,
+                                         &notes->duplicate, err));
+    if (notes->degenerate + notes->duplicate == mesh->face_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
+    return HATCH_OK;
+}
+
+/* Vertices that no face uses, and those of one position that faces do use. */
+static enum hatch_status count_vertices(struct hatch_surface_work *w,
+                                        struct hatch_surface_notes *notes, struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = w->mesh;
+    uint8_t *vertex_used = HATCH_NEW(w->scratch, uint8_t, mesh->vertex_count, err);
+    uint8_t *point_used = vertex_used ? HATCH_NEW(w->scratch, uint8_t, w->position_count, err) : NULL;
+    if (!point_used)
+        return HATCH_LIMIT;
+    uint32_t vertices = 0, points = 0;
+    for (uint32_t i = 0; i < mesh->face_count * 3; i++) {
+        if (w->dropped[i / 3])
+            continue;
+        vertices += !vertex_used[mesh->indices[i]];
+        points += !point_used[w->point[i]];
+        vertex_used[mesh->indices[i]] = point_used[w->point[i]] = 1;
+    }
+    notes->unreferenced = mesh->vertex_count - vertices;
+    notes->welded = vertices - points;
+    return HATCH_OK;
+}
+
+static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                struct hatch_err *err)
+{
+    struct hatch_orientation turned;
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped,
+                                w->component, &turned, err));
+    w->component_count = turned.components;
+    notes->components = turned.components;
+    notes->flipped = turned.faces_flipped;
+    notes->contrary = turned.contrary_edges;
+    return HATCH_OK;
+}
+
+/* Which pages of an edge of more than two faces agree is known once their faces have been turned; what
+ * they join is then turned as a whole. */
+static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                    struct hatch_err *err)
+{
+    hatch_edges_partners(&w->edges, NULL, w->mesh->face_count, w->partner);
+    HATCH_TRY(orient(w, notes, err));
+    for (uint32_t e = 0; e < w->edges.count; e++)
+        notes->edges_cut += w->edges.first[e + 1] - w->edges.first[e] > 2;
+    if (notes->edges_cut && hatch_surface_join_pages(w))
+        return orient(w, notes, err);
+    return HATCH_OK;
+}
+
+static enum hatch_status find_sheets(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                     struct hatch_err *err)
+{
+    uint32_t faces = w->mesh->face_count;
+    size_t corners = (size_t)faces * 3;
+    w->flipped = HATCH_NEW(w->scratch, uint8_t, faces, err);
+    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, faces, err) : NULL;
+    w->fan = w->component ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
+    w->partner = w->fan ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
+    if (!w->partner)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_edges_find(w->point, faces, w->position_count, w->dropped, w->scratch, w->scratch,
+                               &w->edges, err));
+    HATCH_TRY(join_faces(w, notes, err));
+    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces, w->fan);
+    return hatch_mesh_count_pinched(w->point, faces, w->position_count, &w->edges, w->dropped,
+                                    w->scratch, &notes->points_split, err);
+}
+
+static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface *surface,
+                              struct hatch_surface_notes *notes, struct hatch_err *err)
+{
+    HATCH_TRY(hatch_mesh_check(w->mesh, err));
+    HATCH_TRY(find_faces(w, notes, err));
+    HATCH_TRY(count_vertices(w, notes, err));
+    HATCH_TRY(find_sheets(w, notes, err));
+    HATCH_TRY(hatch_surface_arrange(w, surface, err));
+    hatch_surface_place(surface);
+    HATCH_TRY(hatch_surface_count(surface, w->scratch, err));
+    return hatch_surface_rings(surface, w->arena, w->scratch, err);
+}
+
+enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_surface *surface,
+                                     struct hatch_surface_notes *notes, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_surface_work work = {.mesh = mesh, .arena = arena, .scratch = scratch};
+    struct hatch_surface made = {0};
+    struct hatch_surface_notes noted = {0};
+    enum hatch_status status = make(&work, &made, &noted, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status != HATCH_OK)
+        return status;
+    *surface = made;
+    *notes = noted;
+    return HATCH_OK;
+}
+
+void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])
+{
+    const uint32_t *corner = &surface->corners[(size_t)face * 3];
+    hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],
+                       &surface->points[(size_t)corner[2] * 3], normal);
+}
+
+void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3])
+{
+    const struct hatch_component *component =
+        &surface->components[surface->point_component[point]];
+    for (uint32_t k = 0; k < 3; k++)
+        position[k] = component->center[k] + component->scale * surface->points[(size_t)point * 3 + k];
+}

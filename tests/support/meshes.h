@@ -1,0 +1,149 @@
+/* Meshes to test with, POSITION alone but where it says otherwise, made in keep. */
+#ifndef HATCH_TEST_MESHES_H
+#define HATCH_TEST_MESHES_H
+
+#include <math.h>
+#include <string.h>
+
+#include "arenas.h"
+#include "shapes/shapes.h"
+
+static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertices, const uint32_t *indices,
+                                        uint32_t faces)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, vertices, faces, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, positions, vertices * 12);
+    memcpy(mesh.indices, indices, faces * 12);
+    return mesh;
+}
+
+/* With all the attributes that shapes have. */
+static inline struct hatch_mesh shape_with(enum hatch_shape kind, struct hatch_shape_options options)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_shape_make(kind, &options, &keep, &scratch, &mesh, &err), &err);
+    return mesh;
+}
+
+static inline struct hatch_mesh shape_of(enum hatch_shape kind, uint32_t faces)
+{
+    return shape_with(kind, (struct hatch_shape_options){.faces = faces});
+}
+
+static inline struct hatch_mesh bare_shape(enum hatch_shape kind, uint32_t faces)
+{
+    struct hatch_mesh mesh = shape_of(kind, faces);
+    mesh.attribute_count = 1;
+    return mesh;
+}
+
+/* A band of n by width squares, closed into a ring; the last are joined upside down for a Möbius strip. */
+static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
+{
+    struct hatch_mesh mesh;
+    uint32_t rows = width + 1;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, rows * n, 2 * n * width, &mesh, &err), &err);
+    for (uint32_t i = 0; i < n * rows; i++) {
+        double a = 2 * 3.14159265358979 * (i / rows) / n, tilt = twisted ? a / 2 : 0;
+        double across = 0.6 * (i % rows) / width - 0.3, radius = 1 + across * sin(tilt);
+        float *p = &mesh.attributes[0].data[3 * i];
+        p[0] = (float)(radius * cos(a));
+        p[1] = (float)(across * cos(tilt));
+        p[2] = (float)(radius * sin(a));
+    }
+    for (uint32_t q = 0; q < n * width; q++) {
+        uint32_t i = q / width, j = q % width, a = i * rows + j, b = a + 1, next = (i + 1) % n * rows;
+        bool swap = twisted && i + 1 == n;
+        uint32_t c = next + (swap ? width - j : j), d = swap ? c - 1 : c + 1;
+        const uint32_t faces[6] = {a, b, c, b, d, c};
+        memcpy(&mesh.indices[6 * q], faces, sizeof faces);
+    }
+    return mesh;
+}
+
+/* The figure-8 immersion of a Klein bottle, m by n squares, n even: closed, joined upside down in u. No two
+ * vertices meet where it cuts itself. */
+static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, m * n, 2 * m * n, &mesh, &err), &err);
+    for (uint32_t i = 0; i < m; i++)
+        for (uint32_t j = 0; j < n; j++) {
+            double u = 2 * 3.14159265358979 * i / m, v = 2 * 3.14159265358979 * (j + 0.5) / n;
+            double r = 3 + cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v);
+            float *p = &mesh.attributes[0].data[(i * n + j) * 3];
+            p[0] = (float)(r * cos(u));
+            p[1] = (float)(r * sin(u));
+            p[2] = (float)(sin(u / 2) * sin(v) + cos(u / 2) * sin(2 * v));
+            uint32_t k = (j + 1) % n, last = i + 1 == m, row = (i + 1) % m * n;
+            uint32_t a = i * n + j, b = i * n + k;
+            uint32_t c = row + (last ? n - 1 - j : j), d = row + (last ? n - 1 - k : k);
+            const uint32_t faces[6] = {a, c, b, b, c, d};
+            memcpy(&mesh.indices[(i * n + j) * 6], faces, sizeof faces);
+        }
+    return mesh;
+}
+
+/* Every corner a vertex of its own, and the faces in another order. */
+static inline struct hatch_mesh soup(const struct hatch_mesh *from)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, from->face_count * 3, from->face_count, &mesh, &err), &err);
+    for (uint32_t i = 0; i < from->face_count * 3; i++) {
+        uint32_t source = from->face_count * 3 - 1 - i;
+        source = source - source % 3 + (2 - source % 3); /* corners in order again */
+        mesh.indices[i] = i;
+        memcpy(&mesh.attributes[0].data[i * 3], &from->attributes[0].data[from->indices[source] * 3],
+               12);
+    }
+    return mesh;
+}
+
+/* Every corner once. */
+static inline struct hatch_mesh cube(float low, float high)
+{
+    static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    float positions[24];
+    uint32_t faces[36];
+    for (int i = 0; i < 24; i++)
+        positions[i] = i / 3 >> i % 3 & 1 ? high : low;
+    for (int q = 0; q < 6; q++) {
+        static const int corners[6] = {0, 1, 2, 0, 2, 3};
+        for (int i = 0; i < 6; i++)
+            faces[q * 6 + i] = quads[q][corners[i]];
+    }
+    return mesh_of(positions, 8, faces, 12);
+}
+
+static inline void turn(struct hatch_mesh *mesh, uint32_t face)
+{
+    uint32_t *index = &mesh->indices[face * 3], swap = index[1];
+    index[1] = index[2];
+    index[2] = swap;
+}
+
+/* Both in one mesh, a's vertices and faces first. */
+static inline struct hatch_mesh both(const struct hatch_mesh *a,
+                                     const struct hatch_mesh *b)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, a->vertex_count + b->vertex_count,
+                                  a->face_count + b->face_count, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, a->attributes[0].data, a->vertex_count * 12);
+    memcpy(mesh.attributes[0].data + 3 * a->vertex_count, b->attributes[0].data, b->vertex_count * 12);
+    memcpy(mesh.indices, a->indices, a->face_count * 12);
+    for (uint32_t i = 0; i < 3 * b->face_count; i++)
+        mesh.indices[3 * a->face_count + i] = a->vertex_count + b->indices[i];
+    return mesh;
+}
+
+static inline void move(struct hatch_mesh *mesh, float scale, float x)
+{
+    float *p = mesh->attributes[0].data;
+    for (uint32_t i = 0; i < 3 * mesh->vertex_count; i++)
+        p[i] = p[i] * scale + (i % 3 ? 0 : x);
+}
+
+#endif

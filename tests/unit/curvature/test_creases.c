@@ -1,0 +1,87 @@
+#include <math.h>
+#include <string.h>
+
+#include "meshes.h"
+#include "surface_check.h"
+#include "curvature/curvature.h"
+
+
+/* A roof of two squares that turns by an angle at its ridge, points 2 and 3. */
+static struct hatch_mesh roof(double degrees)
+{
+    double turn = degrees * 3.14159265358979323846 / 180;
+    const float at[6][3] = {{-1, 0, 0}, {-1, 1, 0}, {0, 0, 0}, {0, 1, 0},
+                            {(float)cos(turn), 0, -(float)sin(turn)}, {(float)cos(turn), 1, -(float)sin(turn)}};
+    static const uint32_t corners[12] = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
+    return mesh_of(at[0], 6, corners, 4);
+}
+
+/* How many of its points lose their confidence. */
+static uint32_t doubted(const struct hatch_mesh *mesh)
+{
+    double confidence[32];
+    struct hatch_curvature curvature = {.confidence = confidence};
+    uint32_t count = 0;
+    struct hatch_surface surface = surface_of(mesh);
+    ck_assert_uint_le(surface.point_count, 32);
+    for (uint32_t p = 0; p < surface.point_count; p++)
+        confidence[p] = 0.5;
+    hatch_curvature_doubt_creases(&surface, 3.14159265358979323846 / 3, &curvature);
+    for (uint32_t p = 0; p < surface.point_count; p++) {
+        double position[3];
+        hatch_surface_position(&surface, p, position);
+        bool on_ridge = fabs(position[0]) < 1e-9;
+        ck_assert(confidence[p] == 0.5 || (on_ridge && confidence[p] == 0));
+        count += confidence[p] == 0;
+    }
+    return count;
+}
+
+START_TEST(only_hard_edges_are_doubted)
+{
+    static const double sharp[] = {61, 90, 150, -61, -90}, soft[] = {0, 45, 59, -59};
+    for (size_t i = 0; i < sizeof sharp / sizeof *sharp; i++) {
+        struct hatch_mesh mesh = roof(sharp[i]);
+        ck_assert_uint_eq(doubted(&mesh), 2);
+    }
+    for (size_t i = 0; i < sizeof soft / sizeof *soft; i++) {
+        struct hatch_mesh mesh = roof(soft[i]);
+        ck_assert_uint_eq(doubted(&mesh), 0);
+    }
+}
+END_TEST
+
+/* A flat ring of squares whose ends meet as those of a Moebius strip do has a contrary edge, which is flat. */
+START_TEST(a_contrary_edge_is_not_hard)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 24, 24, &mesh, &err), &err);
+    for (uint32_t i = 0; i < 12; i++)
+        for (uint32_t side = 0; side < 2; side++) {
+            double a = i * 3.14159265358979323846 / 6, across = side ? 0.2 : -0.2, r = 3 + across * cos(a / 2);
+            float *at = &mesh.attributes[0].data[(size_t)(2 * i + side) * 3];
+            at[0] = (float)(r * cos(a));
+            at[1] = (float)(r * sin(a));
+            at[2] = (float)(across * sin(a / 2));
+        }
+    for (uint32_t i = 0; i < 12; i++) {
+        uint32_t a = 2 * i, b = a + 1, c = i < 11 ? a + 2 : 1, d = i < 11 ? a + 3 : 0;
+        const uint32_t corners[6] = {a, c, d, a, d, b};
+        memcpy(&mesh.indices[(size_t)i * 6], corners, sizeof corners);
+    }
+    ck_assert_uint_eq(doubted(&mesh), 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("topo creases");
+    TCase *tests = tcase_create("creases");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, only_hard_edges_are_doubted);
+    tcase_add_test(tests, a_contrary_edge_is_not_hard);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,289 @@
+#include "run.h"
+
+#include <string.h>
+#include <zstd.h>
+
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "io/texture/container.h"
+
+#define LIMIT ((size_t)64 << 20)
+
+static struct hatch_arena keep;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_arena_init(&keep, LIMIT);
+}
+
+static void end(void)
+{
+    hatch_arena_free(&keep);
+}
+
+static const struct hatch_texels kinds[] = {
+    {.width = 64, .height = 64, .channels = 3, .level_count = 7},
+    {.width = 37, .height = 11, .channels = 3, .level_count = 6},
+    {.width = 16, .height = 16, .layers = 6, .channels = 1, .level_count = 5},
+    {.width = 9, .height = 7, .layers = 1, .channels = 2, .level_count = 3},
+    {.width = 8, .height = 8, .depth = 19, .channels = 4, .level_count = 5},
+    {.width = 1, .height = 1, .channels = 1, .level_count = 1},
+    {.width = 5, .height = 300, .channels = 4, .level_count = 1},
+    {.width = 37, .height = 11, .layers = 3, .channels = 1, .level_count = 6, .code = HATCH_TEXELS_BC4},
+    {.width = 37, .height = 11, .layers = 3, .channels = 3, .level_count = 6, .code = HATCH_TEXELS_BC1},
+    {.width = 16, .height = 8, .depth = 6, .channels = 4, .level_count = 5, .code = HATCH_TEXELS_BC7},
+    {.width = 33, .height = 5, .channels = 1, .level_count = 1, .code = HATCH_TEXELS_R32UI},
+};
+#define KINDS (sizeof kinds / sizeof *kinds)
+
+static struct hatch_texels make(size_t kind)
+{
+    struct hatch_texels texture = kinds[kind];
+    for (uint32_t level = 0; level < texture.level_count; level++) {
+        size_t size = hatch_texels_level_size(&texture, level);
+        texture.texels[level] = HATCH_NEW(&keep, uint8_t, size, &err);
+        for (size_t i = 0; i < size; i++)
+            texture.texels[level][i] = (uint8_t)hatch_random_u64(1, level, i);
+    }
+    return texture;
+}
+
+static struct hatch_bytes write_ktx2(const struct hatch_texels *texture)
+{
+    static const char *const pairs[] = {"hatch:seed", "1", "a", "", NULL};
+    struct hatch_buffer file = {.arena = &keep};
+    HATCH_TEST_OK(hatch_ktx2_write(texture, pairs, &file, &err), &err);
+    return (struct hatch_bytes){file.data, file.size};
+}
+
+static void same(const struct hatch_texels *a, const struct hatch_texels *b)
+{
+    ck_assert(a->width == b->width && a->height == b->height && a->depth == b->depth);
+    ck_assert(a->layers == b->layers && a->channels == b->channels && a->code == b->code);
+    ck_assert_uint_eq(a->level_count, b->level_count);
+    for (uint32_t level = 0; level < a->level_count; level++)
+        ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) ==
+                  0);
+}
+
+START_TEST(what_is_written_is_read)
+{
+    struct hatch_texels texture = make((size_t)_i), got;
+    HATCH_TEST_OK(hatch_ktx2_read(write_ktx2(&texture), &keep, &got, &err), &err);
+    same(&got, &texture);
+}
+END_TEST
+
+START_TEST(keys_are_read_in_order)
+{
+    struct hatch_texels texture = make((size_t)_i);
+    struct hatch_bytes file = write_ktx2(&texture);
+    const char *const *keys;
+    HATCH_TEST_OK(hatch_ktx2_read_keys(file, &keep, &keys, &err), &err);
+    static const char *const want[] = {"KTXorientation", NULL, "KTXwriter", "hatch", "a", "", "hatch:seed", "1"};
+    for (size_t i = 0; i < 8; i++)
+        ck_assert(want[i] == NULL || strcmp(keys[i], want[i]) == 0);
+    ck_assert_ptr_null(keys[8]);
+    ck_assert_str_eq(hatch_texels_value(keys, "hatch:seed"), "1");
+    ck_assert_ptr_null(hatch_texels_value(keys, "b"));
+    ck_assert_ptr_null(hatch_texels_value(NULL, "b"));
+}
+END_TEST
+
+START_TEST(damaged_keys_are_refused_or_left_out)
+{
+    struct hatch_texels texture = make(0);
+    struct hatch_bytes file = write_ktx2(&texture);
+    const char *const *keys;
+    uint8_t *bytes = HATCH_NEW(&keep, uint8_t, file.size, &err);
+    for (size_t size = 0; size < 80; size++) {
+        struct hatch_bytes cut = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read_keys(cut, &keep, &keys, &err), HATCH_BAD_INPUT);
+    }
+    size_t first = 56, where = file.data[first] | (size_t)file.data[first + 1] << 8;
+    for (size_t at = first; at < where + 100; at++) {
+        memcpy(bytes, file.data, file.size);
+        bytes[at] = 0xff;
+        enum hatch_status status =
+            hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err);
+        ck_assert(status == HATCH_OK || status == HATCH_BAD_INPUT);
+        ck_assert(status == HATCH_OK || (at < where ? at < 64 : 1));
+    }
+    bytes[where + 4] = 0; /* the first key is empty: its value holds zeros */
+    memcpy(bytes, file.data, where + 4);
+    HATCH_TEST_OK(hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err), &err);
+    ck_assert_str_ne(keys[0], "KTXorientation");
+}
+END_TEST
+
+static void put(uint8_t *at, uint64_t value, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        at[i] = (uint8_t)(value >> (8 * i));
+}
+
+static uint64_t get(const uint8_t *at)
+{
+    uint64_t value = 0;
+    for (size_t i = 8; i-- > 0;)
+        value = value << 8 | at[i];
+    return value;
+}
+
+/* The same file with each level packed by Zstandard, at the end of the file. */
+static struct hatch_bytes supercompress(struct hatch_bytes file, uint32_t levels)
+{
+    struct hatch_buffer out = {.arena = &keep};
+    HATCH_TEST_OK(hatch_buffer_add(&out, file.data, file.size, &err), &err);
+    put(out.data + 44, 2, 4);
+    for (uint32_t level = 0; level < levels; level++) {
+        size_t entry = 80 + 24 * level;
+        size_t size = (size_t)get(file.data + entry + 8);
+        uint8_t *packed = HATCH_NEW(&keep, uint8_t, ZSTD_compressBound(size), &err);
+        size_t length = ZSTD_compress(packed, ZSTD_compressBound(size),
+                                      file.data + get(file.data + entry), size, 3);
+        put(out.data + entry, out.size, 8);
+        put(out.data + entry + 8, length, 8);
+        HATCH_TEST_OK(hatch_buffer_add(&out, packed, length, &err), &err);
+    }
+    return (struct hatch_bytes){out.data, out.size};
+}
+
+START_TEST(zstandard_is_unpacked)
+{
+    struct hatch_texels texture = make((size_t)_i), got;
+    struct hatch_bytes file = supercompress(write_ktx2(&texture), texture.level_count);
+    HATCH_TEST_OK(hatch_ktx2_read(file, &keep, &got, &err), &err);
+    same(&got, &texture);
+    for (size_t size = 0; size < file.size; size++) {
+        struct hatch_bytes cut = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read(cut, &keep, &got, &err), HATCH_BAD_INPUT);
+    }
+}
+END_TEST
+
+START_TEST(every_cut_is_refused)
+{
+    struct hatch_texels texture = make((size_t)_i), got;
+    struct hatch_bytes file = write_ktx2(&texture);
+    for (size_t size = 0; size < file.size; size++) {
+        struct hatch_bytes cut = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read(cut, &keep, &got, &err), HATCH_BAD_INPUT);
+    }
+}
+END_TEST
+
+struct lie {
+    size_t at;
+    uint64_t value;
+    size_t size;
+    enum hatch_status want;
+};
+
+static const struct lie lies[] = {
+    {0, 0, 1, HATCH_BAD_INPUT},            /* identifier */
+    {12, 97, 4, HATCH_BAD_INPUT},          /* R16G16B16A16_SFLOAT */
+    {16, 2, 4, HATCH_BAD_INPUT},           /* type size */
+    {20, 0, 4, HATCH_BAD_INPUT},           /* width 0 */
+    {20, 0xffffffffu, 4, HATCH_BAD_INPUT}, /* width too large */
+    {24, 0, 4, HATCH_BAD_INPUT},           /* one-dimensional */
+    {20, 1u << 24, 4, HATCH_LIMIT},        /* more than the arena */
+    {28, 1u << 24, 4, HATCH_LIMIT},        /* depth */
+    {32, 1u << 24, 4, HATCH_LIMIT},        /* layers */
+    {20, 65, 4, HATCH_BAD_INPUT},          /* a level's length is wrong */
+    {36, 6, 4, HATCH_BAD_INPUT},           /* a cube map */
+    {40, 8, 4, HATCH_BAD_INPUT},           /* one level too many */
+    {44, 1, 4, HATCH_BAD_INPUT},           /* BasisLZ */
+    {44, 2, 4, HATCH_BAD_INPUT},           /* texels that are no Zstandard */
+    {80, UINT64_MAX, 8, HATCH_BAD_INPUT},  /* an offset that wraps */
+    {88, UINT64_MAX, 8, HATCH_BAD_INPUT},  /* a length that wraps */
+};
+
+START_TEST(lies_are_refused)
+{
+    struct hatch_texels texture = make(0), got;
+    struct hatch_bytes file = write_ktx2(&texture);
+    const struct lie *lie = &lies[_i];
+    put((uint8_t *)(uintptr_t)file.data + lie->at, lie->value, lie->size);
+    ck_assert_int_eq(hatch_ktx2_read(file, &keep, &got, &err), lie->want);
+    ck_assert(err.text[0]);
+}
+END_TEST
+
+/* Every number where the DX10 form of the format has it. */
+START_TEST(dds_is_laid_out_as_published)
+{
+    struct hatch_texels texture = make(2);
+    struct hatch_buffer file = {.arena = &keep};
+    HATCH_TEST_OK(hatch_dds_write(&texture, &file, &err), &err);
+    static const uint32_t want[][2] = {{4, 124}, {12, 16},  {16, 16}, {28, 5},
+                                       {76, 32}, {128, 61}, {132, 3}, {140, 6}};
+    ck_assert(memcmp(file.data, "DDS ", 4) == 0 && memcmp(file.data + 84, "DX10", 4) == 0);
+    for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
+        uint32_t value = (uint32_t)get(file.data + want[i][0]);
+        ck_assert_uint_eq(value, want[i][1]);
+    }
+    const uint8_t *at = file.data + 148;
+    for (uint32_t layer = 0; layer < 6; layer++)
+        for (uint32_t level = 0; level < 5; level++) {
+            size_t size = hatch_texels_level_size(&texture, level) / 6;
+            ck_assert(memcmp(at, texture.texels[level] + layer * size, size) == 0);
+            at += size;
+        }
+    ck_assert_ptr_eq(at, file.data + file.size);
+}
+END_TEST
+
+struct reading {
+    struct hatch_bytes file;
+    struct hatch_texels texture;
+};
+
+static enum hatch_status read_ktx2(void *context, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_err *error)
+{
+    struct reading *reading = context;
+    (void)scratch;
+    return hatch_ktx2_read(reading->file, arena, &reading->texture, error);
+}
+
+static enum hatch_status write_both(void *context, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_err *error)
+{
+    struct hatch_buffer ktx2 = {.arena = arena}, dds = {.arena = arena};
+    (void)scratch;
+    enum hatch_status status = hatch_ktx2_write(context, NULL, &ktx2, error);
+    ck_assert(status == HATCH_OK || ktx2.size == 0);
+    if (status == HATCH_OK)
+        status = hatch_dds_write(context, &dds, error);
+    ck_assert(status == HATCH_OK || dds.size == 0);
+    return status;
+}
+
+START_TEST(each_allocation_may_fail)
+{
+    struct hatch_texels texture = make(2);
+    struct reading reading = {.file = write_ktx2(&texture)};
+    hatch_test_fail_alloc(read_ktx2, &reading, &reading.texture, sizeof reading.texture);
+    hatch_test_fail_alloc(write_both, &texture, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io container");
+    TCase *tests = tcase_create("container");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, what_is_written_is_read, 0, KINDS);
+    tcase_add_loop_test(tests, keys_are_read_in_order, 0, KINDS);
+    tcase_add_test(tests, damaged_keys_are_refused_or_left_out);
+    tcase_add_loop_test(tests, zstandard_is_unpacked, 0, KINDS);
+    tcase_add_loop_test(tests, every_cut_is_refused, 0, KINDS);
+    tcase_add_loop_test(tests, lies_are_refused, 0, sizeof lies / sizeof *lies);
+    tcase_add_test(tests, dds_is_laid_out_as_published);
+    tcase_add_test(tests, each_allocation_may_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,343 @@
+#include "arenas.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "io/exr/exr.h"
+
+#define LIMIT ((size_t)1 << 30)
+#define PARTS 5u
+
+struct kind {
+    uint32_t width, height;
+    bool mips;
+    const char *names;
+    bool ids; /* with channels id and t */
+};
+
+static const struct kind kinds[] = {
+    {64, 64, true, "Y", false},   {1, 1, false, "Y", false},    {1, 1, true, "Y", false},
+    {256, 256, true, "Y", true},  {257, 257, true, "Y", false}, {300, 77, true, "RGB", false},
+    {700, 531, true, "Y", true},  {5, 1000, true, "Y", false},  {1000, 3, false, "RGBA", false},
+    {33, 17, false, "RGB", true}, {513, 40, false, "Y", false}, {600, 600, true, "RGB", true},
+};
+
+static float texel(const struct hatch_channel *channel, uint64_t stream, uint64_t i)
+{
+    uint64_t bits = hatch_random_u64(9, stream, i);
+    if (channel->type == HATCH_UINT)
+        return (float)(bits % 16777217u);
+    if (channel->type == HATCH_FLOAT)
+        return (float)((double)bits * 0x1p-64);
+    if (i % 50 < 30)
+        return 1; /* paper, so that some chunks shrink and some do not */
+    uint16_t half = (uint16_t)bits;
+    return (half & 0x7c00) == 0x7c00 ? 0 : hatch_float_from_half(half);
+}
+
+static void make_part(const struct kind *kind, uint32_t part, struct hatch_mipmap *mipmap)
+{
+    memset(mipmap, 0, sizeof *mipmap);
+    mipmap->level_count = kind->mips ? hatch_mip_chain_length(kind->width, kind->height) : 1;
+    mipmap->levels = HATCH_NEW(&keep, struct hatch_image, mipmap->level_count, &err);
+    char names[8] = {0};
+    strcat(names, kind->names);
+    strcat(names, kind->ids ? "it" : "");
+    for (uint32_t l = 0; l < mipmap->level_count; l++) {
+        struct hatch_image *level = &mipmap->levels[l];
+        HATCH_TEST_OK(hatch_image_make(&keep, hatch_mip_size(kind->width, l),
+                                       hatch_mip_size(kind->height, l), names, level, &err),
+                      &err);
+        if (kind->ids) {
+            level->channels[level->channel_count - 2] = (struct hatch_channel){"id", HATCH_UINT};
+            level->channels[level->channel_count - 1] = (struct hatch_channel){"t", HATCH_FLOAT};
+        }
+        size_t count = (size_t)level->width * level->height * level->channel_count;
+        for (size_t i = 0; i < count; i++)
+            level->pixels[i] = texel(&level->channels[i % level->channel_count], part * 40 + l, i);
+    }
+    snprintf(mipmap->name, sizeof mipmap->name, "tone.%03u", part);
+    hatch_mipmap_set_number(mipmap, "hatch:tone", (double)((float)part / 7), HATCH_ATTRIBUTE_FLOAT);
+    hatch_mipmap_set_number(mipmap, "hatch:levels", part + 1, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_text(mipmap, "hatch:seed", "18446744073709551615");
+}
+
+struct adding {
+    struct hatch_exr_writer *writer;
+    struct hatch_mipmap *parts;
+    enum hatch_status status[PARTS];
+};
+
+static void add_one(void *context, uint32_t part)
+{
+    struct adding *adding = context;
+    adding->status[part] = hatch_exr_add_part(adding->writer, part, &adding->parts[part], NULL);
+}
+
+static struct hatch_buffer write_all(struct hatch_mipmap *parts, uint32_t count, uint32_t threads)
+{
+    struct hatch_buffer file = {.arena = &keep};
+    struct adding adding = {.parts = parts};
+    struct hatch_pool *pool = NULL;
+    HATCH_TEST_OK(hatch_pool_make(threads, &scratch, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_exr_begin(&parts[0], count, &keep, &adding.writer, &err), &err);
+    hatch_parallel_for(pool, count, add_one, &adding);
+    hatch_pool_free(pool);
+    for (uint32_t i = 0; i < count; i++)
+        ck_assert_int_eq(adding.status[i], HATCH_OK);
+    HATCH_TEST_OK(hatch_exr_end(adding.writer, &file, &err), &err);
+    return file;
+}
+
+static void same_part(const struct hatch_mipmap *got, const struct hatch_mipmap *want)
+{
+    ck_assert_str_eq(got->name, want->name);
+    ck_assert_uint_eq(got->level_count, want->level_count);
+    ck_assert_uint_eq(got->attribute_count, want->attribute_count);
+    for (uint32_t i = 0; i < want->attribute_count; i++) {
+        const struct hatch_attribute *a = hatch_mipmap_attribute(got, want->attributes[i].name);
+        ck_assert_ptr_nonnull(a);
+        ck_assert_int_eq(a->type, want->attributes[i].type);
+        if (a->type == HATCH_ATTRIBUTE_TEXT)
+            ck_assert_str_eq(a->text, want->attributes[i].text);
+        else
+            ck_assert_double_eq(a->number, want->attributes[i].number);
+    }
+    for (uint32_t l = 0; l < want->level_count; l++) {
+        const struct hatch_image *a = &got->levels[l], *b = &want->levels[l];
+        ck_assert_uint_eq(a->width, b->width);
+        ck_assert_uint_eq(a->height, b->height);
+        ck_assert_uint_eq(a->channel_count, b->channel_count);
+        for (uint32_t c = 0; c < b->channel_count; c++) {
+            ck_assert_str_eq(a->channels[c].name, b->channels[c].name);
+            ck_assert_int_eq(a->channels[c].type, b->channels[c].type);
+        }
+        size_t bytes = (size_t)b->width * b->height * b->channel_count * sizeof(float);
+        ck_assert_msg(memcmp(a->pixels, b->pixels, bytes) == 0, "level %u differs", l);
+    }
+}
+
+START_TEST(what_is_written_is_read)
+{
+    const struct kind *kind = &kinds[_i];
+    struct hatch_mipmap parts[PARTS], *got = NULL;
+    uint32_t count = _i % 2 ? 1 : PARTS, got_count = 0;
+    for (uint32_t i = 0; i < count; i++)
+        make_part(kind, i, &parts[i]);
+    struct hatch_buffer file = write_all(parts, count, 1);
+    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got,
+                                 &got_count, &err),
+                  &err);
+    ck_assert_uint_eq(got_count, count);
+    for (uint32_t i = 0; i < count; i++)
+        same_part(&got[i], &parts[i]);
+}
+END_TEST
+
+START_TEST(bytes_do_not_depend_on_the_threads)
+{
+    struct hatch_mipmap parts[PARTS];
+    for (uint32_t i = 0; i < PARTS; i++)
+        make_part(&kinds[5], i, &parts[i]);
+    struct hatch_buffer one = write_all(parts, PARTS, 1), four = write_all(parts, PARTS, 4);
+    ck_assert_uint_eq(one.size, four.size);
+    ck_assert(memcmp(one.data, four.data, one.size) == 0);
+}
+END_TEST
+
+/* Pixels, and the sentence on a damaged file: that of its first damaged part. */
+START_TEST(what_is_read_does_not_depend_on_the_threads)
+{
+    struct hatch_mipmap parts[PARTS], *got[2] = {NULL, NULL};
+    struct hatch_pool *pool;
+    struct hatch_err errs[2];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < PARTS; i++)
+        make_part(&kinds[0], i, &parts[i]);
+    struct hatch_buffer file = write_all(parts, PARTS, 1);
+    struct hatch_bytes bytes = {file.data, file.size};
+    HATCH_TEST_OK(hatch_pool_make(4, &keep, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_exr_read(bytes, pool, &keep, &scratch, &got[0], &count, &err), &err);
+    ck_assert_uint_eq(count, PARTS);
+    for (uint32_t i = 0; i < PARTS; i++)
+        same_part(&got[0][i], &parts[i]);
+    uint32_t damaged = 0;
+    for (size_t at = file.size / 4; at < file.size; at += file.size / 23) {
+        enum hatch_status status[2];
+        memset(file.data + at, 0x55, 40);
+        for (int i = 0; i < 2; i++)
+            status[i] = hatch_exr_read(bytes, i ? pool : NULL, &keep, &scratch, &got[i], &count, &errs[i]);
+        ck_assert_int_eq(status[0], status[1]);
+        damaged += status[0] != HATCH_OK;
+        ck_assert(status[0] == HATCH_OK || strcmp(errs[0].text, errs[1].text) == 0);
+    }
+    ck_assert_uint_gt(damaged, 10);
+    hatch_pool_free(pool);
+}
+END_TEST
+
+START_TEST(every_cut_is_refused)
+{
+    struct hatch_mipmap parts[2], *got = NULL;
+    uint32_t count = 77;
+    for (uint32_t i = 0; i < 2; i++)
+        make_part(&kinds[0], i, &parts[i]);
+    struct hatch_buffer file = write_all(parts, 2, 1);
+    for (size_t size = 0; size < file.size; size += size < 1500 ? 1 : 97) {
+        struct hatch_bytes cut = {file.data, size};
+        enum hatch_status status = hatch_exr_read(cut, NULL, &keep, &scratch, &got, &count, &err);
+        ck_assert_msg(status == HATCH_BAD_INPUT, "%zu of %zu bytes: status %d", size, file.size,
+                      (int)status);
+        ck_assert(err.text[0] && !got && count == 77);
+    }
+}
+END_TEST
+
+START_TEST(what_is_no_exr_file_is_told_so)
+{
+    struct hatch_mipmap *got = NULL;
+    uint32_t count = 0;
+    struct hatch_bytes glb = {(const uint8_t *)"glTF....", 8}, nothing = {0};
+    ck_assert_int_eq(hatch_exr_read(glb, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "not an OpenEXR file");
+    ck_assert_int_eq(hatch_exr_read(nothing, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "empty");
+}
+END_TEST
+
+START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
+{
+    struct hatch_mipmap part, *got = NULL;
+    uint32_t count = 0;
+    make_part(&kinds[5], 0, &part);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    struct hatch_arena small;
+    hatch_arena_init(&small, 65536);
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &small, &scratch,
+                                    &got, &count, &err),
+                     HATCH_LIMIT);
+    ck_assert_uint_eq(small.peak_bytes, 0);
+}
+END_TEST
+
+/* 40,000 pixels each way where there is one: too many for the file's bytes, however large the
+ * arena. */
+START_TEST(a_window_that_lies_is_refused_before_anything_is_taken)
+{
+    static const char name[] = "dataWindow\0box2i";
+    static const uint8_t corner[] = {0x3f, 0x9c, 0, 0, 0x3f, 0x9c, 0, 0};
+    struct hatch_mipmap part, *got = NULL;
+    struct hatch_arena large;
+    uint32_t count = 0;
+    make_part(&kinds[1], 0, &part);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    size_t at = 0;
+    while (memcmp(file.data + at, name, sizeof name) != 0)
+        at++;
+    memcpy(file.data + at + sizeof name + 4 + 8, corner, sizeof corner);
+    hatch_arena_init(&large, SIZE_MAX);
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &large, &scratch,
+                                    &got, &count, &err),
+                     HATCH_BAD_INPUT);
+    ck_assert_uint_eq(large.peak_bytes, 0);
+    ck_assert(strstr(err.text, "40000x40000"));
+}
+END_TEST
+
+START_TEST(a_writer_stops_at_its_limit)
+{
+    struct hatch_mipmap part;
+    struct hatch_exr_writer *writer = NULL;
+    struct hatch_arena small;
+    make_part(&kinds[6], 0, &part);
+    hatch_arena_init(&small, 200000);
+    HATCH_TEST_OK(hatch_exr_begin(&part, 2, &small, &writer, &err), &err);
+    ck_assert_int_eq(hatch_exr_add_part(writer, 0, &part, &err), HATCH_LIMIT);
+    hatch_exr_abandon(writer);
+    hatch_exr_abandon(NULL);
+    hatch_arena_free(&small);
+}
+END_TEST
+
+/* Where they lie or joined, the bytes are the same, and pieces live on until the writer goes. */
+START_TEST(pieces_are_the_file)
+{
+    struct hatch_mipmap parts[PARTS];
+    for (uint32_t i = 0; i < PARTS; i++)
+        make_part(&kinds[_i], i, &parts[i]);
+    uint32_t count = _i % 2 ? 1 : PARTS;
+    struct hatch_buffer file = write_all(parts, count, 1), head = {.arena = &keep};
+    struct hatch_exr_writer *writer;
+    struct hatch_bytes pieces[PARTS];
+    HATCH_TEST_OK(hatch_exr_begin(&parts[0], count, &keep, &writer, &err), &err);
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TEST_OK(hatch_exr_add_part(writer, i, &parts[i], &err), &err);
+    HATCH_TEST_OK(hatch_exr_pieces(writer, &head, pieces, &err), &err);
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TEST_OK(hatch_buffer_add(&head, pieces[i].data, pieces[i].size, &err), &err);
+    hatch_exr_abandon(writer);
+    ck_assert_uint_eq(head.size, file.size);
+    ck_assert_mem_eq(head.data, file.data, file.size);
+}
+END_TEST
+
+struct reading {
+    struct hatch_bytes file;
+    struct hatch_mipmap *parts;
+};
+
+static enum hatch_status read_file(void *context, struct hatch_arena *arena,
+                                   struct hatch_arena *temporary, struct hatch_err *error)
+{
+    struct reading *reading = context;
+    uint32_t count = 0;
+    return hatch_exr_read(reading->file, NULL, arena, temporary, &reading->parts, &count, error);
+}
+
+static enum hatch_status write_file(void *context, struct hatch_arena *arena,
+                                    struct hatch_arena *temporary, struct hatch_err *error)
+{
+    const struct hatch_mipmap *part = context;
+    struct hatch_exr_writer *writer = NULL;
+    struct hatch_buffer file = {.arena = arena};
+    (void)temporary;
+    HATCH_TRY(hatch_exr_begin(part, 1, arena, &writer, error));
+    HATCH_TRY(hatch_exr_add_part(writer, 0, part, error));
+    enum hatch_status status = hatch_exr_end(writer, &file, error);
+    ck_assert(status == HATCH_OK || file.size == 0);
+    return status;
+}
+
+START_TEST(each_allocation_may_fail)
+{
+    struct hatch_mipmap part;
+    make_part(&kinds[0], 0, &part);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    struct reading reading = {.file = {file.data, file.size}};
+    hatch_test_fail_alloc(read_file, &reading, &reading.parts, sizeof reading.parts);
+    hatch_test_fail_alloc(write_file, &part, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io exr");
+    TCase *tests = tcase_create("exr");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, what_is_written_is_read, 0, sizeof kinds / sizeof *kinds);
+    tcase_add_loop_test(tests, pieces_are_the_file, 0, sizeof kinds / sizeof *kinds);
+    tcase_add_test(tests, bytes_do_not_depend_on_the_threads);
+    tcase_add_test(tests, what_is_read_does_not_depend_on_the_threads);
+    tcase_add_test(tests, every_cut_is_refused);
+    tcase_add_test(tests, what_is_no_exr_file_is_told_so);
+    tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_anything_is_taken);
+    tcase_add_test(tests, a_window_that_lies_is_refused_before_anything_is_taken);
+    tcase_add_test(tests, a_writer_stops_at_its_limit);
+    tcase_add_test(tests, each_allocation_may_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,217 @@
+/* What exporters write that is met less often: each as small as it can be. */
+#include <math.h>
+#include <string.h>
+
+#include "arenas.h"
+#include "io/glb/glb.h"
+#include "io/gltf/gltf.h"
+
+static struct hatch_scene scene;
+static struct hatch_mesh_notes notes;
+
+/* The companion of every file here. */
+static const struct {
+    float square[12];
+    float up[3];
+    uint16_t corners[6], places[2], more[2];
+    float moves[9], turns[12];
+    float times[3], values[9];
+} data = {{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
+          {0, 0, 5},
+          {0, 1, 2, 0, 0, 0},
+          {3, 4},
+          {2, 1},
+          {2, 0, 0, 4, 0, 0, 6, 0, 0},
+          {0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 1},
+          {0, 1, 1},
+          {0, 0, 0, 1, 0, 0, 8, 0, 0}};
+
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
+                                 struct hatch_bytes *bytes, struct hatch_err *error)
+{
+    (void)context;
+    (void)arena;
+    if (strcmp(uri, "d.bin") != 0)
+        return hatch_fail(error, HATCH_IO, "%s: not there", uri);
+    *bytes = (struct hatch_bytes){(const uint8_t *)&data, sizeof data};
+    return HATCH_OK;
+}
+
+/* Accessors: 0 the square, 1 the square with a corner higher, 2 corners that sparse ones complete, 3 moves,
+ * 4 turns, 5 times, 6 values, 7 two moves, 8 as many zeros as one likes. */
+#define HEAD                                                                                                    \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":212}],\"bufferViews\":["     \
+    "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"                      \
+    "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":4},"     \
+    "{\"buffer\":0,\"byteOffset\":76,\"byteLength\":4},{\"buffer\":0,\"byteOffset\":80,\"byteLength\":36},"     \
+    "{\"buffer\":0,\"byteOffset\":116,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":164,\"byteLength\":48}]," \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"                   \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":1,"            \
+    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":1}}},"                     \
+    "{\"bufferView\":2,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\",\"sparse\":{\"count\":2,"          \
+    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":4}}},"                     \
+    "{\"bufferView\":5,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                                  \
+    "{\"bufferView\":6,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"                                  \
+    "{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                                \
+    "{\"bufferView\":7,\"byteOffset\":12,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                \
+    "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},"                                  \
+    "{\"componentType\":5126,\"count\":99999,\"type\":\"VEC3\"}]"
+#define SQUARE(rest) ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" rest "}]}]"
+
+static enum hatch_status read_bytes(const void *bytes, size_t size)
+{
+    notes = (struct hatch_mesh_notes){0};
+    return hatch_gltf_read((struct hatch_bytes){bytes, size}, resolve, NULL, &keep, &scratch, &scene, &notes, &err);
+}
+
+static void reads(const char *json)
+{
+    HATCH_TEST_OK(read_bytes(json, strlen(json)), &err);
+}
+
+static void refuses(const char *json, const char *sentence)
+{
+    ck_assert_int_eq(read_bytes(json, strlen(json)), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, sentence);
+}
+
+START_TEST(indices_may_be_sparse)
+{
+    static const uint32_t both[] = {0, 1, 2, 2, 1, 0};
+    reads(HEAD SQUARE("0,\"NORMAL\":0},\"indices\":2") ",\"nodes\":[{\"mesh\":0}]}");
+    ck_assert_mem_eq(scene.meshes[0].mesh.indices, both, sizeof both);
+}
+END_TEST
+
+START_TEST(positions_may_be_sparse)
+{
+    reads(HEAD SQUARE("1},\"mode\":5") ",\"nodes\":[{\"mesh\":0}]}");
+    ck_assert_float_eq(hatch_mesh_find(&scene.meshes[0].mesh, "POSITION", 3)[11], 5);
+}
+END_TEST
+
+#define INSTANCES(attributes)                                                                                \
+    ",\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],\"nodes\":[{\"translation\":[0,7,0],\"mesh\":0,"  \
+    "\"children\":[1],\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{" attributes "}}}},{}]}"
+
+START_TEST(instances_are_nodes)
+{
+    reads(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":3,\"ROTATION\":4"));
+    ck_assert_uint_eq(scene.node_count, 5);
+    ck_assert_uint_eq(scene.nodes[0].mesh_count, 0);
+    for (uint32_t i = 2; i < 5; i++) {
+        ck_assert_uint_eq(scene.nodes[i].parent, 0);
+        ck_assert_uint_eq(scene.nodes[i].mesh_count, 1);
+        ck_assert_float_eq(scene.nodes[i].translation[0], 2 * (float)(i - 1));
+        ck_assert_float_eq(scene.nodes[i].scale[2], 1);
+    }
+    ck_assert_float_eq(scene.nodes[3].rotation[2], 1); /* brought to length 1 */
+    float world[5 * 16];
+    hatch_scene_pose(&scene, HATCH_NONE, 0, world);
+    ck_assert_float_eq(world[4 * 16 + 12], 6);
+    ck_assert_float_eq(world[4 * 16 + 13], 7);
+    refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":7,\"ROTATION\":4"),
+            "node 0, instances' ROTATION: 3 of them, of others there are 2");
+    refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":8"),
+            "node 0, instances' TRANSLATION: its accessor has no buffer view");
+}
+END_TEST
+
+/* Two keys at one time: a jump. */
+START_TEST(times_may_stand_still)
+{
+    reads(HEAD ",\"nodes\":[{}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
+               "\"translation\"}}],\"samplers\":[{\"input\":5,\"output\":6}]}]}");
+    float world[16];
+    hatch_scene_pose(&scene, 0, 0.5, world);
+    ck_assert_float_eq(world[12], 0.5f);
+    hatch_scene_pose(&scene, 0, 1, world);
+    ck_assert_float_eq(world[12], 8);
+}
+END_TEST
+
+/* The extension is named, whatever else is strange about the file without it. */
+START_TEST(what_is_required_is_asked_first)
+{
+    refuses("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":9}],\"extensionsRequired\":["
+            "\"KHR_texture_transform\",\"EXT_meshopt_compression\"]}",
+            "extensionsRequired: EXT_meshopt_compression is not supported");
+    reads("{\"asset\":{\"version\":\"2.0\"},\"extras\":{\"extensionsRequired\":[\"none\"]}}");
+}
+END_TEST
+
+START_TEST(zeros_behind_the_end_are_nothing)
+{
+    char json[64] = "{\"asset\":{\"version\":\"2.0\"}}";
+    HATCH_TEST_OK(read_bytes(json, sizeof json), &err);
+    struct hatch_buffer file = {.arena = &keep};
+    const struct hatch_scene nothing = {0};
+    HATCH_TEST_OK(hatch_glb_write_scene(&nothing, NULL, &scratch, &file, &err), &err);
+    HATCH_TEST_OK(hatch_buffer_add(&file, "\0\0\0\0\0", 5, &err), &err);
+    HATCH_TEST_OK(read_bytes(file.data, file.size), &err);
+    file.data[file.size - 1] = 1;
+    ck_assert_int_eq(read_bytes(file.data, file.size), HATCH_BAD_INPUT);
+}
+END_TEST
+
+#define LOOKS(material)                                                                                       \
+    "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\",\"EXT_texture_webp\"],"   \
+    "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp;base64,AAAA\",\"name\":"  \
+    "\"bark\"},{\"uri\":\"gone.png\"},{\"uri\":\"no%20one.png\"}],\"textures\":[{\"extensions\":{"             \
+    "\"EXT_texture_webp\":{\"source\":0}}},{\"source\":0,\"extensions\":{\"KHR_texture_basisu\":{\"source\":"  \
+    "2}}},{\"extensions\":{\"KHR_texture_basisu\":{\"source\":2}}},{\"source\":1},{\"source\":3}],"            \
+    "\"materials\":[" material "]}"
+#define COLOUR(texture) "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":" texture "}}}"
+
+START_TEST(images_of_extensions)
+{
+    reads(LOOKS(COLOUR("0") "," COLOUR("1")));
+    ck_assert(scene.materials[0].base.texture == 0 && scene.materials[1].base.texture == 0);
+    ck_assert_uint_eq(notes.images_missing, 0); /* nobody wants them */
+    reads(LOOKS(COLOUR("2") "," COLOUR("2") ",{\"normalTexture\":{\"index\":3}}"));
+    ck_assert(scene.materials[0].base.texture == HATCH_NONE && !scene.materials[2].normals.used);
+    ck_assert_uint_eq(notes.images_missing, 2);
+    ck_assert_str_eq(notes.image_missing, "gone.png");
+    reads(LOOKS(COLOUR("3")));
+    ck_assert_str_eq(notes.image_missing, "bark");
+}
+END_TEST
+
+START_TEST(coordinates_of_any_set)
+{
+    reads(LOOKS("{\"normalTexture\":{\"index\":1,\"texCoord\":3,\"scale\":0.5}}"));
+    const struct hatch_normal_map *normals = &scene.materials[0].normals;
+    ck_assert(normals->used && normals->at.texcoord == 3);
+    ck_assert_float_eq(normals->strength, 0.5f);
+}
+END_TEST
+
+START_TEST(what_blends_is_cut_at_one_half)
+{
+    reads(LOOKS("{\"alphaMode\":\"BLEND\"},{\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}},"
+                "{\"alphaMode\":\"MASK\"}"));
+    ck_assert(scene.materials[0].blend && !scene.materials[1].blend && !scene.materials[2].blend);
+    ck_assert_float_eq(scene.materials[0].alpha_cutoff, 0.5f);
+    ck_assert_float_eq(scene.materials[1].alpha_cutoff, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io gltf kinds");
+    TCase *tests = tcase_create("kinds");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, indices_may_be_sparse);
+    tcase_add_test(tests, positions_may_be_sparse);
+    tcase_add_test(tests, instances_are_nodes);
+    tcase_add_test(tests, times_may_stand_still);
+    tcase_add_test(tests, what_is_required_is_asked_first);
+    tcase_add_test(tests, zeros_behind_the_end_are_nothing);
+    tcase_add_test(tests, images_of_extensions);
+    tcase_add_test(tests, coordinates_of_any_set);
+    tcase_add_test(tests, what_blends_is_cut_at_one_half);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)

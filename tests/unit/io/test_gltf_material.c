@@ -1,0 +1,143 @@
+/* What real files say of materials and lights, and of their own parts. */
+#include <math.h>
+#include <string.h>
+
+#include "arenas.h"
+#include "io/gltf/gltf.h"
+
+static struct hatch_scene scene;
+static struct hatch_mesh_notes notes;
+
+#define HEAD "{\"asset\":{\"version\":\"2.0\"}"
+#define TEXTURE                                                                                              \
+    ",\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"}],\"textures\":[{\"source\":0},{\"source\":0}]"
+
+/* Only the file "a+b.bin" is there. */
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
+                                 struct hatch_bytes *bytes, struct hatch_err *error)
+{
+    (void)context;
+    (void)arena;
+    if (strcmp(uri, "a+b.bin") != 0)
+        return hatch_fail(error, HATCH_IO, "%s: not there", uri);
+    *bytes = (struct hatch_bytes){(const uint8_t *)"1234", 4};
+    return HATCH_OK;
+}
+
+static enum hatch_status read_bytes(const void *data, size_t size)
+{
+    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene, &notes,
+                           &err);
+}
+
+static void reads(const char *json)
+{
+    HATCH_TEST_OK(read_bytes(json, strlen(json)), &err);
+}
+
+static void refuses(const char *json, const char *sentence)
+{
+    ck_assert_int_eq(read_bytes(json, strlen(json)), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, sentence);
+}
+
+START_TEST(textures_are_placed)
+{
+    reads(HEAD TEXTURE ",\"extensionsRequired\":[\"KHR_texture_transform\"],\"materials\":[{"
+                       "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1,\"extensions\":{"
+                       "\"KHR_texture_transform\":{\"offset\":[0.25,0.5],\"rotation\":0.5,\"texCoord\":1}}}}},"
+                       "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]}");
+    const struct hatch_material *m = &scene.materials[0];
+    ck_assert(m->base.placed && m->base.texture == 0 && m->base.texcoord == 1);
+    ck_assert_float_eq(m->base.offset[0], 0.25f);
+    ck_assert_float_eq(m->base.offset[1], 0.5f);
+    ck_assert_float_eq(m->base.turn_rad, 0.5f);
+    ck_assert(m->base.scale[0] == 1 && m->base.scale[1] == 1);
+    ck_assert(!scene.materials[1].base.placed);
+    static const char crooked[] =
+        HEAD TEXTURE ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":"
+                     "{\"KHR_texture_transform\":{\"scale\":[1]}}}}}]}";
+    refuses(crooked, "material 0: scale wants 2 numbers, not 1");
+}
+END_TEST
+
+START_TEST(the_older_colours_count)
+{
+    reads(HEAD TEXTURE ",\"extensionsRequired\":[\"KHR_materials_pbrSpecularGlossiness\"],\"materials\":[{"
+                       "\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[0.5,0,0,1],"
+                       "\"diffuseTexture\":{\"index\":1,\"texCoord\":1,\"extensions\":{\"KHR_texture_transform\":"
+                       "{\"scale\":[2,3]}}}}}}]}");
+    const struct hatch_material *m = &scene.materials[0];
+    ck_assert_float_eq(m->base_color[0], 0.5f);
+    ck_assert_float_eq(m->base_color[1], 0);
+    ck_assert(m->base.texture == 0 && m->base.texcoord == 1 && m->base.placed);
+    ck_assert_float_eq(m->base.scale[1], 3);
+    static const char astray[] =
+        HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
+                     "\"diffuseTexture\":{\"index\":7}}}}]}";
+    refuses(astray, "material 0: texture 7, there are 2");
+}
+END_TEST
+
+START_TEST(how_a_surface_shines_is_no_reason_to_refuse)
+{
+    static const char draco[] =
+        HEAD ",\"extensionsRequired\":[\"KHR_materials_sheen\",\"KHR_draco_mesh_compression\"]}";
+    reads(HEAD ",\"extensionsRequired\":[\"KHR_materials_unlit\",\"KHR_materials_clearcoat\"]}");
+    refuses(draco, "extensionsRequired: KHR_draco_mesh_compression is not supported");
+    static const char later[] = "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}";
+    refuses(later, "asset: needs a reader of glTF 2.1, this one is of 2.0");
+}
+END_TEST
+
+START_TEST(a_sharp_cone_is_a_cone)
+{
+    reads(HEAD ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\",\"spot\":{"
+               "\"innerConeAngle\":0.5,\"outerConeAngle\":0.5}}]}}}");
+    ck_assert_float_eq(scene.lights[0].outer_cone_rad, 0.5f);
+    ck_assert(scene.lights[0].inner_cone_rad < 0.5f && scene.lights[0].inner_cone_rad > 0.4999f);
+}
+END_TEST
+
+START_TEST(a_plus_in_a_name_is_a_plus)
+{
+    reads(HEAD ",\"buffers\":[{\"byteLength\":4,\"uri\":\"a+b.bin\"}]}");
+    static const char gone[] = HEAD ",\"buffers\":[{\"byteLength\":4,\"uri\":\"a b.txt\"}]}";
+    refuses(gone, "a b.txt: not there");
+}
+END_TEST
+
+START_TEST(a_glb_may_have_no_binary_part)
+{
+    static const char json[] = HEAD "} "; /* 28 bytes: in fours */
+    for (int empty = 0; empty < 2; empty++) {
+        struct hatch_buffer file = {.arena = &keep};
+        HATCH_TEST_OK(hatch_buffer_add(&file, "glTF\2\0\0\0", 8, &err), &err);
+        HATCH_TEST_OK(hatch_buffer_add_u32le(&file, (uint32_t)(20 + sizeof json - 1) + (empty ? 8 : 0), &err), &err);
+        HATCH_TEST_OK(hatch_buffer_add_u32le(&file, (uint32_t)(sizeof json - 1), &err), &err);
+        HATCH_TEST_OK(hatch_buffer_add(&file, "JSON", 4, &err), &err);
+        HATCH_TEST_OK(hatch_buffer_add(&file, json, sizeof json - 1, &err), &err);
+        if (empty)
+            HATCH_TEST_OK(hatch_buffer_add(&file, "\0\0\0\0BIN\0", 8, &err), &err);
+        HATCH_TEST_OK(read_bytes(file.data, file.size), &err);
+        ck_assert_uint_eq(scene.mesh_count, 0);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io gltf material");
+    TCase *tests = tcase_create("reader");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, textures_are_placed);
+    tcase_add_test(tests, the_older_colours_count);
+    tcase_add_test(tests, how_a_surface_shines_is_no_reason_to_refuse);
+    tcase_add_test(tests, a_sharp_cone_is_a_cone);
+    tcase_add_test(tests, a_plus_in_a_name_is_a_plus);
+    tcase_add_test(tests, a_glb_may_have_no_binary_part);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)

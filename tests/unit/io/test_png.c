@@ -1,0 +1,153 @@
+#include "arenas.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "io/png/png.h"
+
+#define LIMIT ((size_t)64 << 20)
+
+static struct hatch_image ramp(uint32_t width, uint32_t height, const char *names)
+{
+    struct hatch_image image;
+    HATCH_TEST_OK(hatch_image_make(&keep, width, height, names, &image, &err), &err);
+    size_t count = (size_t)width * height * image.channel_count;
+    for (size_t i = 0; i < count; i++)
+        image.pixels[i] = hatch_random_unit(3, image.channel_count, i);
+    return image;
+}
+
+static struct hatch_bytes encode(const struct hatch_image *image, enum hatch_png_encoding encoding,
+                                 uint32_t depth)
+{
+    struct hatch_buffer file = {.arena = &keep};
+    HATCH_TEST_OK(hatch_png_write(image, encoding, depth, "seed 1", &scratch, &file, &err), &err);
+    return (struct hatch_bytes){file.data, file.size};
+}
+
+static const char *const channel_sets[] = {"Y", "YA", "RGB", "RGBA"};
+
+/* Reading gives the centre of the code that was written: half a step of sRGB away at most. */
+START_TEST(colours_survive_within_half_a_step)
+{
+    const char *names = channel_sets[_i / 2];
+    uint32_t depth = _i % 2 ? 16 : 8;
+    struct hatch_image image = ramp(61, 43, names), got;
+    struct hatch_bytes file = encode(&image, HATCH_PNG_SRGB, depth);
+    HATCH_TEST_OK(hatch_png_read(file, &keep, &scratch, &got, &err), &err);
+    ck_assert_uint_eq(got.width, 61);
+    ck_assert_uint_eq(got.height, 43);
+    ck_assert_uint_eq(got.channel_count, strlen(names));
+    float step = depth == 16 ? 1.0f / 65535 : 1.0f / 255;
+    for (size_t i = 0; i < 61 * 43 * strlen(names); i++) {
+        bool alpha = strlen(names) % 2 == 0 && i % strlen(names) == strlen(names) - 1;
+        float a = alpha ? image.pixels[i] : hatch_linear_to_srgb(image.pixels[i]);
+        float b = alpha ? got.pixels[i] : hatch_linear_to_srgb(got.pixels[i]);
+        ck_assert_msg(fabsf(a - b) <= 0.5001f * step, "%g became %g", (double)a, (double)b);
+    }
+    struct hatch_bytes again = encode(&got, HATCH_PNG_SRGB, depth);
+    ck_assert_msg(again.size == file.size && memcmp(again.data, file.data, file.size) == 0,
+                  "the picture that was read encodes to other bytes");
+}
+END_TEST
+
+START_TEST(raw_numbers_are_rounded_to_nearest_and_clamped)
+{
+    static const float values[] = {-1, 0, 0.49f / 255, 0.51f / 255, 0.5f, 1, 2, NAN};
+    static const float want[] = {0, 0, 0, 1, 128, 255, 255, 0};
+    struct hatch_image image = ramp(8, 1, "Y"), got;
+    memcpy(image.pixels, values, sizeof values);
+    HATCH_TEST_OK(hatch_png_read(encode(&image, HATCH_PNG_RAW, 8), &keep, &scratch, &got, &err),
+                  &err);
+    for (int i = 0; i < 8; i++)
+        ck_assert(got.pixels[i] == hatch_srgb_to_linear(want[i] / 255));
+}
+END_TEST
+
+START_TEST(every_cut_and_every_damaged_byte_is_refused_or_harmless)
+{
+    struct hatch_image image = ramp(20, 20, "RGB"), got;
+    struct hatch_bytes file = encode(&image, HATCH_PNG_SRGB, 8);
+    for (size_t size = 0; size < file.size; size++) {
+        struct hatch_bytes cut = {file.data, size};
+        ck_assert_int_eq(hatch_png_read(cut, &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
+    }
+    uint8_t *copy = HATCH_NEW(&keep, uint8_t, file.size, &err);
+    uint32_t accepted = 0;
+    for (size_t i = 0; i < file.size; i++) {
+        memcpy(copy, file.data, file.size);
+        copy[i] ^= 0x55;
+        struct hatch_bytes damaged = {copy, file.size};
+        accepted += hatch_png_read(damaged, &keep, &scratch, &got, &err) == HATCH_OK;
+    }
+    ck_assert_msg(accepted < 80, "%u damaged files were accepted", accepted);
+}
+END_TEST
+
+/* A header of 33 bytes is all that is true of this file. */
+START_TEST(a_header_that_lies_is_refused_before_anything_is_taken)
+{
+    static const uint8_t lie[] = {0x89, 'P',  'N', 'G', 13,  10,  26,  10,   0,    0,    0,
+                                  13,   'I',  'H', 'D', 'R', 0,   0,   0xea, 0x60, 0,    0,
+                                  0xea, 0x60, 8,   2,   0,   0,   0,   0x0f, 0xb0, 0xe2, 0x15,
+                                  0,    0,    0,   1,   'I', 'D', 'A', 'T'};
+    uint8_t file[100] = {0};
+    memcpy(file, lie, sizeof lie);
+    struct hatch_bytes bytes = {file, sizeof file};
+    struct hatch_image got;
+    struct hatch_arena small, large;
+    hatch_arena_init(&small, LIMIT);
+    hatch_arena_init(&large, SIZE_MAX);
+    ck_assert_int_eq(hatch_png_read(bytes, &small, &scratch, &got, &err), HATCH_LIMIT);
+    ck_assert_int_eq(hatch_png_read(bytes, &large, &scratch, &got, &err), HATCH_BAD_INPUT);
+    ck_assert_uint_eq(small.peak_bytes + large.peak_bytes + scratch.peak_bytes, 0);
+}
+END_TEST
+
+struct reading {
+    struct hatch_bytes file;
+    struct hatch_image image;
+};
+
+static enum hatch_status read_file(void *context, struct hatch_arena *arena,
+                                   struct hatch_arena *temporary, struct hatch_err *error)
+{
+    struct reading *reading = context;
+    return hatch_png_read(reading->file, arena, temporary, &reading->image, error);
+}
+
+static enum hatch_status write_file(void *context, struct hatch_arena *arena,
+                                    struct hatch_arena *temporary, struct hatch_err *error)
+{
+    struct hatch_buffer file = {.arena = arena};
+    enum hatch_status status =
+        hatch_png_write(context, HATCH_PNG_RAW, 16, NULL, temporary, &file, error);
+    ck_assert(status == HATCH_OK || file.size == 0);
+    return status;
+}
+
+START_TEST(each_allocation_may_fail)
+{
+    struct hatch_image image = ramp(5, 5, "YA");
+    struct reading reading = {.file = encode(&image, HATCH_PNG_SRGB, 8)};
+    hatch_test_fail_alloc(read_file, &reading, &reading.image, sizeof reading.image);
+    hatch_test_fail_alloc(write_file, &image, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io png");
+    TCase *tests = tcase_create("png");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, colours_survive_within_half_a_step, 0, 8);
+    tcase_add_test(tests, raw_numbers_are_rounded_to_nearest_and_clamped);
+    tcase_add_test(tests, every_cut_and_every_damaged_byte_is_refused_or_harmless);
+    tcase_add_test(tests, a_header_that_lies_is_refused_before_anything_is_taken);
+    tcase_add_test(tests, each_allocation_may_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

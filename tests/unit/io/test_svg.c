@@ -1,0 +1,453 @@
+#define _XOPEN_SOURCE 700 /* M_PI */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "arenas.h"
+#include "fail_alloc.h"
+#include "image/image.h"
+#include "io/svg/svg.h"
+#include "stroke/path.h"
+
+#define SIZE 200u
+
+static struct hatch_stroke_list list;
+static struct hatch_svg_notes notes;
+
+static enum hatch_status read_text(const char *text)
+{
+    struct hatch_bytes bytes = {(const uint8_t *)text, strlen(text)};
+    return hatch_svg_read(bytes, SIZE, &keep, &scratch, &list, &notes, &err);
+}
+
+/* A drawing on a page of 100 x 100. */
+static const char *page(const char *content)
+{
+    static char text[20000];
+    snprintf(text, sizeof text, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>%s</svg>", content);
+    return text;
+}
+
+static void read_page(const char *content)
+{
+    HATCH_TEST_OK(read_text(page(content)), &err);
+}
+
+/* Where point i of a stroke lies, user units; the last one for i -1. */
+static void point(uint32_t stroke, int i, double *xy)
+{
+    const struct hatch_stroke *s = &list.items[stroke];
+    uint32_t at = i < 0 ? s->path->count - 1 : (uint32_t)i;
+    xy[0] = 100 * ((double)s->x + (double)s->path->xy[2 * at]);
+    xy[1] = 100 * ((double)s->y + (double)s->path->xy[2 * at + 1]);
+}
+
+static void check_point(uint32_t stroke, int i, double x, double y)
+{
+    double xy[2];
+    ck_assert_uint_lt(stroke, list.count);
+    point(stroke, i, xy);
+    /* the tile wraps: only the place in it counts */
+    ck_assert_double_eq_tol(remainder(xy[0] - x, 100), 0, 1e-3);
+    ck_assert_double_eq_tol(remainder(xy[1] - y, 100), 0, 1e-3);
+}
+
+static void check_dot(uint32_t stroke, double x, double y)
+{
+    ck_assert_ptr_null(list.items[stroke].path);
+    ck_assert_double_eq_tol(100 * (double)list.items[stroke].x, x, 1e-3);
+    ck_assert_double_eq_tol(100 * (double)list.items[stroke].y, y, 1e-3);
+}
+
+/* One stroke each, from (10, 20) to (50, 60), whatever its grammar. */
+static const char *const same_ends[] = {
+    "<path stroke='black' d='M10 20L50 60'/>",
+    "<path stroke='black' d='m10,20,40,40'/>",
+    "<path stroke='black' d='m 1e1 20l+40 4.e1'/>",
+    "<path stroke='black' d='M10 20H50V60'/>",
+    "<path stroke='black' d='m10 20h40v40'/>",
+    "<path stroke='black' d='M10,20C10,30,40,60,50,60'/>",
+    "<path stroke='black' d='m10 20c0 10 30 40 40 40'/>",
+    "<path stroke='black' d='m10 20s30 40 40 40'/>",
+    "<path stroke='black' d='m10 20q0 40 40 40'/>",
+    "<path stroke='black' d='M10-20m0 40t40 40'/>",
+    "<path stroke='black' d='m10 20a40 40 0 0150 60'/>",
+    "<path stroke='black' d='M10 20A40 40 0 00 50 60'/>",
+    "<path stroke='black' d='M10 20A1 1 30 1 1 50 60'/>",
+    "<path stroke='black' d='M10 20A0 5 30 1 1 50 60'/>",
+    "<line stroke='black' x1='10' y1='20' x2='50' y2='60'/>",
+    "<polyline stroke='black' points='10,20 33 7,50,60'/>",
+    "<g transform='translate(10 20)'><path stroke='black' d='M0 0 40 40'/></g>",
+    "<g transform='translate(10) translate(0,20)'><path stroke='black' d='M0 0 40 40'/></g>",
+    "<path transform='scale(10)' stroke='black' stroke-width='.1' d='M1 2 5 6'/>",
+    "<path transform='matrix(2 0 0 2 0 10)' stroke='black' d='M5 5 25 25'/>",
+    "<path transform='rotate(90)' stroke='black' d='M20-10 60-50'/>",
+    "<path transform='rotate(90,30,40)' stroke='black' d='M10 60 50 20'/>",
+    "<path transform='skewX(45) translate(-20,0)' stroke='black' d='M10 20 10 60'/>",
+    "<path transform='skewY(45) translate(0,-10)' stroke='black' d='M10 20 50 20'/>",
+};
+
+START_TEST(every_way_to_say_it_says_it)
+{
+    read_page(same_ends[_i]);
+    ck_assert_uint_eq(list.count, 1);
+    if (_i == 10) { /* relative arcs end at 50, 60 from where they began */
+        check_point(0, -1, 60, 80);
+        return;
+    }
+    check_point(0, 0, 10, 20);
+    check_point(0, -1, 50, 60);
+}
+END_TEST
+
+/* Circle, ellipse, rectangle and polygon are as long as geometry says. */
+START_TEST(shapes_have_their_lengths)
+{
+    read_page("<g stroke='black'><circle cx='50' cy='50' r='20'/><rect x='1' y='2' width='30' height='20'/>"
+              "<rect width='30' height='20' rx='5'/><polygon points='0 0 30 0 30 40'/>"
+              "<ellipse cx='50' cy='50' rx='30' ry='10'/><path d='M50 20A30 30 0 0 1 80 50z'/></g>");
+    static const double want[] = {2 * M_PI * 20, 100, 100 - 40 + 2 * M_PI * 5, 120, 133.6489, M_PI * 15 + 42.42641};
+    ck_assert_uint_eq(list.count, 6);
+    for (uint32_t i = 0; i < 6; i++)
+        ck_assert_double_eq_tol((double)list.items[i].length * 100, want[i], 0.05);
+}
+END_TEST
+
+/* Every point of an arc lies on its ellipse. */
+START_TEST(arcs_keep_to_their_ellipse)
+{
+    for (int flags = 0; flags < 4; flags++) {
+        char text[200];
+        snprintf(text, sizeof text, "<path stroke='black' d='M60 40A30 15 30 %d %d 40 60'/>", flags / 2, flags % 2);
+        read_page(text);
+        double first[2], length = (double)list.items[0].length * 100;
+        ck_assert(flags / 2 ? length > 80 : length < 80);
+        /* In the ellipse's own frame and by its radii, points have one distance from the middle: two
+         * middles are possible, and either lies as far from the chord as the other. */
+        double best = INFINITY;
+        for (int side = -1; side <= 1; side += 2) {
+            double c = cos(M_PI / 6), s = sin(M_PI / 6), worst = 0;
+            double ax = (c * 60 + s * 40) / 30, ay = (c * 40 - s * 60) / 15;
+            double bx = (c * 40 + s * 60) / 30, by = (c * 60 - s * 40) / 15;
+            double dx = bx - ax, dy = by - ay, half = (dx * dx + dy * dy) / 4;
+            double aside = side * sqrt((1 - half) / (4 * half));
+            double mx = (ax + bx) / 2 - dy * aside, my = (ay + by) / 2 + dx * aside;
+            for (uint32_t i = 0; i < list.items[0].path->count; i++) {
+                point(0, (int)i, first);
+                double x = (c * first[0] + s * first[1]) / 30 - mx, y = (c * first[1] - s * first[0]) / 15 - my;
+                worst = fmax(worst, fabs(hypot(x, y) - 1));
+            }
+            best = fmin(best, worst);
+        }
+        ck_assert_double_le(best, 1e-3);
+    }
+}
+END_TEST
+
+static const struct {
+    const char *content;
+    float rgb[3]; /* as written: sRGB */
+    float width, tone;
+} looks[] = {
+    {"<path d='M0 0 9 9' stroke='#ff8000'/>", {1, 128 / 255.0f, 0}, 1, 1},
+    {"<path d='M0 0 9 9' stroke='#f80' stroke-width='3'/>", {1, 136 / 255.0f, 0}, 3, 1},
+    {"<path d='M0 0 9 9' stroke='rgb(51, 102,255)'/>", {0.2f, 0.4f, 1}, 1, 1},
+    {"<path d='M0 0 9 9' stroke='rgb(20%,40%,100%)'/>", {0.2f, 0.4f, 1}, 1, 1},
+    {"<path d='M0 0 9 9' stroke='Tomato'/>", {1, 99 / 255.0f, 71 / 255.0f}, 1, 1},
+    {"<path d='M0 0 9 9' style='stroke:navy;stroke-width:2px'/>", {0, 0, 128 / 255.0f}, 2, 1},
+    {"<path d='M0 0 9 9' stroke='red' style='stroke : navy ; ;stroke-opacity:.25'/>", {0, 0, 128 / 255.0f}, 1, .25f},
+    {"<g style='stroke:lime'><g opacity='.5'><path d='M0 0 9 9' stroke-width='1mm' opacity='50%'/></g></g>",
+     {0, 1, 0}, 96 / 25.4f, .25f},
+    {"<g color='blue' stroke='currentColor'><path d='M0 0 9 9' stroke-width='3pt'/></g>", {0, 0, 1}, 4, 1},
+    {"<g stroke='#000' stroke-width='2' transform='scale(3 .75)'><path d='M0 0 9 9'/></g>", {0, 0, 0}, 3, 1},
+    {"<path d='M0 0 9 9' stroke='black' stroke-width='5%'/>", {0, 0, 0}, 5, 1},
+    {"<path d='M0 0 9 9' stroke='black' stroke-width='.25em'/>", {0, 0, 0}, 4, 1},
+    {"<path d='M0 0 9 9' stroke='black' stroke-width='.25ex'/>", {0, 0, 0}, 2, 1},
+    /* style sheets: stronger than attributes, weaker than style; ids over classes over elements, then the later */
+    {"<defs><style>.cls-1{fill:none;stroke:lime;stroke-width:3px;}</style></defs><path class='cls-1' d='M0 0 9 9'/>",
+     {0, 1, 0}, 3, 1},
+    {"<path class='a b' stroke='red' d='M0 0 9 9'/><style type='text/css'>"
+     "<![CDATA[\n.a, .c { stroke : lime }\n]]></style>",
+     {0, 1, 0}, 1, 1},
+    {"<style>#p{stroke:blue} .a{stroke:red} path{stroke:lime;stroke-width:2}</style>"
+     "<path id='p' class='a' d='M0 0 9 9'/>",
+     {0, 0, 1}, 2, 1},
+    {"<style>.a{stroke:red}.a{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>path.a{stroke:lime}.a{stroke:red}path.b{stroke:blue}</style>"
+     "<path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>.a{stroke:red}</style><path class='a' style='stroke:lime' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>/* .a{stroke:red} */ .a{/**/stroke:lime;/*;*/stroke-width/*x*/:4}</style><path class='a' d='M0 0 9 9'/>",
+     {0, 1, 0}, 4, 1},
+    {"<style>.a/*/*/{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    {"<style>*{stroke-width:3}.a{stroke:lime;opacity:.5}</style><g class='a' opacity='.1'><path d='M0 0 9 9'/></g>",
+     {0, 1, 0}, 3, .5f},
+    {"<style>@import url(http://example.org/a.css);@media print{.a{stroke:red}}.b .a{stroke:red}.a{stroke:lime}</style>"
+     "<path class='a' d='M0 0 9 9'/>",
+     {0, 1, 0}, 1, 1},
+    {"<style>.a{stroke:lime</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+    /* clones: in the clone's look where they have none */
+    {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' stroke-width='2'/>", {0, 1, 0}, 2, 1},
+    {"<use xlink:href='#p' xmlns:xlink='x' stroke='red'/><defs><g id='p' stroke='lime'><path d='M0 0 9 9'/></g></defs>",
+     {0, 1, 0}, 1, 1},
+    {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' transform='scale(2)'/>", {0, 1, 0}, 2, 1},
+};
+
+START_TEST(a_stroke_has_its_look)
+{
+    read_page(looks[_i].content);
+    ck_assert_uint_eq(list.count, 1);
+    const struct hatch_stroke *stroke = &list.items[0];
+    for (int c = 0; c < 3; c++)
+        ck_assert_float_eq_tol(hatch_linear_to_srgb(stroke->rgb[c]), looks[_i].rgb[c], 1e-4f);
+    ck_assert_float_eq_tol(stroke->width_px, looks[_i].width * 2, 1e-3f);
+    ck_assert_float_eq_tol(stroke->tone, looks[_i].tone, 1e-6f);
+    ck_assert_uint_eq(stroke->id, 1);
+}
+END_TEST
+
+/* What is no stroke is counted, and nothing of it is drawn. */
+START_TEST(the_rest_is_counted)
+{
+    read_page("<defs><path d='M0 0 9 9' stroke='red'/></defs><rect width='9' height='9'/>"
+              "<path fill='none' stroke='none' d='M0 0 9 9'/><text>a<tspan>b</tspan></text>"
+              "<image href='http://example.org/a.png'/><path stroke='url(#g)' fill='none' d='M0 0 9 9'/>"
+              "<use href='#a'/><g display='none'><path stroke='red' d='M0 0 9 9'/></g>"
+              "<path stroke='red' fill='none' d='M200 0 290 9'/><path stroke='red' fill='none' d='M1 1'/>"
+              "<path stroke='red' fill='none' stroke-linecap='round' d='M1 1z'/>"
+              "<path stroke='red' fill='none' d='M1 1z'/><path mask='url(#m)' fill='none' stroke='red' d='M2 2z'/>"
+              "<x:thing xmlns:x='y'><path stroke='red' d='M0 0 9 9'/></x:thing>");
+    ck_assert_uint_eq(list.count, 1);
+    ck_assert_ptr_null(list.items[0].path);
+    ck_assert_uint_eq(notes.strokes, 1);
+    ck_assert_uint_eq(notes.fills, 1);
+    ck_assert_uint_eq(notes.texts, 1);
+    ck_assert_uint_eq(notes.images, 1);
+    ck_assert_uint_eq(notes.gradients, 1);
+    ck_assert_uint_eq(notes.others, 2);
+    ck_assert_uint_eq(notes.outside, 1);
+    read_page("<style>@import 'a.css';@media print{.a{stroke:red}}.b .a,g>g,.a{fill:none}</style>");
+    ck_assert_uint_eq(notes.others, 4);
+}
+END_TEST
+
+static void check_ends(uint32_t stroke, double x0, double y0, double x1, double y1)
+{
+    check_point(stroke, 0, x0, y0);
+    check_point(stroke, -1, x1, y1);
+}
+
+START_TEST(clones_stand_where_they_are_put)
+{
+    read_page("<g id='g' stroke='red'><path id='p' d='M10 20 14 20'/></g><use href='#g' x='5' y='6'/>"
+              "<use href='#p' x='5' transform='scale(2)' stroke='red'/>"
+              "<symbol id='s' viewBox='0 0 10 20'><path stroke='red' d='M0 0 10 20'/></symbol>"
+              "<use href='#s' x='30' y='40' width='20' height='20'/><symbol id='t'><path stroke='red' d='M1 1 2 2'/>"
+              "</symbol><use href='#t'/><use href='#nobody'/><use/>");
+    ck_assert_uint_eq(list.count, 5);
+    check_ends(0, 10, 20, 14, 20);
+    check_ends(1, 15, 26, 19, 26);
+    check_ends(2, 30, 40, 38, 40);
+    check_ends(3, 35, 40, 45, 60);
+    check_ends(4, 1, 1, 2, 2);
+    ck_assert_uint_eq(notes.others, 2);
+}
+END_TEST
+
+START_TEST(dashes_are_strokes)
+{
+    read_page("<path stroke='red' stroke-dasharray='4,2' d='M10 10H17V13'/>");
+    ck_assert_uint_eq(list.count, 2);
+    check_ends(0, 10, 10, 14, 10);
+    check_ends(1, 16, 10, 17, 13); /* around the corner */
+    read_page("<path stroke='red' stroke-dasharray='3' stroke-dashoffset='4' d='M10 10H20'/>");
+    ck_assert_uint_eq(list.count, 2);
+    check_ends(0, 12, 10, 15, 10);
+    check_ends(1, 18, 10, 20, 10);
+    read_page("<path stroke='red' style='stroke-dasharray:1 1 2; stroke-dashoffset:-1' "
+              "transform='scale(2)' d='M5 5H10'/>");
+    ck_assert_uint_eq(list.count, 2); /* 1 on, 1 off, 2 on, 1 off, 1 on, 2 off; from its last unit on */
+    check_ends(0, 12, 10, 14, 10);
+    check_ends(1, 16, 10, 20, 10);
+    read_page("<g stroke-dasharray='0 5'><path stroke='red' d='M0 10H10'/>"
+              "<path stroke='red' stroke-linecap='round' d='M0 10H14'/></g>");
+    ck_assert_uint_eq(list.count, 3); /* dots, which only caps show */
+    for (uint32_t i = 0; i < 3; i++)
+        check_dot(i, 5 * i, 10);
+    read_page("<g stroke-dasharray='2'><path stroke='red' stroke-dasharray='none' d='M0 10H10'/>"
+              "<path stroke='red' stroke-dasharray='0 0' d='M0 10H10'/></g>");
+    ck_assert_uint_eq(list.count, 2);
+}
+END_TEST
+
+START_TEST(clones_without_an_end_are_refused)
+{
+    static char text[200000];
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><g id='a0'><path d='M0 0 1 1'/></g>");
+    for (int i = 1; i < 12; i++) {
+        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'>", i);
+        for (int k = 0; k < 10; k++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<use href='#a%d'/>", i - 1);
+        at += (size_t)snprintf(text + at, sizeof text - at, "</g>");
+    }
+    snprintf(text + at, sizeof text - at, "</svg>");
+    ck_assert_int_eq(read_text(text), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: clones of more than 1000000 elements");
+    at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
+    for (int i = 0; i < 1000; i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
+    snprintf(text + at, sizeof text - at, "</svg>");
+    ck_assert_int_eq(read_text(text), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "line 1: elements nested deeper than 256");
+}
+END_TEST
+
+START_TEST(dashes_and_rules_have_a_limit)
+{
+    static char text[200000];
+    ck_assert_int_eq(read_text(page("<path stroke='red' stroke-dasharray='1e-5' d='M0 0H90'/>")), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: more than 1000000 dashes");
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><style>");
+    for (int i = 0; i < 4097; i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, ".a%d{stroke:red}", i);
+    snprintf(text + at, sizeof text - at, "</style></svg>");
+    ck_assert_int_eq(read_text(text), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "more than 4096 rules of style");
+}
+END_TEST
+
+static const struct {
+    const char *text, *message;
+} bad[] = {
+    {"", "line 1: no element found"},
+    {"<svg viewBox='0 0 1 1'>", "line 1: no element found"},
+    {"<svg viewBox='0 0 1 1'>\n</g>", "line 2: mismatched tag"},
+    {"<html/>", "line 1: 'html' where <svg> must stand"},
+    {"<svg viewBox='0 0 1'/>", "line 1: viewBox: want four numbers"},
+    {"<svg viewBox='0 0 210 297'/>", "line 1: a page of 210 x 297, but a tile is a square"},
+    {"<svg viewBox='0 0 0 0'/>", "line 1: the page is 0 x 0"},
+    {"<svg width='1e999' height='1'/>", "line 1: '1e999' is not a length"},
+    {"<svg viewBox='0 0 9 9'>\n<path stroke='red' d='L1 1'/></svg>", "line 2: path data: 'L' at character 1"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1C1 1'/></svg>",
+     "line 1: path data: a number is missing or wrong at character 9"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e400 1'/></svg>",
+     "line 1: path data: a number is missing or wrong at character 6"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1A5 5 0 2 1 3 3'/></svg>",
+     "line 1: path data: a number is missing or wrong at character 12"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1zz5'/></svg>", "line 1: path data: '5' at character 7"},
+    {"<svg viewBox='0 0 9 9'><g transform='turn(3)'/></svg>", "line 1: transform 'turn(3)' is not understood"},
+    {"<svg viewBox='0 0 9 9'><g transform='scale(1 2 3)'/></svg>",
+     "line 1: transform 'scale(1 2 3)' is not understood"},
+    {"<svg viewBox='0 0 9 9'><g stroke='reddish'/></svg>", "line 1: stroke 'reddish' is not understood"},
+    {"<svg viewBox='0 0 9 9'><g stroke-width='-1'/></svg>", "line 1: stroke-width -1 is negative"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-width='5' d='M1 1 2 2'/></svg>",
+     "line 1: a stroke 0.555556 of the page wide, want 0.25 at most"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e6 2'/></svg>", "line 1: a line that reaches over 64 tiles"},
+    {"<svg viewBox='0 0 9 9'><use href='other.svg#a'/></svg>",
+     "line 1: a clone of 'other.svg#a': other files are not opened"},
+    {"<svg viewBox='0 0 9 9'>\n<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g></svg>",
+     "line 2: a clone of 'a' in itself"},
+    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: a clone of 'u' in itself"},
+    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: a clone of 'all' in itself"},
+    {"<svg viewBox='0 0 9 9'><use x='far' href='#a'/></svg>", "line 1: x: 'far' is not a length"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 -2' d='M0 0 9 9'/></svg>",
+     "line 1: stroke-dasharray: -2 is negative"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 b' d='M0 0 9 9'/></svg>",
+     "line 1: 'b' is not a length"},
+    {"<svg viewBox='0 0 9 9'><style>.a{stroke:reddish}</style>\n<g class='a'/></svg>",
+     "line 2: stroke 'reddish' is not understood"},
+    {"<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg viewBox='0 0 9 9'>&a;</svg>",
+     "line 1: entity 'a' lies outside the file"},
+    {"<!DOCTYPE svg [<!ENTITY a 'ha'>\n<!ENTITY b '&a;&a;'>]><svg viewBox='0 0 9 9'>&b;</svg>",
+     "line 2: entity 'b' is made of entities"},
+};
+
+START_TEST(bad_drawings_are_named_with_the_line)
+{
+    list.count = notes.strokes = 77;
+    ck_assert_int_eq(read_text(bad[_i].text), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, bad[_i].message);
+    ck_assert(list.count == 77 && notes.strokes == 77);
+}
+END_TEST
+
+START_TEST(a_page_of_gigabytes_is_a_limit)
+{
+    ck_assert_int_eq(read_text("<svg width='1e9' height='1e9'/>"), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: a page of 1e+09 x 1e+09 units, want 1e+06 at most");
+}
+END_TEST
+
+START_TEST(plain_entities_and_units_of_the_page_are_read)
+{
+    HATCH_TEST_OK(read_text("<!DOCTYPE svg [<!ENTITY c 'navy'>]><svg width='10cm' height='100mm'>"
+                            "<path stroke='&c;' d='M0 0 188.976 0'/></svg>"),
+                  &err);
+    ck_assert_uint_eq(list.count, 1);
+    ck_assert_float_eq_tol(list.items[0].length, 0.5f, 1e-4f);
+}
+END_TEST
+
+START_TEST(deep_groups_are_refused)
+{
+    static char text[100000];
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 1 1'>");
+    for (int i = 0; i < 300; i++, at += 3)
+        memcpy(text + at, "<g>", 3);
+    ck_assert_int_eq(read_text(text), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "line 1: elements nested deeper than 256");
+}
+END_TEST
+
+START_TEST(drawings_are_told_from_tables)
+{
+    static const char *const drawings[] = {"<svg/>", " \n<?xml?>", "\xef\xbb\xbf<svg/>", "\xff\xfe<"};
+    static const char *const tables[] = {"", "x\ty\n", "# <svg>\nx", " "};
+    for (int i = 0; i < 4; i++) {
+        ck_assert(hatch_svg_is((struct hatch_bytes){(const uint8_t *)drawings[i], strlen(drawings[i])}));
+        ck_assert(!hatch_svg_is((struct hatch_bytes){(const uint8_t *)tables[i], strlen(tables[i])}));
+    }
+}
+END_TEST
+
+static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work,
+                              struct hatch_err *said)
+{
+    const char *text = page("<style>.a{stroke-dasharray:3 4}</style><g id='g' stroke='red'>"
+                            "<circle cx='9' cy='9' r='5'/>"
+                            "<path class='a' d='M0 0 9 9'/></g><use href='#g'/>");
+    (void)context;
+    return hatch_svg_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, SIZE, to, work, &list, &notes,
+                          said);
+}
+
+START_TEST(every_failed_allocation_is_a_status)
+{
+    list.count = 0;
+    hatch_test_fail_alloc(make, NULL, &list, sizeof list);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io svg");
+    TCase *tests = tcase_create("svg");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_loop_test(tests, every_way_to_say_it_says_it, 0, sizeof same_ends / sizeof *same_ends);
+    tcase_add_test(tests, shapes_have_their_lengths);
+    tcase_add_test(tests, arcs_keep_to_their_ellipse);
+    tcase_add_loop_test(tests, a_stroke_has_its_look, 0, sizeof looks / sizeof *looks);
+    tcase_add_test(tests, the_rest_is_counted);
+    tcase_add_loop_test(tests, bad_drawings_are_named_with_the_line, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, a_page_of_gigabytes_is_a_limit);
+    tcase_add_test(tests, plain_entities_and_units_of_the_page_are_read);
+    tcase_add_test(tests, deep_groups_are_refused);
+    tcase_add_test(tests, clones_stand_where_they_are_put);
+    tcase_add_test(tests, clones_without_an_end_are_refused);
+    tcase_add_test(tests, dashes_are_strokes);
+    tcase_add_test(tests, dashes_and_rules_have_a_limit);
+    tcase_add_test(tests, drawings_are_told_from_tables);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

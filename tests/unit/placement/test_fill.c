@@ -1,0 +1,330 @@
+#include <math.h>
+
+#include "fail_alloc.h"
+#include "filter/pyramid.h"
+#include "placement/place.h"
+#include "tam/sheet.h"
+#include "tam_map.h"
+
+static struct test_map map;
+
+/* One column is handed over per tone, a full chain each, labelled as the format wants. */
+START_TEST(columns_come_in_order_with_their_labels)
+{
+    map_style("ink", NULL, &map);
+    map.options.seed = UINT64_MAX;
+    map_fill(&map);
+    for (uint32_t tone = 0; tone < 6; tone++) {
+        const struct hatch_mipmap *column = &map.columns[tone];
+        char name[16];
+        snprintf(name, sizeof name, "tone.%03u", tone);
+        ck_assert_str_eq(column->name, name);
+        ck_assert_uint_eq(column->level_count, 7);
+        ck_assert_double_eq_tol(hatch_mipmap_attribute(column, "hatch:tone")->number,
+                                0.15 * (tone + 1), 1e-6);
+        ck_assert_str_eq(hatch_mipmap_attribute(column, "hatch:seed")->text,
+                         "18446744073709551615");
+        ck_assert_str_eq(hatch_mipmap_attribute(column, "hatch:style")->text, "ink");
+        ck_assert_double_eq(hatch_mipmap_attribute(column, "hatch:levels")->number, 2);
+    }
+}
+END_TEST
+
+START_TEST(strokes_say_where_they_belong_in_drawing_order)
+{
+    map_style("ink", NULL, &map);
+    map_fill(&map);
+    ck_assert_uint_gt(map.strokes.count, 20);
+    for (uint32_t i = 0; i < map.strokes.count; i++) {
+        const struct hatch_stroke *s = &map.strokes.items[i], *before = s - (i > 0);
+        ck_assert_uint_eq(s->id, i + 1);
+        ck_assert(s->column < 6 && s->level < 2);
+        ck_assert(s->column > before->column ||
+                  (s->column == before->column && s->level <= before->level));
+        ck_assert(s->length <= map.style.length_max && s->length >= 0);
+    }
+}
+END_TEST
+
+/* The schedule: parallel strokes in the light columns, crossed ones in the dark. */
+START_TEST(directions_follow_the_schedule)
+{
+    map_style(NULL, "jitter 0\ndirection 10 0 0.5\ndirection 80 0.5 1", &map);
+    map_fill(&map);
+    uint32_t crossed = 0;
+    for (uint32_t i = 0; i < map.strokes.count; i++) {
+        const struct hatch_stroke *s = &map.strokes.items[i];
+        bool steep = s->angle_rad > 0.7f;
+        float target = map.tam.target[s->column];
+        ck_assert(steep ? target >= 0.5f : target <= 0.5f);
+        crossed += steep;
+    }
+    ck_assert(crossed > 0 && crossed < map.strokes.count);
+}
+END_TEST
+
+START_TEST(a_gap_in_the_schedule_draws_all_directions)
+{
+    map_style(NULL, "jitter 0\ndirection 0 0 0.01\ndirection 90 0.99 1", &map);
+    map_fill(&map);
+    uint32_t steep = 0;
+    for (uint32_t i = 0; i < map.strokes.count; i++)
+        steep += map.strokes.items[i].angle_rad > 0.7f;
+    ck_assert(steep > 0 && steep < map.strokes.count);
+}
+END_TEST
+
+START_TEST(ids_name_the_strokes_that_cover_the_pixels)
+{
+    map_style("pencil", NULL, &map);
+    map.options.ids = true;
+    map_fill(&map);
+    ck_assert(map.tam.ids);
+    static bool seen[100000];
+    uint32_t first = 0, found = 0;
+    for (uint32_t tone = 0; tone < 6; tone++)
+        for (uint32_t level = 0; level < 7; level++) {
+            const struct hatch_image *image = &map.columns[tone].levels[level];
+            ck_assert_uint_eq(image->channel_count, 3);
+            for (uint32_t i = 0; i < image->width * image->height; i++) {
+                const float *p = image->pixels + 3 * i;
+                ck_assert(level < 2 || (p[1] == 0 && p[2] == 0));
+                ck_assert(p[1] >= 0 && p[1] <= (float)map.strokes.count && p[2] >= 0 && p[2] <= 1);
+                if (p[1] == 0)
+                    continue;
+                seen[(uint32_t)p[1]] = true;
+                const struct hatch_stroke *s = &map.strokes.items[(uint32_t)p[1] - 1];
+                ck_assert(s->column <= tone && s->level >= level);
+            }
+        }
+    for (; first < map.strokes.count && map.strokes.items[first].column == 0; first++)
+        found += seen[first + 1]; /* later ones may lie wholly under these */
+    ck_assert(first > 20 && found > first * 9 / 10);
+}
+END_TEST
+
+START_TEST(a_seed_is_a_drawing)
+{
+    map_style("ink", NULL, &map);
+    map_fill(&map);
+    struct hatch_stroke_list first = map.strokes;
+    map_fill(&map);
+    ck_assert_uint_eq(map.strokes.count, first.count);
+    ck_assert_mem_eq(map.strokes.items, first.items, first.count * sizeof *first.items);
+    map.options.seed = 2;
+    map_fill(&map);
+    ck_assert_mem_ne(map.strokes.items, first.items, sizeof *first.items);
+}
+END_TEST
+
+/* On a tile whose left half is black every choice goes to the right. */
+START_TEST(the_exhaustive_choice_goes_where_paper_is_left)
+{
+    struct hatch_canvas canvas;
+    float *pyramids[1][HATCH_MIP_LEVELS_MAX];
+    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {
+        {.width = 64, .height = 64, .channel_count = 1}};
+    struct hatch_mipmap chain = {.levels = levels};
+    map_style(NULL, "jitter 0\ndirection 90 0 1\nlength 0.1 0.3", &map);
+    HATCH_TEST_OK(
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
+        &map_err);
+    for (uint32_t i = 0; i < 64 * 64; i++)
+        canvas.paper[0][i] = i % 64 >= 32;
+    levels[0].pixels = canvas.paper[0];
+    HATCH_TEST_OK(hatch_mipmap_complete(&chain, 1, &map_arena, &map_err), &map_err);
+    for (uint32_t p = 0; p < 7; p++)
+        pyramids[0][p] = levels[p].pixels;
+    for (uint64_t i = 0; i < 30; i++) {
+        struct hatch_choice choice = {.seed = 5,
+                                      .number = i,
+                                      .candidates = 40,
+                                      .length_max = 0.3f,
+                                      .scale = 1,
+                                      .direction_count = 1,
+                                      .directions = {1.5707963f}};
+        struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
+        ck_assert(best.x > 0.5f && best.x < 1 && best.length >= 0.1f && best.length <= 0.3f);
+    }
+}
+END_TEST
+
+/* Full-width lines that fill a tile keep their distance. The paper's box-filtered pyramids let a
+ * few pairs stand together where their blocks meet; at random 3.5 of these 45 pairs would. */
+START_TEST(lines_keep_their_distance)
+{
+    map_style(NULL, "jitter 0\ndirection 0 0 1\nlength 1 1\ndarkest 0.24", &map);
+    map.options.tones = map.options.levels = 1;
+    map.options.method = _i ? HATCH_FILL_EXHAUSTIVE : HATCH_FILL_FIELD;
+    map_fill(&map);
+    ck_assert_uint_ge(map.strokes.count, 7);
+    uint32_t close = 0;
+    for (uint32_t i = 0; i < map.strokes.count; i++)
+        for (uint32_t k = 0; k < i; k++) {
+            float apart = fabsf(map.strokes.items[i].y - map.strokes.items[k].y);
+            apart = apart > 0.5f ? 1 - apart : apart;
+            close += apart * 64 < 2.5f;
+        }
+    ck_assert_uint_le(close, _i ? 1 : 0);
+}
+END_TEST
+
+START_TEST(growing_strokes_begin_small)
+{
+    map_style("ink", NULL, &map);
+    map.options.tones = 12;
+    map_fill(&map);
+    uint32_t whole = map.strokes.count;
+    map.options.growth = 0.6f;
+    map_fill(&map);
+    ck_assert_uint_gt(map.strokes.count, whole); /* smaller ones, so more of them */
+    for (uint32_t tone = 0; tone < 12; tone++)
+        ck_assert_double_eq(hatch_mipmap_attribute(&map.columns[tone], "hatch:growth")->number,
+                            (double)0.6f);
+}
+END_TEST
+
+/* How many strokes of the lightest column stand at their full size in a column's finest image. */
+static uint32_t full_grown(uint32_t tone)
+{
+    struct hatch_canvas canvas;
+    uint32_t count = 0;
+    HATCH_TEST_OK(
+        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
+        &map_err);
+    for (uint32_t i = 0; i < map.strokes.count && map.strokes.items[i].column == 0; i++) {
+        bool whole = true;
+        (void)hatch_canvas_try(&canvas, &map.strokes.items[i], 0, 1);
+        for (uint32_t k = 0; k < canvas.footprint.count; k++)
+            whole &= map.columns[tone].levels[0].pixels[canvas.footprint.at[k]] <=
+                     1.001f - canvas.footprint.alpha[k];
+        count += whole;
+    }
+    return count;
+}
+
+START_TEST(growing_strokes_end_at_their_full_size)
+{
+    map_style("ink", NULL, &map);
+    map.options.tones = 12;
+    map.options.growth = 0.6f;
+    map_fill(&map);
+    uint32_t all = 0;
+    while (map.strokes.items[all].column == 0)
+        all++;
+    ck_assert_uint_gt(all, 5);
+    ck_assert_uint_lt(full_grown(0), all / 3);
+    ck_assert_uint_eq(full_grown(5), all); /* they grow over a third of the columns */
+}
+END_TEST
+
+static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch_mipmap *column,
+                                struct hatch_err *err)
+{
+    (void)column;
+    uint32_t *calls = context;
+    ++*calls;
+    return tone == 2 ? hatch_fail(err, HATCH_IO, "no room for column %u", tone) : HATCH_OK;
+}
+
+START_TEST(a_sink_that_fails_ends_the_work)
+{
+    map_style("ink", NULL, &map);
+    uint32_t calls = 0;
+    struct hatch_stroke_list list = {.count = 9};
+    ck_assert_int_eq(hatch_tam_fill(&map.style, &map.brush, &map.options, &map_arena, &map_scratch,
+                                    refuse, &calls, &list, &map_err),
+                     HATCH_IO);
+    ck_assert_str_eq(map_err.text, "no room for column 2");
+    ck_assert_uint_eq(calls, 3);
+    ck_assert_uint_eq(list.count, 9);
+    ck_assert_ptr_null(hatch_arena_mark(&map_scratch).block);
+}
+END_TEST
+
+static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column,
+                                struct hatch_err *err)
+{
+    (void)context, (void)tone, (void)column, (void)err;
+    return HATCH_OK;
+}
+
+static enum hatch_status fill(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                              struct hatch_err *err)
+{
+    return hatch_tam_fill(&map.style, &map.brush, &map.options, keep, scratch, ignore, NULL,
+                          context, err);
+}
+
+START_TEST(every_failed_allocation_is_a_status)
+{
+    struct hatch_stroke_list list = {0};
+    map_style("ink", "candidates 2 1", &map);
+    map.options.ids = true;
+    map.options.method = _i ? HATCH_FILL_EXHAUSTIVE : HATCH_FILL_FIELD;
+    ck_assert_uint_ge(hatch_test_fail_alloc(fill, &list, &list, sizeof list), 20);
+}
+END_TEST
+
+/* The sheet: a light grey ground, the coarsest level on top, columns from the left. */
+START_TEST(the_sheet_shows_every_image_in_its_place)
+{
+    struct hatch_tam_sheet sheet;
+    map_style("ink", NULL, &map);
+    map_fill(&map);
+    HATCH_TEST_OK(hatch_tam_sheet_make(64, 2, 6, false, 3, &map_arena, &sheet, &map_err), &map_err);
+    for (uint32_t tone = 0; tone < 6; tone++)
+        hatch_tam_sheet_add(&sheet, tone, &map.columns[tone]);
+    ck_assert_uint_eq(sheet.picture.width, 3 * 72 + 8);
+    ck_assert_uint_eq(sheet.picture.height, 8 + 32 + 8 + 64 + 8);
+    ck_assert_float_eq(sheet.picture.pixels[0], 0.6f);
+    for (uint32_t place = 0; place < 3; place++)
+        for (uint32_t level = 0; level < 2; level++) {
+            const struct hatch_image *image = &map.columns[2 * place + 1].levels[level];
+            uint32_t left = 8 + 72 * place + (level ? 16 : 0), top = level ? 8 : 48;
+            for (uint32_t i = 0; i < image->width * image->height; i++) {
+                uint32_t x = left + i % image->width, y = top + i / image->width;
+                ck_assert_float_eq(sheet.picture.pixels[y * sheet.picture.width + x],
+                                   image->pixels[i]);
+            }
+        }
+}
+END_TEST
+
+static enum hatch_status make_sheet(void *context, struct hatch_arena *keep,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
+{
+    (void)scratch;
+    return hatch_tam_sheet_make(64, 2, 6, true, 6, keep, context, err);
+}
+
+START_TEST(a_sheet_survives_failed_allocations)
+{
+    struct hatch_tam_sheet sheet = {.tones = 5};
+    ck_assert_uint_ge(hatch_test_fail_alloc(make_sheet, &sheet, &sheet, sizeof sheet), 1);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("tam fill");
+    TCase *tests = tcase_create("fill");
+    tcase_add_checked_fixture(tests, map_begin, map_end);
+    tcase_add_test(tests, columns_come_in_order_with_their_labels);
+    tcase_add_test(tests, strokes_say_where_they_belong_in_drawing_order);
+    tcase_add_test(tests, directions_follow_the_schedule);
+    tcase_add_test(tests, a_gap_in_the_schedule_draws_all_directions);
+    tcase_add_test(tests, ids_name_the_strokes_that_cover_the_pixels);
+    tcase_add_test(tests, a_seed_is_a_drawing);
+    tcase_add_test(tests, the_exhaustive_choice_goes_where_paper_is_left);
+    tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
+    tcase_add_test(tests, growing_strokes_begin_small);
+    tcase_add_test(tests, growing_strokes_end_at_their_full_size);
+    tcase_add_test(tests, a_sink_that_fails_ends_the_work);
+    tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
+    tcase_add_test(tests, the_sheet_shows_every_image_in_its_place);
+    tcase_add_test(tests, a_sheet_survives_failed_allocations);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,236 @@
+#include "run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "placement/style.h"
+
+static struct hatch_style style;
+static struct hatch_err err;
+
+static void begin(void)
+{
+    hatch_style_default(&style);
+}
+
+static enum hatch_status parse(const char *text)
+{
+    return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style,
+                             &err);
+}
+
+START_TEST(an_empty_file_is_the_default)
+{
+    struct hatch_style was = style;
+    HATCH_TEST_OK(parse(""), &err);
+    HATCH_TEST_OK(parse("\xef\xbb\xbf# marked\r\n"), &err);
+    HATCH_TEST_OK(parse("\n   \n# nothing\n\t# more\r\n"), &err);
+    ck_assert_mem_eq(&was, &style, sizeof style);
+    ck_assert_str_eq(style.name, "ink");
+}
+END_TEST
+
+START_TEST(every_key_reaches_its_field)
+{
+    HATCH_TEST_OK(parse("name chalk\n"
+                        "brush charcoal\n"
+                        "width 2.5\n"
+                        "length 0.25 1.5\n"
+                        "jitter 90\n"
+                        "ink 0.5\n"
+                        "darkest 0.75\n"
+                        "gamma 2\n"
+                        "overlap flat\n"
+                        "bend 45 180\n"
+                        "color 0.25 ff8000\n"
+                        "color 0.75 000\n"
+                        "direction 45 0.25 0.5\n"
+                        "direction -90 0 1\n"
+                        "candidates 5e2 7"),
+                  &err);
+    ck_assert_str_eq(style.name, "chalk");
+    ck_assert_int_eq(style.brush, HATCH_BRUSH_CHARCOAL);
+    ck_assert_float_eq(style.width_px, 2.5f);
+    ck_assert_float_eq(style.length_min, 0.25f);
+    ck_assert_float_eq(style.length_max, 1.5f);
+    ck_assert_float_eq_tol(style.jitter_rad, 1.57079633f, 1e-6f);
+    ck_assert_float_eq(style.ink, 0.5f);
+    ck_assert_float_eq(style.tone_max, 0.75f);
+    ck_assert_float_eq(style.tone_gamma, 2);
+    ck_assert_int_eq(style.overlap, HATCH_OVERLAP_FLAT);
+    ck_assert(style.tone_max_given);
+    ck_assert_float_eq_tol(style.bend_min_rad, 0.785398163f, 1e-6f);
+    ck_assert_float_eq_tol(style.bend_max_rad, 3.14159265f, 1e-6f);
+    ck_assert_uint_eq(style.color_count, 2);
+    ck_assert_float_eq(style.colors[0].tone, 0.25f);
+    ck_assert_float_eq(style.colors[0].rgb[1], hatch_srgb_to_linear(128 / 255.0f));
+    ck_assert_uint_eq(style.direction_count, 2); /* the default's three are gone */
+    ck_assert_float_eq_tol(style.directions[0].angle_rad, 0.785398163f, 1e-6f);
+    ck_assert_float_eq(style.directions[0].from, 0.25f);
+    ck_assert_float_eq(style.directions[0].to, 0.5f);
+    ck_assert_float_eq_tol(style.directions[1].angle_rad, -1.57079633f, 1e-6f);
+    ck_assert_uint_eq(style.candidates_light, 500);
+    ck_assert_uint_eq(style.candidates_dark, 7);
+    HATCH_TEST_OK(parse("overlap darkens"), &err);
+    ck_assert_int_eq(style.overlap, HATCH_OVERLAP_DARKENS);
+}
+END_TEST
+
+START_TEST(later_lines_win_and_comments_tabs_and_crlf_do_not_matter)
+{
+    HATCH_TEST_OK(parse("\twidth\t3 # wide\r\nwidth 4#x\r\n"), &err);
+    ck_assert_float_eq(style.width_px, 4);
+}
+END_TEST
+
+START_TEST(every_brush_has_its_word)
+{
+    for (int kind = 0; kind < HATCH_BRUSH_IMAGE; kind++) {
+        char line[64];
+        snprintf(line, sizeof line, "brush %s", hatch_brush_name((enum hatch_brush_kind)kind));
+        HATCH_TEST_OK(parse(line), &err);
+        ck_assert_int_eq((int)style.brush, kind);
+    }
+}
+END_TEST
+
+START_TEST(a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them)
+{
+    HATCH_TEST_OK(parse("brush image \t my stroke.png \t # drawn by hand\n"), &err);
+    ck_assert_int_eq(style.brush, HATCH_BRUSH_IMAGE);
+    ck_assert_str_eq(style.brush_file, "my stroke.png");
+    HATCH_TEST_OK(parse("brush image b.png"), &err); /* nothing of the longer name is left */
+    ck_assert_str_eq(style.brush_file, "b.png");
+}
+END_TEST
+
+static const struct {
+    const char *text, *says;
+} bad[] = {
+    {"colour red", "line 1: no such key 'colour', perhaps color"},
+    {"widht 3", "line 1: no such key 'widht', perhaps width"},
+    {"candidate 30 3", "line 1: no such key 'candidate', perhaps candidates"},
+    {"wide 3", "line 1: no such key 'wide'"},
+    {"# one\n\nwidth", "line 3: width: a value is missing"},
+    {"width wide\r\n", "line 1: width: 'wide' is not a number"},
+    {"width 3 4", "line 1: width: more values"},
+    {"width 0.4", "line 1: width: 0.4, want 0.5 to 64"},
+    {"width 65", "line 1: width: 65"},
+    {"width nan", "line 1: width: 'nan'"},
+    {"width -inf", "line 1: width: '-inf'"},
+    {"width 12x", "line 1: width: '12x'"},
+    {"length 0.5", "line 1: length: a value is missing"},
+    {"length 0 4.5", "line 1: length: 4.5"},
+    {"length -1 1", "line 1: length: -1"},
+    {"width 2\nlength 1 0.5\nwidth 3",
+     "line 2: length: the shortest, 1, is above the longest, 0.5"},
+    {"bend 5", "line 1: bend: a value is missing"},
+    {"bend 5 359", "line 1: bend: 359"},
+    {"bend 90 45", "line 1: bend: the least, 90, is above the most, 45"},
+    {"color ff0000", "line 1: color: 'ff0000' is not a number"},
+    {"color 0.5 red", "line 1: color: want a darkness and six"},
+    {"color 1.5 ff0000", "line 1: color: 1.5"},
+    {"color 0.5 ff0000\ncolor 0.5 000000", "line 2: color: darkness 0.5 does not rise"},
+    {"jitter 91", "line 1: jitter: 91"},
+    {"jitter -1", "line 1: jitter: -1"},
+    {"ink 0", "line 1: ink: 0"},
+    {"ink 1.1", "line 1: ink: 1.1"},
+    {"darkest 0", "line 1: darkest: 0"},
+    {"darkest 1.01", "line 1: darkest: 1.01"},
+    {"gamma 0.05", "line 1: gamma: 0.05"},
+    {"gamma 11", "line 1: gamma: 11"},
+    {"overlap", "line 1: overlap: want darkens, flat or covers"},
+    {"overlap both", "line 1: overlap: want darkens, flat or covers"},
+    {"overlap flat flat", "line 1: overlap: more values"},
+    {"direction 0 0", "line 1: direction: a value is missing"},
+    {"direction 361 0 1", "line 1: direction: 361"},
+    {"direction 0 -0.1 1", "line 1: direction: -0.1"},
+    {"direction 0 0 1.1", "line 1: direction: 1.1"},
+    {"direction 0 0.6 0.5", "line 1: direction: from tone 0.6 to tone 0.5 is empty"},
+    {"direction 0 0 1\ndirection 1 0 1\ndirection 2 0 1\ndirection 3 0 1\ndirection 4 0 "
+     "1\ndirection 5 0 1\n"
+     "direction 6 0 1\ndirection 7 0 1\ndirection 8 0 1",
+     "line 9: direction: more than 8"},
+    {"candidates 100", "line 1: candidates: a value is missing"},
+    {"candidates 0 1", "line 1: candidates: 0"},
+    {"candidates 1 1e7", "line 1: candidates: 1e+07"},
+    {"candidates 1.5 1", "line 1: candidates: 1.5 1, want whole numbers"},
+    {"brush", "line 1: brush: a value is missing"},
+    {"brush quill", "line 1: brush: 'quill', want ink"},
+    {"brush ink ink", "line 1: brush: more values"},
+    {"brush image", "line 1: brush: image wants a file name"},
+    {"brush image  # none", "line 1: brush: image wants a file name"},
+    {"name", "line 1: name: want one word"},
+    {"name two words", "line 1: name: more values"},
+    {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
+     "line 1: name: want one word"},
+};
+
+START_TEST(a_bad_line_is_named_and_changes_nothing)
+{
+    struct hatch_style was = style;
+    ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
+    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'",
+                  err.text, bad[_i].says);
+    ck_assert_mem_eq(&was, &style, sizeof style);
+}
+END_TEST
+
+/* Linear between the colours, the nearest beyond them, black without any; given anew, the old ones go. */
+START_TEST(colors_lie_on_a_path)
+{
+    float rgb[3] = {1, 1, 1};
+    hatch_style_color_at(&style, 0.5f, rgb);
+    ck_assert(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0);
+    HATCH_TEST_OK(parse("color 0.2 ff0000\ncolor 0.4 0000ff\ncolor 0.8 000000"), &err);
+    static const float want[][4] = {{0, 1, 0, 0},         {0.2f, 1, 0, 0},     {0.25f, 0.75f, 0, 0.25f},
+                                    {0.4f, 0, 0, 1},      {0.6f, 0, 0, 0.5f}, {0.9f, 0, 0, 0}};
+    for (int i = 0; i < 6; i++) {
+        hatch_style_color_at(&style, want[i][0], rgb);
+        for (int c = 0; c < 3; c++)
+            ck_assert_float_eq_tol(rgb[c], want[i][1 + c], 1e-6f);
+    }
+    HATCH_TEST_OK(parse("color 0 00ff00"), &err);
+    ck_assert_uint_eq(style.color_count, 1);
+}
+END_TEST
+
+START_TEST(targets_rise_to_the_darkest)
+{
+    float target[HATCH_TAM_TONES_MAX];
+    HATCH_TEST_OK(parse("darkest 0.9"), &err);
+    hatch_style_targets(&style, 6, target);
+    for (int i = 0; i < 6; i++)
+        ck_assert_float_eq_tol(target[i], 0.15f * (float)(i + 1), 1e-6f);
+    HATCH_TEST_OK(parse("darkest 1\ngamma 2"), &err);
+    hatch_style_targets(&style, 4, target);
+    ck_assert_float_eq(target[0], 0.0625f);
+    ck_assert_float_eq(target[3], 1);
+    HATCH_TEST_OK(parse("gamma 10"), &err);
+    hatch_style_targets(&style, 256, target);
+    for (int i = 1; i < 256; i++)
+        ck_assert(target[i - 1] >= 0 && target[i] > target[i - 1] && target[i] <= 1);
+    hatch_style_targets(&style, 1, target);
+    ck_assert_float_eq(target[0], 1);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("tam style");
+    TCase *tests = tcase_create("style");
+    tcase_add_checked_fixture(tests, begin, NULL);
+    tcase_add_test(tests, an_empty_file_is_the_default);
+    tcase_add_test(tests, every_key_reaches_its_field);
+    tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_do_not_matter);
+    tcase_add_test(tests, every_brush_has_its_word);
+    tcase_add_test(tests, a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them);
+    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0,
+                        sizeof bad / sizeof *bad);
+    tcase_add_test(tests, colors_lie_on_a_path);
+    tcase_add_test(tests, targets_rise_to_the_darkest);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

@@ -1,0 +1,76 @@
+#include <string.h>
+
+#include "math/vector.h"
+#include "meshes.h"
+#include "surface_check.h"
+#include "surface/nearest.h"
+
+
+/* Two triangles far from one another and of other sizes, and a vertex between that none uses. */
+static struct hatch_mesh two_triangles(void)
+{
+    static const float at[7][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {50, 0, 0}, {100, 0, 0}, {130, 0, 0}, {100, 40, 0}};
+    static const uint32_t corners[6] = {0, 1, 2, 4, 5, 6};
+    return mesh_of(at[0], 7, corners, 2);
+}
+
+START_TEST(every_point_is_nearest_to_itself)
+{
+    struct hatch_mesh mesh =
+        shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 500, .jitter = 0.5f, .seed = 1});
+    struct hatch_surface surface = surface_of(&mesh);
+    for (uint32_t p = 0; p < surface.point_count; p++) {
+        double position[3];
+        hatch_surface_position(&surface, p, position);
+        ck_assert_uint_eq(hatch_surface_nearest(&surface, position), p);
+    }
+}
+END_TEST
+
+START_TEST(distances_are_those_of_the_mesh)
+{
+    /* 24 from the small triangle, 74 from the large one, whose own unit is 40 times as long. */
+    static const double between[3] = {25, 0, 0}, beyond[3] = {64, 3, 0};
+    struct hatch_mesh mesh = two_triangles();
+    struct hatch_surface surface = surface_of(&mesh);
+    double position[3];
+    hatch_surface_position(&surface, hatch_surface_nearest(&surface, between), position);
+    ck_assert_double_eq_tol(position[0], 1, 1e-9);
+    hatch_surface_position(&surface, hatch_surface_nearest(&surface, beyond), position);
+    ck_assert_double_eq_tol(position[0], 100, 1e-9);
+    ck_assert_double_eq_tol(position[1], 0, 1e-9);
+}
+END_TEST
+
+START_TEST(vertices_know_their_points)
+{
+    struct hatch_mesh mesh = two_triangles();
+    struct hatch_surface surface = surface_of(&mesh);
+    uint32_t points[7];
+    hatch_surface_vertex_points(&surface, 7, points);
+    for (uint32_t v = 0; v < 7; v++) {
+        if (v == 3) {
+            ck_assert_uint_eq(points[v], HATCH_NO_SIDE);
+            continue;
+        }
+        double position[3], want[3];
+        hatch_surface_position(&surface, points[v], position);
+        hatch_vec_of(&mesh.attributes[0].data[3 * v], want);
+        ck_assert_double_lt(hatch_vec_distance(position, want), 1e-9);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("topo nearest");
+    TCase *tests = tcase_create("nearest");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, every_point_is_nearest_to_itself);
+    tcase_add_test(tests, distances_are_those_of_the_mesh);
+    tcase_add_test(tests, vertices_know_their_points);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
