@@ -30,9 +30,9 @@ struct spread {
 static void pose_surface(const struct field *field, const struct gpu_item *item)
 {
     const struct hatch_mesh *surface = surface_of(field->scene, item);
-    const struct bounds *bounds = &field->scene->bounds;
-    struct pose pose = field->scene->pose;
-    pose_mesh(&pose, item->node, surface, field->positions, NULL);
+    const struct hatch_bounds *bounds = &field->scene->bounds;
+    struct hatch_pose pose = field->scene->pose;
+    hatch_pose_mesh(&pose, item->node, surface, field->positions, NULL);
     for (size_t i = 0; i < 3 * (size_t)surface->vertex_count; i++)
         field->positions[i] = (field->positions[i] - bounds->center[i % 3]) / bounds->radius;
 }
@@ -161,13 +161,13 @@ static double visit_faces(struct field *field, struct spread *spread)
     return area;
 }
 
-static enum hatch_status spread_marks(struct field *field, const struct view *view, double height_px,
+static enum hatch_status spread_marks(struct field *field, const struct hatch_view *view, double height_px,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
     static const double middle[3] = {0, 0, 0};
     double area = visit_faces(field, NULL);
     struct spread spread = {.field = field,
-                            .spacing = SPACING_PX / view_pixels_per_unit(view, middle, height_px)};
+                            .spacing = SPACING_PX / hatch_view_pixels_per_unit(view, middle, height_px)};
     if (!(spread.spacing > 0) || !isfinite(spread.spacing))
         spread.spacing = 0.02;
     /* Marks stand about as dense as circles of half the spacing around them can be packed. */
@@ -200,7 +200,7 @@ static void make_array(struct field *field)
     }
 }
 
-enum hatch_status field_make(const struct gpu_scene *scene, const struct view *view, double height_px,
+enum hatch_status field_make(const struct gpu_scene *scene, const struct hatch_view *view, double height_px,
                              const struct shader_source *shaders, struct hatch_arena *arena,
                              struct hatch_arena *scratch, struct field *field, struct hatch_err *err)
 {

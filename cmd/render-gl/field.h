@@ -4,7 +4,7 @@
 
 #include "render-gl/scene.h"
 #include "render-gl/target.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 
 /* A place on a surface and a way to go there, by the corners of a face, so that both move with it. */
 struct field_mark {
@@ -29,7 +29,7 @@ struct field {
 
 /* Spreads marks over the posed scene, so far apart as suits a picture height_px high from the view.
  * HATCH_BAD_INPUT where no mesh has directions. scene is kept. */
-enum hatch_status field_make(const struct gpu_scene *scene, const struct view *view, double height_px,
+enum hatch_status field_make(const struct gpu_scene *scene, const struct hatch_view *view, double height_px,
                              const struct shader_source *shaders, struct hatch_arena *arena,
                              struct hatch_arena *scratch, struct field *field, struct hatch_err *err)
     HATCH_MUST_USE;

@@ -40,11 +40,11 @@ void frame_set_hatch(struct frame_block *block, double turn_rad, double scale)
     block->hatch[1] = (float)(sin(turn_rad) / scale);
 }
 
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
+void frame_set_view(struct frame_block *block, const struct hatch_view *view, const struct hatch_tile *tile,
                     uint32_t side)
 {
     block->curve[3] = (float)(side * side);
-    view_matrix(view, tile, block->clip_from_unit);
+    hatch_view_matrix(view, tile, block->clip_from_unit);
     block->viewport[0] = (float)(tile->width / 2);
     block->viewport[1] = (float)(tile->height / 2);
     for (int k = 0; k < 3; k++)
@@ -66,7 +66,7 @@ static void set_directional(struct frame_light *light, const double to_light[3])
 
 /* Fills one light, all but its strength; returns that. */
 static double set_scene_light(struct frame_light *light, const struct hatch_light *from,
-                              const double world[16], const struct bounds *bounds)
+                              const double world[16], const struct hatch_bounds *bounds)
 {
     double power = (double)from->intensity * (double)hatch_color_luminance(from->color);
     double away[3] = {world[8], world[9], world[10]}, at[3];
@@ -97,7 +97,7 @@ static double set_scene_light(struct frame_light *light, const struct hatch_ligh
     return power;
 }
 
-static void set_own_light(struct frame_block *block, const struct view *view,
+static void set_own_light(struct frame_block *block, const struct hatch_view *view,
                           const struct own_light *own)
 {
     double level = cos(own->elevation_rad), to_light[3];
@@ -109,7 +109,7 @@ static void set_own_light(struct frame_block *block, const struct view *view,
     block->counts[0] = 1;
 }
 
-double frame_strongest_light(const struct pose *pose, const struct bounds *bounds)
+double frame_strongest_light(const struct hatch_pose *pose, const struct hatch_bounds *bounds)
 {
     const struct hatch_scene *scene = pose->scene;
     double strongest = 0;
@@ -118,7 +118,7 @@ double frame_strongest_light(const struct pose *pose, const struct bounds *bound
         double world[16];
         if (scene->nodes[node].light == HATCH_NONE)
             continue;
-        pose_matrix(pose, node, world);
+        hatch_pose_matrix(pose, node, world);
         strongest = fmax(strongest, set_scene_light(&light, &scene->lights[scene->nodes[node].light],
                                                     world, bounds));
     }
@@ -144,8 +144,8 @@ uint32_t frame_lights_left_out(const struct hatch_scene *scene)
     return lights > LIGHTS_MAX ? lights - LIGHTS_MAX : 0;
 }
 
-void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,
-                      const struct view *view, const struct own_light *own, double exposure)
+void frame_set_lights(struct frame_block *block, const struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                      const struct hatch_view *view, const struct own_light *own, double exposure)
 {
     const struct hatch_scene *scene = pose->scene;
     uint32_t count = 0;
@@ -155,7 +155,7 @@ void frame_set_lights(struct frame_block *block, const struct pose *pose, const 
         if (index == HATCH_NONE)
             continue;
         double world[16];
-        pose_matrix(pose, node, world);
+        hatch_pose_matrix(pose, node, world);
         power[count] = set_scene_light(&block->lights[count], &scene->lights[index], world, bounds);
         count++;
     }

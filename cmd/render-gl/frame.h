@@ -4,7 +4,7 @@
 #define RENDER_FRAME_H
 
 #include "render-gl/columns.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 
 #define LIGHTS_MAX 64u
 
@@ -64,12 +64,12 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
 void frame_set_hatch(struct frame_block *block, double turn_rad, double scale);
 
 /* Camera and tile. side: samples along a pixel's side. */
-void frame_set_view(struct frame_block *block, const struct view *view, const struct tile *tile,
+void frame_set_view(struct frame_block *block, const struct hatch_view *view, const struct hatch_tile *tile,
                     uint32_t side);
 
 /* Lights of the scene at its pose, the first LIGHTS_MAX of them, or the own light. */
-void frame_set_lights(struct frame_block *block, const struct pose *pose, const struct bounds *bounds,
-                      const struct view *view, const struct own_light *own, double exposure);
+void frame_set_lights(struct frame_block *block, const struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                      const struct hatch_view *view, const struct own_light *own, double exposure);
 
 /* Whether the own light is all there is, instead of the scene's. */
 bool frame_has_lone_sun(const struct hatch_scene *scene, const struct own_light *own);
@@ -78,6 +78,6 @@ bool frame_has_lone_sun(const struct hatch_scene *scene, const struct own_light 
 uint32_t frame_lights_left_out(const struct hatch_scene *scene);
 
 /* The strength of the strongest of the scene's lights, in the unit scene; 0 where none shines. */
-double frame_strongest_light(const struct pose *pose, const struct bounds *bounds);
+double frame_strongest_light(const struct hatch_pose *pose, const struct hatch_bounds *bounds);
 
 #endif

@@ -87,7 +87,7 @@ static void use_texture(GLuint unit, GLuint texture)
     glBindSampler(unit, 0);
 }
 
-enum hatch_status halo_find(struct halo *halo, const struct target *target, const struct view *view,
+enum hatch_status halo_find(struct halo *halo, const struct target *target, const struct hatch_view *view,
                             double reach_px, struct hatch_err *err)
 {
     double reach = reach_px * target->side, half = 1 / view->half_height;

@@ -5,7 +5,7 @@
 #define RENDER_HALO_H
 
 #include "render-gl/target.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 
 #define HALO_BLOCK 8u /* cells along a side of a block */
 #define HALO_PROGRAMS 3
@@ -28,7 +28,7 @@ enum hatch_status halo_compile(const struct shader_source *shaders, struct halo 
 
 /* Finds the edges in the target's depth and binds them for what asks about haloes of reach_px, 0.5 to
  * HALO_REACH_MAX_PX. HATCH_LIMIT when the GPU has no memory for it. */
-enum hatch_status halo_find(struct halo *halo, const struct target *target, const struct view *view,
+enum hatch_status halo_find(struct halo *halo, const struct target *target, const struct hatch_view *view,
                             double reach_px, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Puts a colour, in linear light, over the target's samples where haloes are. After halo_find. */

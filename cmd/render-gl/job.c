@@ -7,7 +7,6 @@
 #include "render-gl/normals.h"
 #include "render-gl/picture.h"
 #include "render-gl/repeat.h"
-#include "render-gl/window/zoom.h"
 
 #define TWO_PI 6.28318530717958648
 #define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
@@ -85,7 +84,7 @@ static void read_strokes(struct job *job)
 }
 
 /* How the strokes' images repeat over surfaces. */
-static enum hatch_status set_repeat(struct job *job, const struct view *view, struct hatch_err *err)
+static enum hatch_status set_repeat(struct job *job, const struct hatch_view *view, struct hatch_err *err)
 {
     const struct options *options = &job->options;
     bool map = job->map.tones > 0;
@@ -119,7 +118,7 @@ static void set_span(struct job *job)
 {
     const struct options *options = &job->options;
     bool moves = options->animated && job->scene.animation_count;
-    job->span = (struct pose_span){.animation = moves ? options->animation : HATCH_NONE,
+    job->span = (struct hatch_pose_span){.animation = moves ? options->animation : HATCH_NONE,
                                    .begin_s = options->time_s,
                                    .end_s = time_of(job, options->frames - 1)};
     if (moves && options->window)
@@ -148,17 +147,17 @@ static void upload(struct job *job)
     const char *name = cmd_input_name(options->scene_path);
     struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
     struct hatch_err err;
-    struct bounds bounds;
-    struct pose pose;
+    struct hatch_bounds bounds;
+    struct hatch_pose pose;
     set_span(job);
-    cmd_check(pose_make(&job->scene, keep, &pose, &err), name, &err);
-    cmd_check(pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
+    cmd_check(hatch_pose_make(&job->scene, keep, &pose, &err), name, &err);
+    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
     if (bounds.empty)
         cmd_warn(name, "the scene shows no faces");
     uint32_t left_out = options->style.light.wanted ? 0 : frame_lights_left_out(&job->scene);
     if (left_out)
         cmd_warn(name, "%u lights are left out: %u are the most", left_out, LIGHTS_MAX);
-    cmd_check(view_make(&options->view, &pose, &job->span, &bounds,
+    cmd_check(hatch_view_make(&options->view, &pose, &job->span, &bounds,
                         (double)options->width / options->height, scratch, &job->fixed_view, &err),
               name, &err);
     open_context(job);
@@ -203,7 +202,7 @@ void job_prepare(struct job *job)
             (double)(job->map.tones ? job->map.target[job->map.tones - 1] : job->fine.darkest);
     if (job->renderer.rptam)
         job_set_darkest(job);
-    struct view view;
+    struct hatch_view view;
     job_set_frame(job, 0, &view);
     if (!(options->style.curve.exposure > 0))
         cmd_check(meter_exposure(&job->gpu, &view, scratch, &job->renderer.style.curve.exposure, &err),
@@ -221,22 +220,22 @@ void job_prepare(struct job *job)
               &err);
 }
 
-void job_view(struct job *job, double time_s, struct view *view)
+void job_view(struct job *job, double time_s, struct hatch_view *view)
 {
     struct hatch_err err;
     *view = job->fixed_view;
-    if (!view_is_fixed(&job->options.view, &job->scene))
-        cmd_check(view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
+    if (!hatch_view_is_fixed(&job->options.view, &job->scene))
+        cmd_check(hatch_view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
                             view->aspect, &job->args.scratch, view, &err),
                   cmd_input_name(job->options.scene_path), &err);
-    const struct pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
+    const struct hatch_pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
     if (job->options.zoom != 1)
-        cmd_check(zoom_view(&job->gpu.pose, &now, &job->gpu.bounds, job->options.zoom, &job->args.scratch, view,
+        cmd_check(hatch_view_zoom(&job->gpu.pose, &now, &job->gpu.bounds, job->options.zoom, &job->args.scratch, view,
                             &err),
                   cmd_input_name(job->options.scene_path), &err);
 }
 
-void job_set_frame(struct job *job, uint32_t frame, struct view *view)
+void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
 {
     const struct options *options = &job->options;
     struct hatch_err err;
@@ -248,7 +247,7 @@ void job_set_frame(struct job *job, uint32_t frame, struct view *view)
               cmd_input_name(options->scene_path), &err);
     job_view(job, time_of(job, frame), view);
     if (options->turntable)
-        view_turn(view, -TWO_PI * frame / options->frames);
+        hatch_view_turn(view, -TWO_PI * frame / options->frames);
 }
 
 void job_make_target(struct job *job, struct target *target)

@@ -30,7 +30,7 @@ struct job {
     struct cmd_args args;
     struct options options;
     struct hatch_scene scene;
-    struct patch_mesh *patches; /* of each of its meshes */
+    struct hatch_patch_mesh *patches; /* of each of its meshes */
     struct hatch_tam map; /* no columns: the file held what fine says, or there was none */
     struct fine fine;
     struct stroke_source source;
@@ -44,8 +44,8 @@ struct job {
     struct lines lines;
     struct field field;
     struct cmd_output **outputs; /* one per frame, or one for a report; NULL with a window */
-    struct pose_span span;   /* all frames */
-    struct view fixed_view;  /* used when view_is_fixed */
+    struct hatch_pose_span span;   /* all frames */
+    struct hatch_view fixed_view;  /* used when hatch_view_is_fixed */
 };
 
 /* Reads the files. Dies with one line on what is wrong. */
@@ -66,14 +66,14 @@ enum hatch_status job_refresh(struct job *job, struct hatch_err *err) HATCH_MUST
 /* Opens the context and uploads. The scene is posed at the first frame then. */
 void job_prepare(struct job *job);
 
-/* Finds the scene's feature lines, and draws them from now on. kinds: some of enum line_kind. */
+/* Finds the scene's feature lines, and draws them from now on. kinds: some of enum hatch_line_kind. */
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Poses the scene for a frame and finds its view. */
-void job_set_frame(struct job *job, uint32_t frame, struct view *view);
+void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view);
 
 /* The view that the options ask for at the current pose, which is that of the animation's time_s. */
-void job_view(struct job *job, double time_s, struct view *view);
+void job_view(struct job *job, double time_s, struct hatch_view *view);
 
 /* A target for the picture, or for its tiles. */
 void job_make_target(struct job *job, struct target *target);

@@ -249,8 +249,8 @@ enum hatch_status job_refresh(struct job *job, struct hatch_err *err)
         job->strokes_ms += cmd_elapsed_ms() - begin_ms;
     }
     job->strokes_changed = false;
-    if (job->view_changed && view_is_fixed(&job->options.view, &job->scene))
-        HATCH_TRY(view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
+    if (job->view_changed && hatch_view_is_fixed(&job->options.view, &job->scene))
+        HATCH_TRY(hatch_view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
                             job->fixed_view.aspect, &job->args.scratch, &job->fixed_view, err));
     job->view_changed = false;
     return HATCH_OK;

@@ -1,8 +1,8 @@
 #include "render-gl/load.h"
 
 #include "shared/scene.h"
-#include "render-gl/ground.h"
-#include "render-gl/row.h"
+#include "scene/ground.h"
+#include "scene/row.h"
 
 static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, bool stand,
                      struct hatch_scene *scene, struct hatch_mesh_notes *notes)
@@ -12,7 +12,7 @@ static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, 
     cmd_check(scenes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++)
         cmd_read_scene_noted(args, paths[i], CMD_SCENE_CLEANED, &scenes[i], notes);
-    cmd_check(row_join(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
+    cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
 /* What is nowhere as opaque as its material asks for has no faces that could be seen. */
@@ -30,7 +30,7 @@ static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes 
 }
 
 void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground,
-                struct hatch_scene *scene, struct patch_mesh **patches, struct hatch_mesh_notes *notes)
+                struct hatch_scene *scene, struct hatch_patch_mesh **patches, struct hatch_mesh_notes *notes)
 {
     const char *path = count ? paths[0] : NULL;
     struct hatch_err err;
@@ -40,12 +40,12 @@ void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, doubl
         cmd_read_scene_noted(args, path, CMD_SCENE_CLEANED, scene, notes);
     drop_transparent(scene, notes);
     if (ground > 0)
-        cmd_check(ground_add(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);
+        cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh,
                                          CMD_CREASE_RAD, &err),
                   cmd_input_name(path), &err);
-    cmd_check(patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path),
+    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path),
               &err);
 }
 
@@ -60,7 +60,7 @@ enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct h
     return HATCH_OK;
 }
 
-enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct patch_mesh *patches,
+enum hatch_status load_check_patches(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                      struct hatch_err *err)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++)

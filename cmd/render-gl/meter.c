@@ -63,8 +63,8 @@ static enum hatch_status add_item(struct meter *meter, const struct gpu_scene *s
     float *normals = HATCH_NEW(scratch, float, 3 * count, err);
     if (!positions || !normals)
         return HATCH_LIMIT;
-    struct pose pose = scene->pose;
-    pose_mesh(&pose, item->node, surface, positions, normals);
+    struct hatch_pose pose = scene->pose;
+    hatch_pose_mesh(&pose, item->node, surface, positions, normals);
     for (size_t v = 0; v < count; v++) {
         double point[3];
         for (size_t k = 0; k < 3; k++)
@@ -84,7 +84,7 @@ static double white_point(const struct meter *meter)
     return exp2((bin + 0.5) / STEPS - OCTAVES / 2);
 }
 
-enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct view *view,
+enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct hatch_view *view,
                                  struct hatch_arena *scratch, double *exposure,
                                  struct hatch_err *err)
 {

@@ -94,7 +94,7 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
 enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_item *item,
                                const double *positions, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct pose pose = gpu->pose;
+    struct hatch_pose pose = gpu->pose;
     struct hatch_mesh ahead = gpu->scene->meshes[item->mesh].mesh;
     size_t count = ahead.vertex_count;
     struct tangent *tangents = HATCH_NEW(scratch, struct tangent, count, err);
@@ -110,7 +110,7 @@ enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_ite
                 places[k] = ahead.attributes[i].data[k] + tangents[k / 3].along[k % 3];
             ahead.attributes[i].data = places;
         }
-    pose_mesh(&pose, item->node, &ahead, moved, NULL);
+    hatch_pose_mesh(&pose, item->node, &ahead, moved, NULL);
     for (size_t v = 0; v < count; v++) {
         double along[3];
         hatch_vec_sub(&moved[3 * v], &positions[3 * v], along);

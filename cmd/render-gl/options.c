@@ -167,9 +167,9 @@ const struct cmd_option *options_table(void)
     return table;
 }
 
-static void read_view(struct view_choice *view)
+static void read_view(struct hatch_view_choice *view)
 {
-    *view = (struct view_choice){.kind = VIEW_FIRST_CAMERA,
+    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA,
                                  .azimuth_rad = from[0] * RADIANS,
                                  .elevation_rad = from[1] * RADIANS,
                                  .fov_rad = fov * RADIANS,
@@ -179,9 +179,9 @@ static void read_view(struct view_choice *view)
         cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from",
                   camera);
     if (frame || from_given || (fov_given && !camera))
-        view->kind = VIEW_FRAMED;
-    else if (camera && view->kind != VIEW_EYE)
-        view->kind = VIEW_CAMERA;
+        view->kind = HATCH_VIEW_FRAMED;
+    else if (camera && view->kind != HATCH_VIEW_EYE)
+        view->kind = HATCH_VIEW_CAMERA;
 }
 
 static void read_style(struct style *style)
@@ -264,7 +264,7 @@ static double read_uv_scale(void)
 static bool draws_lines(void)
 {
     bool strokes = technique_draws_strokes(techniques[technique]);
-    return words_line_kinds(lines ? lines : "all") != LINES_NONE && (strokes || lines);
+    return words_line_kinds(lines ? lines : "all") != HATCH_LINES_NONE && (strokes || lines);
 }
 
 static void check_frames(const struct cmd_args *args)

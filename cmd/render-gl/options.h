@@ -37,7 +37,7 @@ struct options {
     struct style style;
     struct seed_choice seeds;
     struct line_style lines;
-    struct view_choice view;
+    struct hatch_view_choice view;
     double ground;           /* half a side of a plane below, in the scene's radii; 0: none */
     double zoom;             /* so many times nearer */
     struct param_change changes[PARAMS_MAX];

@@ -17,7 +17,7 @@ enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
 }
 
 enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
-                               const struct view *view, const struct target *target,
+                               const struct hatch_view *view, const struct target *target,
                                struct hatch_image *image, struct hatch_err *err)
 {
     uint32_t reach = renderer_reach_px(renderer, technique); /* tiles that overlap see the same around a border */
@@ -27,7 +27,7 @@ enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
     assert(target->width > 2 * left && target->height > 2 * below);
     for (uint32_t y = 0; y < image->height; y += height)
         for (uint32_t x = 0; x < image->width; x += width) {
-            struct tile tile = {(double)x - left, (double)y - below, target->width,
+            struct hatch_tile tile = {(double)x - left, (double)y - below, target->width,
                                 target->height,   image->width,      image->height};
             HATCH_TRY(renderer_draw(renderer, technique, view, &tile, target, err));
             target_read(target, left, below, least(width, image->width - x),

@@ -13,7 +13,7 @@ enum hatch_status picture_target(uint32_t width, uint32_t height, uint32_t side,
 
 /* Draws the view into an image with channels R G B. HATCH_LIMIT when memory does not suffice. */
 enum hatch_status picture_draw(struct renderer *renderer, uint32_t technique,
-                               const struct view *view, const struct target *target,
+                               const struct hatch_view *view, const struct target *target,
                                struct hatch_image *image, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -42,7 +42,7 @@ void pictures_write(struct job *job)
               &err);
     job_make_target(job, &target);
     for (uint32_t frame = 0; frame < options->frames; frame++) {
-        struct view view;
+        struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image,

@@ -52,14 +52,14 @@ static void measure(struct job *job, struct probe *probe)
     static const float nothing[3] = {0, 0, 0};
     struct hatch_err err;
     struct target target;
-    struct view view;
+    struct hatch_view view;
     cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_PROBE, scratch, &err), NULL, &err);
     job_make_target(job, &target);
     size_t count = (size_t)target.side * target.side * target.width * target.height;
     float *rgba = HATCH_NEW(scratch, float, 4 * count, &err);
     cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < job->options.frames; frame++) {
-        struct tile tile = {0, 0, target.width, target.height, job->options.width,
+        struct hatch_tile tile = {0, 0, target.width, target.height, job->options.width,
                             job->options.height};
         job_set_frame(job, frame, &view);
         cmd_check(renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target, &err),

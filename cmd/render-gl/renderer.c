@@ -133,8 +133,8 @@ static enum hatch_status prepare_pieces(struct renderer *renderer, uint32_t tech
 }
 
 /* Moves the view's near plane. */
-static enum hatch_status find_near(struct renderer *renderer, uint32_t technique, struct view *view,
-                                   const struct tile *tile, struct hatch_err *err)
+static enum hatch_status find_near(struct renderer *renderer, uint32_t technique, struct hatch_view *view,
+                                   const struct hatch_tile *tile, struct hatch_err *err)
 {
     const float *hatch = renderer->block.hatch;
     const struct near_wish wish = {.pieces = techniques[technique]->seeds && !renderer->floats_alone,
@@ -160,14 +160,14 @@ static double halo_reach_px(const struct renderer *renderer, uint32_t technique)
 /* Lines look around themselves before they end; edges and slopes of depth take three samples more than haloes. */
 uint32_t renderer_reach_px(const struct renderer *renderer, uint32_t technique)
 {
-    double lines = renderer->lines ? LINES_REACH_PX : 0;
+    double lines = renderer->lines ? HATCH_LINES_REACH_PX : 0;
     double haloes = renderer->style.halo_px > 0 ? ceil(halo_reach_px(renderer, technique)) + 4 : 0;
     return (uint32_t)fmax(lines, haloes);
 }
 
 static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t technique,
-                                       const float background[3], struct view *view,
-                                       const struct tile *tile, const struct target *target,
+                                       const float background[3], struct hatch_view *view,
+                                       const struct hatch_tile *tile, const struct target *target,
                                        struct hatch_err *err)
 {
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
@@ -213,11 +213,11 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
 }
 
 enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
-                                     const float background[3], const struct view *view,
-                                     const struct tile *tile, const struct target *target,
+                                     const float background[3], const struct hatch_view *view,
+                                     const struct hatch_tile *tile, const struct target *target,
                                      struct hatch_err *err)
 {
-    struct view shown = *view;
+    struct hatch_view shown = *view;
     HATCH_TRY(draw_surfaces(renderer, technique, background, &shown, tile, target, err));
     if (renderer->clock)
         clock_end_frame(renderer->clock);
@@ -225,10 +225,10 @@ enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t techniq
 }
 
 enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
-                                const struct view *view, const struct tile *tile,
+                                const struct hatch_view *view, const struct hatch_tile *tile,
                                 const struct target *target, struct hatch_err *err)
 {
-    struct view shown = *view;
+    struct hatch_view shown = *view;
     HATCH_TRY(draw_surfaces(renderer, technique, renderer->style.inks.paper, &shown, tile, target, err));
     enum hatch_status status = HATCH_OK;
     if (draws_lines(renderer, technique)) {

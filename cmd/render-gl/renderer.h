@@ -75,14 +75,14 @@ enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_
 /* Draws a tile of a frame into the target and averages its samples; then its lines, where there are
  * some. The scene is posed. HATCH_LIMIT when memory does not suffice for lines. */
 enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
-                                const struct view *view, const struct tile *tile,
+                                const struct hatch_view *view, const struct hatch_tile *tile,
                                 const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The same over another background than paper and without lines; for measurements that are no
  * picture. */
 enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
-                                     const float background[3], const struct view *view,
-                                     const struct tile *tile, const struct target *target,
+                                     const float background[3], const struct hatch_view *view,
+                                     const struct hatch_tile *tile, const struct target *target,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Compiles anew what has been compiled, when shaders are read from a folder that somebody edits. The

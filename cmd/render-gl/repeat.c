@@ -108,7 +108,7 @@ static bool measure_face(const double *const p[3], const float *const t[3], doub
            isfinite(*area);
 }
 
-static void add_face(struct survey *survey, size_t face, const struct view *view, double height_px)
+static void add_face(struct survey *survey, size_t face, const struct hatch_view *view, double height_px)
 {
     const double *p[3];
     const float *t[3];
@@ -127,13 +127,13 @@ static void add_face(struct survey *survey, size_t face, const struct view *view
     chart->area += area;
     chart->log_u += area * log2(step[0]);
     chart->log_v += area * log2(step[1]);
-    double scale = view_pixels_per_unit(view, center, height_px);
+    double scale = hatch_view_pixels_per_unit(view, center, height_px);
     double weight = area * scale * scale;
     if (!(scale > 0) || !isfinite(weight))
         return;
     survey->all_weight += weight;
     survey->all_log += weight * log2(scale);
-    if (view_sees(view, center)) {
+    if (hatch_view_sees(view, center)) {
         survey->seen_weight += weight;
         survey->seen_log += weight * log2(scale);
     }
@@ -207,7 +207,7 @@ static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_i
     survey->repeats = HATCH_NEW(scratch, float, 2 * count, err);
     if (!survey->positions || !survey->parent || !survey->charts || !survey->repeats)
         return HATCH_LIMIT;
-    pose_vertices(&scene->pose, item->node, item->mesh, survey->positions, NULL);
+    hatch_pose_vertices(&scene->pose, item->node, item->mesh, survey->positions, NULL);
     for (size_t i = 0; i < 3 * count; i++)
         survey->positions[i] =
             (survey->positions[i] - scene->bounds.center[i % 3]) / scene->bounds.radius;
@@ -215,7 +215,7 @@ static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_i
 }
 
 static enum hatch_status set_item(struct gpu_scene *scene, struct gpu_item *item,
-                                  const struct view *view, double height_px, uint32_t size_px,
+                                  const struct hatch_view *view, double height_px, uint32_t size_px,
                                   uint32_t levels, struct hatch_arena *scratch,
                                   struct hatch_err *err)
 {
@@ -241,7 +241,7 @@ static double step_of(const struct chart *chart)
 
 /* The same size of strokes on all surfaces that patches cover, whatever their nodes' scales: what the
  * picture shows of them decides it. */
-static enum hatch_status set_patches(struct gpu_scene *scene, const struct view *view,
+static enum hatch_status set_patches(struct gpu_scene *scene, const struct hatch_view *view,
                                      double height_px, uint32_t size_px, struct hatch_arena *scratch,
                                      struct hatch_err *err)
 {
@@ -276,7 +276,7 @@ static enum hatch_status set_patches(struct gpu_scene *scene, const struct view 
     return HATCH_OK;
 }
 
-enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct view *view,
+enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct hatch_view *view,
                              double height_px, uint32_t size_px, uint32_t levels,
                              struct hatch_arena *scratch, struct hatch_err *err)
 {

@@ -147,7 +147,7 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
         /* The colour's alpha scales the texture's: so does what is compared with it. */
         item->alpha_cutoff = material->alpha_cutoff / fmaxf(material->base_color[3], 1e-6f);
     }
-    if (pose_shapes(scene, node, &from->mesh)) {
+    if (hatch_pose_shapes(scene, node, &from->mesh)) {
         glCreateBuffers(1, &item->posed);
         glNamedBufferData(item->posed,
                           (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
@@ -160,8 +160,8 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
         item->surface_array = make_vertex_array(vertices, shape->surface_indices);
 }
 
-enum hatch_status scene_upload(const struct hatch_scene *scene, const struct patch_mesh *patches,
-                               const struct bounds *bounds, struct hatch_arena *arena,
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
+                               const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct gpu_scene *gpu,
                                struct hatch_err *err)
 {
@@ -169,7 +169,7 @@ enum hatch_status scene_upload(const struct hatch_scene *scene, const struct pat
     for (uint32_t i = 0; i < scene->node_count; i++)
         count += scene->nodes[i].mesh_count;
     struct gpu_scene made = {.scene = scene, .bounds = *bounds};
-    HATCH_TRY(pose_make(scene, arena, &made.pose, err));
+    HATCH_TRY(hatch_pose_make(scene, arena, &made.pose, err));
     made.meshes = HATCH_NEW(arena, struct gpu_mesh, scene->mesh_count, err);
     made.items = made.meshes ? HATCH_NEW(arena, struct gpu_item, count, err) : NULL;
     if (!made.items)
@@ -207,8 +207,8 @@ static void place_item(const struct gpu_scene *gpu, struct gpu_item *item)
 {
     const double *origin = gpu->meshes[item->mesh].origin;
     double world[16], normal[9], largest = 0;
-    pose_matrix(&gpu->pose, item->node, world);
-    item->mirrored = pose_normal_matrix(world, normal);
+    hatch_pose_matrix(&gpu->pose, item->node, world);
+    item->mirrored = hatch_pose_normal_matrix(world, normal);
     for (int c = 0; c < 3; c++)
         for (int r = 0; r < 3; r++) {
             item->to_unit[4 * c + r] = (float)(world[4 * c + r] / gpu->bounds.radius);
@@ -239,7 +239,7 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     float *normals = positions ? HATCH_NEW(scratch, float, 3 * count, err) : NULL;
     if (!normals)
         return HATCH_LIMIT;
-    pose_vertices(&gpu->pose, item->node, item->mesh, positions, normals);
+    hatch_pose_vertices(&gpu->pose, item->node, item->mesh, positions, normals);
     for (size_t v = 0; v < count; v++)
         for (size_t k = 0; k < 3; k++) {
             double at = (positions[3 * v + k] - gpu->bounds.center[k]) / gpu->bounds.radius;
@@ -253,8 +253,8 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     memcpy(item->normal, straight, sizeof straight);
     if (gpu->scene->nodes[item->node].skin == HATCH_NONE) {
         double world[16], cofactors[9];
-        pose_matrix(&gpu->pose, item->node, world);
-        item->mirrored = pose_normal_matrix(world, cofactors);
+        hatch_pose_matrix(&gpu->pose, item->node, world);
+        item->mirrored = hatch_pose_normal_matrix(world, cofactors);
     }
     return item->tangents ? normals_pose(gpu, item, positions, scratch, err) : HATCH_OK;
 }
@@ -266,7 +266,7 @@ enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, doub
         gpu->pose_number++;
     gpu->animation = animation;
     gpu->time_s = time_s;
-    pose_at(&gpu->pose, animation, time_s);
+    hatch_pose_at(&gpu->pose, animation, time_s);
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         struct gpu_item *item = &gpu->items[i];
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -297,7 +297,7 @@ void scene_set_spans(struct gpu_item *item, const float *spans, uint32_t count)
 static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_arena *scratch,
                                           struct hatch_err *err)
 {
-    const struct patch_mesh *patches = mesh->patches;
+    const struct hatch_patch_mesh *patches = mesh->patches;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t count = patches->first_vertex[patches->patch_count];
     float *tones = HATCH_NEW(scratch, float, count + (size_t)1, err);

@@ -5,8 +5,8 @@
 
 #include <epoxy/gl.h>
 
-#include "render-gl/patches.h"
-#include "render-gl/pose.h"
+#include "lapped/patches.h"
+#include "scene/pose.h"
 
 /* What the vertex stage reads; 40 bytes. */
 struct vertex {
@@ -28,7 +28,7 @@ struct gpu_mesh {
     double origin[3]; /* the middle of its box: digits that floats need not carry */
     double half[3];   /* of the box's sides */
     const struct hatch_mesh *surface;  /* what is there to see: without the overlaps of patches */
-    const struct patch_mesh *patches;  /* NULL: an ordinary mesh */
+    const struct hatch_patch_mesh *patches;  /* NULL: an ordinary mesh */
     GLuint surface_indices;            /* with patches: of the surface's faces */
     GLuint patch_tones;                /* a random tone for each vertex, its patch's; 0: not told yet */
 };
@@ -64,8 +64,8 @@ struct gpu_item {
 
 struct gpu_scene {
     const struct hatch_scene *scene;
-    struct bounds bounds;
-    struct pose pose;
+    struct hatch_bounds bounds;
+    struct hatch_pose pose;
     uint32_t pose_number; /* another one when the pose may have changed */
     uint32_t animation;   /* the pose's moment */
     double time_s;
@@ -82,8 +82,8 @@ const float *scene_texcoords(const struct hatch_mesh *mesh, uint32_t set);
 
 /* Uploads every mesh and lists the items; pose must hold room. Nothing is drawn with: call
  * scene_set_pose. patches: of each mesh, or NULL where no mesh has any; kept. */
-enum hatch_status scene_upload(const struct hatch_scene *scene, const struct patch_mesh *patches,
-                               const struct bounds *bounds, struct hatch_arena *arena,
+enum hatch_status scene_upload(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
+                               const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct gpu_scene *gpu,
                                struct hatch_err *err) HATCH_MUST_USE;
 

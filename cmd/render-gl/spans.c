@@ -3,7 +3,7 @@
 
 #include "math/vector.h"
 #include "render-gl/seeds.h"
-#include "render-gl/weld.h"
+#include "mesh/remap.h"
 
 /* Adds what one face says: dP/du and dP/dv, each times twice the face's area. number: of each vertex, in sums. */
 static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, const uint32_t *number,
@@ -68,8 +68,8 @@ static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item
     if (!texcoord || item->posed || item->spans)
         return HATCH_OK;
     /* A mesh whose faces have corners of their own, for flat normals, is one surface all the same. */
-    struct weld weld;
-    HATCH_TRY(weld_texcoords(mesh, scratch, &weld, err));
+    struct hatch_remap weld;
+    HATCH_TRY(hatch_remap_by_texcoord(mesh, scratch, &weld, err));
     double *sums = HATCH_NEW(scratch, double, 7 * (size_t)weld.count, err);
     float *spans = sums ? HATCH_NEW(scratch, float, 6 * (size_t)mesh->vertex_count, err) : NULL;
     if (!spans)

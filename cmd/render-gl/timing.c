@@ -30,11 +30,11 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-static void draw(struct job *job, uint32_t technique, bool every_pass, const struct view *view,
+static void draw(struct job *job, uint32_t technique, bool every_pass, const struct hatch_view *view,
                  const struct target *target)
 {
     const struct options *options = &job->options;
-    struct tile tile = {0, 0, target->width, target->height, options->width, options->height};
+    struct hatch_tile tile = {0, 0, target->width, target->height, options->width, options->height};
     struct hatch_err err;
     job->renderer.clock->every_pass = every_pass;
     cmd_check(renderer_draw(&job->renderer, technique, view, &tile, target, &err), NULL, &err);
@@ -49,7 +49,7 @@ static uint32_t measure(struct job *job, const struct target *target, struct ser
     const struct clock *clock = job->renderer.clock;
     const uint32_t techniques_drawn[3] = {(uint32_t)options->technique,
                                           (uint32_t)options->technique, TECHNIQUE_GOURAUD};
-    struct view view;
+    struct hatch_view view;
     job_set_frame(job, 0, &view);
     uint32_t last = 0;
     for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)

@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render-gl/color.h"
+#include "image/color.h"
 
 void words_color(const char *option, struct hatch_text text, float rgb[3])
 {
-    if (!color_parse(text, rgb))
+    if (!hatch_color_parse(text, rgb))
         cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
                   (int)text.length, text.at);
 }
@@ -24,15 +24,15 @@ bool words_whole(const char *text, uint32_t most, uint32_t *value)
     return *text && number <= most;
 }
 
-bool words_place(const char *text, struct view_choice *view)
+bool words_place(const char *text, struct hatch_view_choice *view)
 {
     size_t length = strcspn(text, ":");
-    view->kind = VIEW_EYE;
+    view->kind = HATCH_VIEW_EYE;
     view->has_target = text[length] == ':';
     const char *target = text + length + 1;
-    return vector_parse((struct hatch_text){text, length}, view->eye) &&
+    return hatch_text_vector((struct hatch_text){text, length}, view->eye) &&
            (!view->has_target ||
-            vector_parse((struct hatch_text){target, strlen(target)}, view->target));
+            hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
 }
 
 uint32_t words_line_kinds(const char *list)
@@ -40,12 +40,12 @@ uint32_t words_line_kinds(const char *list)
     static const struct {
         const char *name;
         uint32_t kinds;
-    } words[] = {{"none", LINES_NONE},
-                 {"silhouettes", LINES_SILHOUETTES},
-                 {"creases", LINES_CREASES},
-                 {"boundaries", LINES_BOUNDARIES},
-                 {"all", LINES_ALL}};
-    uint32_t kinds = LINES_NONE;
+    } words[] = {{"none", HATCH_LINES_NONE},
+                 {"silhouettes", HATCH_LINES_SILHOUETTES},
+                 {"creases", HATCH_LINES_CREASES},
+                 {"boundaries", HATCH_LINES_BOUNDARIES},
+                 {"all", HATCH_LINES_ALL}};
+    uint32_t kinds = HATCH_LINES_NONE;
     for (const char *at = list; *at; at += *at == ',') {
         size_t size_bytes = strcspn(at, ","), i = 0;
         while (i < 5 && (strlen(words[i].name) != size_bytes ||

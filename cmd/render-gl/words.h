@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "shared/cmd.h"
 #include "render-gl/lines/lines.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 
 /* A colour; another word is wrong usage of the option. */
 void words_color(const char *option, struct hatch_text text, float rgb[3]);
@@ -14,7 +14,7 @@ void words_color(const char *option, struct hatch_text text, float rgb[3]);
 bool words_whole(const char *text, uint32_t most, uint32_t *value);
 
 /* X,Y,Z[:X,Y,Z]: the eye, and what it looks at. */
-bool words_place(const char *text, struct view_choice *view);
+bool words_place(const char *text, struct hatch_view_choice *view);
 
 /* A list of kinds of lines with commas between; another word is wrong usage. */
 uint32_t words_line_kinds(const char *list);

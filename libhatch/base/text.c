@@ -175,3 +175,20 @@ bool hatch_text_number(struct hatch_text text, double *number)
     *number = value;
     return true;
 }
+
+bool hatch_text_vector(struct hatch_text text, double xyz[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const char *comma = memchr(text.at, ',', text.length);
+        size_t length = comma ? (size_t)(comma - text.at) : text.length;
+        if (!hatch_text_number((struct hatch_text){text.at, length}, &xyz[k]))
+            return false;
+        if (k == 2)
+            return !comma;
+        if (!comma)
+            return false;
+        text.length -= length + 1;
+        text.at += length + 1;
+    }
+    return false;
+}

@@ -38,4 +38,7 @@ bool hatch_text_decimal(struct hatch_text text, double *number);
 /* The same, and finite. */
 bool hatch_text_number(struct hatch_text text, double *number);
 
+/* Parses three finite numbers with commas between, as in "0,1.5,2". Returns false for any other text. */
+bool hatch_text_vector(struct hatch_text text, double xyz[3]);
+
 #endif

@@ -7,7 +7,7 @@
 #define PI 3.14159265358979323846
 
 /* Turns are seen by a face: counter-clockwise as its corners run. */
-struct view {
+struct hatch_view {
     const struct hatch_surface *surface;
     const struct hatch_frames *frames;
     const double *direction;
@@ -16,7 +16,7 @@ struct view {
 
 /* How the line turns along ring entry i of p, seen from p's ring: the shorter way, and exactly the opposite from
  * the other end. */
-static double turn_along(const struct view *v, uint32_t p, uint32_t i)
+static double turn_along(const struct hatch_view *v, uint32_t p, uint32_t i)
 {
     uint32_t q = v->surface->ring_point[i], mate = v->frames->mate[i];
     bool turned = v->surface->ring_turned[i], away = mate < i;
@@ -30,7 +30,7 @@ static double turn_along(const struct view *v, uint32_t p, uint32_t i)
 }
 
 /* The turn of the line along a face's side that begins at corner c. */
-static double side_turn(const struct view *v, uint32_t face, uint32_t c)
+static double side_turn(const struct hatch_view *v, uint32_t face, uint32_t c)
 {
     uint32_t p = v->surface->corners[(size_t)face * 3 + c], i = v->frames->entry[(size_t)face * 3 + c];
     uint32_t next = i + 1 < v->surface->ring_first[p + 1] ? i + 1 : v->surface->ring_first[p];
@@ -39,7 +39,7 @@ static double side_turn(const struct view *v, uint32_t face, uint32_t c)
 
 /* What a line that is carried around a face comes back turned by and what the field turns make a whole number of half
  * turns. */
-static int face_index(const struct view *v, uint32_t face)
+static int face_index(const struct hatch_view *v, uint32_t face)
 {
     double sum = hatch_frames_excess(v->surface, v->frames, face);
     for (uint32_t c = 0; c < 3; c++)
@@ -50,12 +50,12 @@ static int face_index(const struct view *v, uint32_t face)
 int hatch_field_face_index(const struct hatch_surface *surface, const struct hatch_frames *frames,
                            const double *angle_rad, uint32_t face)
 {
-    const struct view view = {surface, frames, NULL, angle_rad};
+    const struct hatch_view view = {surface, frames, NULL, angle_rad};
     return face_index(&view, face);
 }
 
 /* How the border's direction turns against the line, in half turns, all loops of a component together. */
-static int32_t border_turns(const struct view *v, const struct hatch_component *of)
+static int32_t border_turns(const struct hatch_view *v, const struct hatch_component *of)
 {
     double sum = 0;
     for (uint32_t f = of->first_face; f < of->first_face + of->face_count; f++)
@@ -75,7 +75,7 @@ enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,
                                             struct hatch_singularities *found, struct hatch_err *err)
 {
-    struct view view = {surface, frames, direction, NULL};
+    struct hatch_view view = {surface, frames, direction, NULL};
     struct hatch_singularities made = {0};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     made.component_half_turns = HATCH_NEW(arena, int32_t, surface->component_count, err);
@@ -113,7 +113,7 @@ enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
 
 /* The line at a corner as z in the face's plane, against its axes u and v: the plane of the point is laid down so
  * that the middle of the face's corner falls on the middle of its scaled angle. */
-static void corner_line(const struct view *v, uint32_t face, uint32_t c, const double u[3],
+static void corner_line(const struct hatch_view *v, uint32_t face, uint32_t c, const double u[3],
                         const double side[3], double z[2])
 {
     const uint32_t *corner = &v->surface->corners[(size_t)face * 3];
@@ -161,7 +161,7 @@ void hatch_field_mean(const double z[3][2], const double u[3], const double side
 void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
                       const double *direction, uint32_t face, double line[3], double *spread_rad)
 {
-    const struct view view = {surface, frames, direction, NULL};
+    const struct hatch_view view = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *a = &surface->points[(size_t)corner[0] * 3], *b = &surface->points[(size_t)corner[1] * 3];
     double normal[3], u[3], side[3], z[3][2], nearest;

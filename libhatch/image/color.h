@@ -25,4 +25,8 @@ double hatch_color_hue_between(const double a[2], const double b[2]);
 /* Below that chroma a hue says nothing. */
 #define HATCH_COLOR_CHROMA_MIN 0.02
 
+/* Parses black, white, grey, cream, sepia, blue, red, or #rgb and #rrggbb (sRGB), as linear light. Returns false for
+ * any other text. */
+bool hatch_color_parse(struct hatch_text text, float rgb[3]);
+
 #endif

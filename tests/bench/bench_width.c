@@ -23,7 +23,7 @@ static void begin(void)
     frame_arenas(&frame);
     mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 20000);
     model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
-    const struct bounds bounds = {.radius = RADIUS};
+    const struct hatch_bounds bounds = {.radius = RADIUS};
     frame_begin(&mesh, &bounds, NULL, &frame);
     frame.renderer.rptam = &rptam;
     HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_RPTAM, &frame.scratch, &frame.err), &frame.err);
@@ -41,7 +41,7 @@ struct widths {
 };
 
 /* The surface along a unit of u and of v on one face, in the axes of the unit scene. */
-static bool face_spans(const struct view *view, const struct zoom_corner *const c[3], double span[6])
+static bool face_spans(const struct hatch_view *view, const struct zoom_corner *const c[3], double span[6])
 {
     const double *axes[3] = {view->right, view->up, view->back};
     double edge[2][3], uv[2][2];
@@ -72,7 +72,7 @@ static double map_width(double pixels[2][2])
     return across(pixels) / texels * exp2(level);
 }
 
-static void look(const struct view *view, double window, struct widths *widths)
+static void look(const struct hatch_view *view, double window, struct widths *widths)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
     struct zoom_corner *corners = HATCH_NEW(&frame.arena, struct zoom_corner, mesh.vertex_count, &frame.err);
@@ -112,7 +112,7 @@ static void print_row(const char *method, double radii, double *widths, size_t c
 }
 
 /* From over the middle of a face, off its normal by half a radian. */
-static struct view view_over(uint32_t face, double radii)
+static struct hatch_view view_over(uint32_t face, double radii)
 {
     double corner[3][3], point[3], normal[3], side[3];
     hatch_mesh_corners(&mesh, face, corner);
@@ -123,7 +123,7 @@ static struct view view_over(uint32_t face, double radii)
         point[k] = (corner[0][k] + corner[1][k] + corner[2][k]) / 3;
     hatch_vec_add_scaled(normal, tan(0.5), side, side);
     hatch_vec_normalize(side);
-    return zoom_view(&frame, point, side, RADIUS * radii, 4.0 / 3);
+    return zoomed_view(&frame, point, side, RADIUS * radii, 4.0 / 3);
 }
 
 START_TEST(measure)
@@ -135,7 +135,7 @@ START_TEST(measure)
         double radii = pow(10, 0.5 * step);
         widths.count = 0;
         for (uint32_t i = 0; i < VIEWS; i++) {
-            struct view view = view_over((2 * i + 1) * (mesh.face_count / (2 * VIEWS)), radii);
+            struct hatch_view view = view_over((2 * i + 1) * (mesh.face_count / (2 * VIEWS)), radii);
             look(&view, fmin(1, 4 / radii), &widths);
         }
         print_row("rptam", radii, widths.rptam, widths.count);

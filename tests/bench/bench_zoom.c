@@ -28,7 +28,7 @@ static void begin(enum hatch_shape shape, float repeats)
     frame.renderer.rptam = &rptam;
 }
 
-static double mean_ink(const struct view *view, double tone)
+static double mean_ink(const struct hatch_view *view, double tone)
 {
     struct hatch_image picture;
     struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
@@ -42,7 +42,7 @@ static double mean_ink(const struct view *view, double tone)
 }
 
 /* The largest difference of five tones from what they were when they were kept. */
-static double drift(const struct view *view, double first[TONES], bool keep)
+static double drift(const struct hatch_view *view, double first[TONES], bool keep)
 {
     double most = 0;
     for (int i = 0; i < TONES; i++) {
@@ -53,7 +53,7 @@ static double drift(const struct view *view, double first[TONES], bool keep)
     return most;
 }
 
-static void print_row(const char *surface, int octave, bool alone, const struct view *view, double tone)
+static void print_row(const char *surface, int octave, bool alone, const struct hatch_view *view, double tone)
 {
     struct zoom_error error = zoom_measure(&frame, view, WIDTH, HEIGHT, 11);
     printf("%s\t%d\t%s\t%.3g\t%.3g\t%.4f\t", surface, octave, alone ? "floats" : "pieces", error.largest_px,
@@ -68,7 +68,7 @@ static void zoom(const char *surface, enum hatch_shape shape, const double point
     for (int octave = 0; octave <= 40; octave += 2)
         for (int alone = 0; alone < 2; alone++) {
             int out = sign < 0 ? 40 - octave : octave; /* of the way in */
-            struct view view = zoom_view(&frame, point, back, exp2(1 - out), (double)WIDTH / HEIGHT);
+            struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - out), (double)WIDTH / HEIGHT);
             frame.renderer.floats_alone = alone;
             double tone = shape == HATCH_SHAPE_PLANE ? drift(&view, first, !alone && octave == 0) : -1;
             print_row(surface, sign * octave, alone, &view, tone);

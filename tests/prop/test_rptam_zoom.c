@@ -2,7 +2,7 @@
 #include "run.h"
 
 #include "rptam_model.h"
-#include "render-gl/window/orbit.h"
+#include "scene/orbit.h"
 #include "zoom_reference.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
@@ -14,7 +14,7 @@ static struct hatch_mesh mesh;
 static const struct model_how how_drawn = {
     .layers = 2, .tile_px = 40, .length_px = 14, .width_px = 2, .angle_rad = {0.5, 1.5}, .overlap = 0.5};
 
-static void begin_mesh(const struct bounds *bounds)
+static void begin_mesh(const struct hatch_bounds *bounds)
 {
     model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
     frame_begin(&mesh, bounds, NULL, &frame);
@@ -47,7 +47,7 @@ static void lean(const double normal[3], double tilt, double back[3])
         back[k] = cos(tilt) * normal[k] + sin(tilt) * side[k];
 }
 
-static void check_places(const struct view *view, double pixels, uint32_t wrong)
+static void check_places(const struct hatch_view *view, double pixels, uint32_t wrong)
 {
     struct zoom_error error = zoom_measure(&frame, view, WIDTH, HEIGHT, 5);
     double scale = view->orthographic ? view->half_height : view->pivot;
@@ -57,11 +57,11 @@ static void check_places(const struct view *view, double pixels, uint32_t wrong)
 }
 
 /* Pixels that nothing covers. */
-static uint32_t bare_pixels(const struct view *view)
+static uint32_t bare_pixels(const struct hatch_view *view)
 {
     static const float nothing[3] = {-1, -1, -1};
     static float rgba[4 * WIDTH * HEIGHT];
-    const struct tile tile = {0, 0, WIDTH, HEIGHT, WIDTH, HEIGHT};
+    const struct hatch_tile tile = {0, 0, WIDTH, HEIGHT, WIDTH, HEIGHT};
     struct hatch_err *err = &frame.err;
     struct target target;
     uint32_t bare = 0;
@@ -75,12 +75,12 @@ static uint32_t bare_pixels(const struct view *view)
     return bare;
 }
 
-static const struct bounds odd_bounds = {.center = {0.1, -0.3, 0.7}, .radius = 1.7};
+static const struct hatch_bounds odd_bounds = {.center = {0.1, -0.3, 0.7}, .radius = 1.7};
 
 static const struct {
     enum hatch_shape shape;
     uint32_t faces, face;
-    const struct bounds *bounds;
+    const struct hatch_bounds *bounds;
     double share[3], tilt;
 } surfaces[] = {
     {HATCH_SHAPE_PLANE, 2, 0, &frame_unit, {0.5, 0.2, 0.3}, 0.7},
@@ -101,7 +101,7 @@ START_TEST(strokes_keep_their_place_through_forty_octaves)
     face_point(surfaces[_i].face, surfaces[_i].share, point, normal);
     lean(normal, surfaces[_i].tilt, back);
     for (size_t i = 0; i < sizeof octaves / sizeof *octaves; i++) {
-        struct view view = zoom_view(&frame, point, back, exp2(1 - octaves[i]), (double)WIDTH / HEIGHT);
+        struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - octaves[i]), (double)WIDTH / HEIGHT);
         check_places(&view, 0.05, 1);
         if (octaves[i] < 20)
             continue;
@@ -127,7 +127,7 @@ START_TEST(large_texture_coordinates_keep_theirs)
     face_point(90, (const double[3]){0.3, 0.3, 0.4}, point, normal);
     lean(normal, 0.6, back);
     for (int octave = 0; octave <= 42; octave += 6) {
-        struct view view = zoom_view(&frame, point, back, exp2(1 - octave), (double)WIDTH / HEIGHT);
+        struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - octave), (double)WIDTH / HEIGHT);
         check_places(&view, 0.05, 0);
     }
     frame_end(&frame);
@@ -142,7 +142,7 @@ START_TEST(orthographic_views_hold)
     face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
     lean(normal, 0.6, back);
     for (int octave = 0; octave <= 40; octave += 5) {
-        struct view view = zoom_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
+        struct hatch_view view = zoomed_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
         view.orthographic = true;
         view.half_height = exp2(-octave);
         view.far = 10;
@@ -163,7 +163,7 @@ START_TEST(an_eye_on_the_surface_sees_it)
     face_point(300, shares[_i % 3], point, normal);
     for (int turn = 0; turn < 6; turn++) {
         lean(normal, 0.3 + turn * 3.14159265358979324 / 6, back);
-        struct view view = zoom_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
+        struct hatch_view view = zoomed_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
         for (int k = 0; k < 3; k++) {
             view.eye[k] = point[k];
             view.eye_rest[k] = _i < 3 ? 0 : 0x1p-70 * normal[k];
@@ -186,7 +186,7 @@ START_TEST(pieces_leave_no_gap)
     for (int side = 0; side < 2; side++) {
         lean(normal, side ? 3.14159265358979324 - 1.1 : 1.1, back);
         for (double octave = 5; octave <= 42; octave += 2.3) {
-            struct view view = zoom_view(&frame, point, back, exp2(-octave), (double)WIDTH / HEIGHT);
+            struct hatch_view view = zoomed_view(&frame, point, back, exp2(-octave), (double)WIDTH / HEIGHT);
             ck_assert_uint_eq(bare_pixels(&view), 0);
         }
     }
@@ -202,7 +202,7 @@ START_TEST(tiles_join)
     begin_mesh(&frame_unit);
     face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
     lean(normal, 0.6, back);
-    struct view view = zoom_view(&frame, point, back, 0x1p-30, (double)WIDTH / HEIGHT);
+    struct hatch_view view = zoomed_view(&frame, point, back, 0x1p-30, (double)WIDTH / HEIGHT);
     struct hatch_image pictures[2];
     struct target target;
     struct hatch_err *err = &frame.err;
@@ -218,38 +218,38 @@ START_TEST(tiles_join)
 END_TEST
 
 /* A torus, and a point of it seen aslant from so far. */
-static struct view begin_torus(double distance)
+static struct hatch_view begin_torus(double distance)
 {
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&odd_bounds);
     face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
     lean(normal, 0.6, back);
-    return zoom_view(&frame, point, back, distance, (double)WIDTH / HEIGHT);
+    return zoomed_view(&frame, point, back, distance, (double)WIDTH / HEIGHT);
 }
 
 /* As in the window: from afar by halves, then round what the middle shows, and back. */
 START_TEST(a_hand_zooms_without_end)
 {
-    struct orbit orbit;
-    struct view view = begin_torus(1);
-    orbit_start(&orbit, &view);
+    struct hatch_orbit orbit;
+    struct hatch_view view = begin_torus(1);
+    hatch_orbit_start(&orbit, &view);
     for (int i = 0; i < 42; i++)
-        orbit_zoom(&orbit, 0.5);
+        hatch_orbit_zoom(&orbit, 0.5);
     ck_assert_double_le(orbit.distance, 0x1p-42);
     check_places(&orbit.view, 0.05, 1);
-    orbit_turn(&orbit, 0.2, -0.1);
+    hatch_orbit_turn(&orbit, 0.2, -0.1);
     check_places(&orbit.view, 0.05, 1);
-    struct view low = orbit.view;
-    orbit_look_at(&orbit, 0.5 * orbit.distance);
-    orbit_zoom(&orbit, 1);
+    struct hatch_view low = orbit.view;
+    hatch_orbit_look_at(&orbit, 0.5 * orbit.distance);
+    hatch_orbit_zoom(&orbit, 1);
     for (int k = 0; k < 3; k++) /* a new middle on the same line of sight is no step */
         ck_assert_double_le(fabs(hatch_pair_round(hatch_pair_sub(
                                 (struct hatch_pair){low.eye[k], low.eye_rest[k]},
                                 (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_rest[k]}))),
                             1e-14 * orbit.distance);
     while (orbit.distance < 1)
-        orbit_zoom(&orbit, 2);
+        hatch_orbit_zoom(&orbit, 2);
     check_places(&orbit.view, 0.05, 1);
     frame_end(&frame);
 }
@@ -258,15 +258,15 @@ END_TEST
 /* An orthographic camera's near plane is a wish that zooming must not run into. */
 START_TEST(a_hand_zooms_an_orthographic_view)
 {
-    struct orbit orbit;
-    struct view view = begin_torus(3);
+    struct hatch_orbit orbit;
+    struct hatch_view view = begin_torus(3);
     view.orthographic = true;
     view.half_height = 1;
     view.near = 1;
     view.far = 10;
-    orbit_start(&orbit, &view);
+    hatch_orbit_start(&orbit, &view);
     for (int i = 0; i < 40; i++)
-        orbit_zoom(&orbit, 0.5);
+        hatch_orbit_zoom(&orbit, 0.5);
     ck_assert_double_eq(orbit.view.half_height, 0x1p-40);
     check_places(&orbit.view, 0.05, 1);
     frame_end(&frame);

@@ -66,7 +66,7 @@ static void make_bent(bool own_corners, struct hatch_mesh *mesh)
     mesh->attributes[2] = (struct hatch_mesh_attribute){.name = "TEXCOORD_0", .components = 2, .data = uv};
 }
 
-static const struct view front = {.eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1},
+static const struct hatch_view front = {.eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1},
                                   .half_height = 0.25, .aspect = 1, .near = 0.01, .far = 100, .pivot = 2};
 
 /* Mean difference of ink between the two sides of the edge, at the same places of it. */

@@ -7,7 +7,7 @@
 
 #include "math/vector.h"
 #include "meshes.h"
-#include "render-gl/lines/trace.h"
+#include "line/trace.h"
 
 /* The same faces, each with corners of its own. */
 static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
@@ -30,30 +30,30 @@ static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
     return apart;
 }
 
-static inline struct line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t kinds,
+static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t kinds,
                                         double crease_rad)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct line_choice choice = {kinds, crease_rad, false};
-    struct line_mesh lines;
-    HATCH_TEST_OK(line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    const struct hatch_line_choice choice = {kinds, crease_rad, false};
+    struct hatch_line_mesh lines;
+    HATCH_TEST_OK(hatch_line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
     return lines;
 }
 
 /* 400 pixels high; looks at the middle. */
-static inline struct view view_from(double x, double y, double z, bool orthographic)
+static inline struct hatch_view view_from(double x, double y, double z, bool orthographic)
 {
-    struct view view = {.eye = {x, y, z}, .orthographic = orthographic, .aspect = 1};
+    struct hatch_view view = {.eye = {x, y, z}, .orthographic = orthographic, .aspect = 1};
     view.half_height = orthographic ? 2 : 0.5;
     view.near = 1e-3;
     view.far = 100;
-    view_set_back(&view, view.eye);
+    hatch_view_set_back(&view, view.eye);
     return view;
 }
 
-static inline struct line_shape shape_in_place(const struct line_mesh *lines)
+static inline struct hatch_line_shape shape_in_place(const struct hatch_line_mesh *lines)
 {
-    struct line_shape shape = {.lines = lines,
+    struct hatch_line_shape shape = {.lines = lines,
                                .positions = lines->mesh.attributes[0].data,
                                .normals = hatch_mesh_find(&lines->mesh, "NORMAL", 3),
                                .double_sided = true};
@@ -62,25 +62,25 @@ static inline struct line_shape shape_in_place(const struct line_mesh *lines)
     return shape;
 }
 
-static inline struct line_trace silhouettes_of(const struct line_shape *shape,
-                                               const struct view *view)
+static inline struct hatch_line_trace silhouettes_of(const struct hatch_line_shape *shape,
+                                               const struct hatch_view *view)
 {
-    const struct line_eye eye = {view, 200 / view->half_height};
-    struct line_trace trace = {.node_count = 0};
-    HATCH_TEST_OK(line_trace_silhouettes(shape, &eye, &keep, &scratch, &trace, &err), &err);
+    const struct hatch_line_eye eye = {view, 200 / view->half_height};
+    struct hatch_line_trace trace = {.node_count = 0};
+    HATCH_TEST_OK(hatch_line_trace_silhouettes(shape, &eye, &keep, &scratch, &trace, &err), &err);
     return trace;
 }
 
-static inline struct line_chains chains_of(const struct line_trace *trace)
+static inline struct hatch_line_chains chains_of(const struct hatch_line_trace *trace)
 {
-    const struct line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
+    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
                                      trace->ends};
-    struct line_chains chains = {.count = 0};
-    HATCH_TEST_OK(line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
+    struct hatch_line_chains chains = {.count = 0};
+    HATCH_TEST_OK(hatch_line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
     return chains;
 }
 
-static inline double length_of(const struct line_trace *trace)
+static inline double length_of(const struct hatch_line_trace *trace)
 {
     double length = 0;
     for (uint32_t s = 0; s < trace->segment_count; s++)

@@ -23,7 +23,7 @@ struct test_frame {
 };
 
 /* The scene in units where it is drawn: no bounds are taken off. */
-static const struct bounds frame_unit = {.radius = 1.0};
+static const struct hatch_bounds frame_unit = {.radius = 1.0};
 
 static inline uint32_t frame_technique(const char *name)
 {
@@ -36,7 +36,7 @@ static inline uint32_t frame_technique(const char *name)
 
 /* The scene is frame->scene, patches of its meshes (or NULL). A black line on white paper, no ambient
  * light, tones up to the map's darkest. map may be NULL. */
-static inline void frame_begin_scene(const struct patch_mesh *patches, const struct bounds *bounds,
+static inline void frame_begin_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
                                      const struct hatch_tam *map, struct test_frame *frame)
 {
     struct hatch_err *err = &frame->err;
@@ -58,7 +58,7 @@ static inline void frame_begin_scene(const struct patch_mesh *patches, const str
 }
 
 /* The same for a scene of one mesh. */
-static inline void frame_begin(const struct hatch_mesh *mesh, const struct bounds *bounds,
+static inline void frame_begin(const struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
                                const struct hatch_tam *map, struct test_frame *frame)
 {
     HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, &frame->scene, &frame->err), &frame->err);
@@ -128,13 +128,13 @@ static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
 }
 
 /* From a little above and beside, at the distance that frames the scene. */
-static inline struct view frame_view(struct test_frame *frame, double aspect)
+static inline struct hatch_view frame_view(struct test_frame *frame, double aspect)
 {
-    static const struct view_choice choice = {
-        .kind = VIEW_FRAMED, .azimuth_rad = 0.5, .elevation_rad = 0.4, .fov_rad = 0.5};
-    static const struct pose_span span = {.animation = HATCH_NONE, .moments = 1};
-    struct view view;
-    HATCH_TEST_OK(view_make(&choice, &frame->gpu.pose, &span, &frame->gpu.bounds, aspect, &frame->scratch, &view,
+    static const struct hatch_view_choice choice = {
+        .kind = HATCH_VIEW_FRAMED, .azimuth_rad = 0.5, .elevation_rad = 0.4, .fov_rad = 0.5};
+    static const struct hatch_pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    struct hatch_view view;
+    HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, &span, &frame->gpu.bounds, aspect, &frame->scratch, &view,
                             &frame->err),
                   &frame->err);
     return view;
@@ -142,7 +142,7 @@ static inline struct view frame_view(struct test_frame *frame, double aspect)
 
 /* Draws with a technique into an image of R G B, linear. */
 static inline void frame_draw(struct test_frame *frame, const char *technique,
-                              const struct view *view, uint32_t width, uint32_t height,
+                              const struct hatch_view *view, uint32_t width, uint32_t height,
                               uint32_t side, struct hatch_image *image)
 {
     struct hatch_err *err = &frame->err;

@@ -14,7 +14,7 @@ enum { SIZE = 64, TONES = 6 };
 static struct test_frame frame;
 static struct hatch_tam map;
 static struct hatch_image mask;
-static struct patch_mesh *patches;
+static struct hatch_patch_mesh *patches;
 
 /* How a surface is cut into patches. */
 struct cut {
@@ -108,7 +108,7 @@ static inline void lend_outline(void)
 static inline void begin_lapped(const struct hatch_mesh *surface, const struct cut *cut)
 {
     make_scene(surface, cut);
-    HATCH_TEST_OK(patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
                   &frame.err);
     frame_begin_scene(patches, &frame_unit, &map, &frame);
     lend_outline();
@@ -202,7 +202,7 @@ static const struct cut caps = {.count = CAPS, .materials = 1, .holds = cap_hold
 
 static inline void draw_in_tiles(const char *technique, uint32_t tile_px, uint32_t side, struct hatch_image *image)
 {
-    const struct view view = {.eye = {0, 0, 4},
+    const struct hatch_view view = {.eye = {0, 0, 4},
                               .right = {1, 0, 0},
                               .up = {0, 1, 0},
                               .back = {0, 0, 1},

@@ -9,7 +9,7 @@
 
 #include "math/vector.h"
 #include "mesh/mesh.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 #include "seed/rptam.h"
 
 /* What is interpolated over a face. */
@@ -30,7 +30,7 @@ struct raster_pixel {
 
 struct raster {
     const struct hatch_mesh *mesh;
-    const struct view *view;
+    const struct hatch_view *view;
     uint32_t size; /* pixels along the picture's sides */
     double to_light[3];
     struct raster_vertex *vertices;
@@ -68,7 +68,7 @@ static inline void raster_span(const struct hatch_mesh *mesh, double (*sums)[7])
 static inline void raster_vertices(struct raster *raster, struct hatch_arena *arena)
 {
     const struct hatch_mesh *mesh = raster->mesh;
-    const struct view *view = raster->view;
+    const struct hatch_view *view = raster->view;
     const float *position = hatch_mesh_find(mesh, "POSITION", 3), *normal = hatch_mesh_find(mesh, "NORMAL", 3);
     const float *uv = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     struct hatch_err err;
@@ -154,7 +154,7 @@ static inline void raster_draw(struct raster *raster, struct hatch_arena *arena)
 static inline void raster_move(const struct raster *raster, const struct raster_pixel *pixel, const double vector[3],
                                double move[2])
 {
-    const struct view *view = raster->view;
+    const struct hatch_view *view = raster->view;
     double half = 0.5 * raster->size / view->half_height, w = -hatch_vec_dot(vector, view->back);
     double x = (pixel->x - 0.5 * raster->size) / half, y = (pixel->y - 0.5 * raster->size) / half;
     move[0] = half * (hatch_vec_dot(vector, view->right) - x * w) / pixel->w;

@@ -27,24 +27,24 @@ struct zoom_ray {
 };
 
 /* A picture of what lies at a distance from a point of the surface, seen along a direction. */
-static inline struct view zoom_view(struct test_frame *frame, const double point[3], const double back[3],
+static inline struct hatch_view zoomed_view(struct test_frame *frame, const double point[3], const double back[3],
                                     double distance, double aspect)
 {
-    struct view_choice choice = {.kind = VIEW_EYE, .fov_rad = 0.5, .has_target = true};
-    struct view view;
+    struct hatch_view_choice choice = {.kind = HATCH_VIEW_EYE, .fov_rad = 0.5, .has_target = true};
+    struct hatch_view view;
     for (int k = 0; k < 3; k++) {
         choice.target[k] = point[k];
         choice.eye[k] = point[k] + distance * back[k];
     }
-    HATCH_TEST_OK(view_make(&choice, &frame->gpu.pose, NULL, &frame->gpu.bounds, aspect, &frame->scratch, &view,
+    HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, NULL, &frame->gpu.bounds, aspect, &frame->scratch, &view,
                             &frame->err),
                   &frame->err);
     if (distance < 0x1p-50) /* nearer than the point's digits: from where it is, and no other way */
-        view_set_back(&view, back);
+        hatch_view_set_back(&view, back);
     return view;
 }
 
-static inline void zoom_corners(struct test_frame *frame, const struct view *view, struct zoom_corner *corners)
+static inline void zoom_corners(struct test_frame *frame, const struct hatch_view *view, struct zoom_corner *corners)
 {
     const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
     const struct gpu_item *item = &frame->gpu.items[0];
@@ -54,13 +54,13 @@ static inline void zoom_corners(struct test_frame *frame, const struct view *vie
     struct hatch_arena_mark mark = hatch_arena_mark(&frame->scratch);
     double *world = HATCH_NEW(&frame->scratch, double, 3 * count, &frame->err);
     float *spans = HATCH_NEW(&frame->scratch, float, 6 * count, &frame->err);
-    pose_vertices(&frame->gpu.pose, item->node, 0, world, NULL);
+    hatch_pose_vertices(&frame->gpu.pose, item->node, 0, world, NULL);
     glGetNamedBufferSubData(item->spans, 0, (GLsizeiptr)(6 * sizeof *spans * count), spans);
     for (size_t v = 0; v < count; v++) {
         struct hatch_pair from[3];
         for (int k = 0; k < 3; k++) {
             const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-            from[k] = hatch_pair_sub(view_unit(&frame->gpu.bounds, k, world[3 * v + (size_t)k]), eye);
+            from[k] = hatch_pair_sub(hatch_view_unit(&frame->gpu.bounds, k, world[3 * v + (size_t)k]), eye);
         }
         for (int k = 0; k < 3; k++)
             corners[v].at[k] = hatch_pair_dot(from, axes[k]);
@@ -152,7 +152,7 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
 }
 
 /* Through a place of the picture, 0 .. 1 from its lower left. */
-static inline struct zoom_ray zoom_ray_of(const struct view *view, double x, double y)
+static inline struct zoom_ray zoom_ray_of(const struct hatch_view *view, double x, double y)
 {
     struct zoom_ray ray = {{0, 0}, {0, 0, -1}};
     double *place = view->orthographic ? ray.begin : ray.along;
@@ -162,7 +162,7 @@ static inline struct zoom_ray zoom_ray_of(const struct view *view, double x, dou
 }
 
 /* How far the picture moves along x and y, in pixels, with a unit of u and of v. */
-static inline void zoom_pixels(const struct view *view, const struct zoom_ray *ray, double depth, uint32_t height,
+static inline void zoom_pixels(const struct hatch_view *view, const struct zoom_ray *ray, double depth, uint32_t height,
                                const double span[6], double pixels[2][2])
 {
     double scale = height / (2 * view->half_height) / (view->orthographic ? 1 : depth);
@@ -182,7 +182,7 @@ static inline double zoom_place(struct hatch_pair uv, int depth)
 }
 
 /* What a pixel says against what it should: adds to the error. rgba: what was drawn. */
-static inline void zoom_compare(const struct hatch_rptam *rptam, const struct view *view, uint32_t height,
+static inline void zoom_compare(const struct hatch_rptam *rptam, const struct hatch_view *view, uint32_t height,
                                 const struct zoom_ray *ray, double hit, const struct hatch_pair uv[2],
                                 const double span[6], const float rgba[4], struct zoom_error *error)
 {
@@ -209,7 +209,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct vi
 }
 
 /* Draws places and compares every step-th pixel either way. */
-static inline struct zoom_error zoom_measure(struct test_frame *frame, const struct view *view, uint32_t width,
+static inline struct zoom_error zoom_measure(struct test_frame *frame, const struct hatch_view *view, uint32_t width,
                                              uint32_t height, uint32_t step)
 {
     static const float nothing[3] = {-1, -1, -1};
@@ -218,7 +218,7 @@ static inline struct zoom_error zoom_measure(struct test_frame *frame, const str
     struct hatch_err *err = &frame->err;
     struct hatch_arena_mark mark = hatch_arena_mark(&frame->arena);
     struct target target;
-    const struct tile tile = {0, 0, width, height, width, height};
+    const struct hatch_tile tile = {0, 0, width, height, width, height};
     HATCH_TEST_OK(renderer_prepare(&frame->renderer, TECHNIQUE_PLACES, &frame->scratch, err), err);
     HATCH_TEST_OK(picture_target(width, height, 1, &frame->renderer, &target, err), err);
     HATCH_TEST_OK(renderer_draw_over(&frame->renderer, TECHNIQUE_PLACES, nothing, view, &tile, &target, err), err);

@@ -42,11 +42,11 @@ enum hatch_status line_gl_make(const struct shader_source *shaders, bool haloes,
     }
     glCreateBuffers(1, &made.segments);
     glCreateVertexArrays(1, &made.array);
-    glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, sizeof(struct line_segment));
+    glVertexArrayVertexBuffer(made.array, 0, made.segments, 0, sizeof(struct hatch_line_segment));
     for (GLuint i = 0; i < 2; i++) {
         glEnableVertexArrayAttrib(made.array, i);
         glVertexArrayAttribFormat(made.array, i, i ? 3 : 4, GL_FLOAT, GL_FALSE,
-                                  i ? offsetof(struct line_segment, depth) : 0);
+                                  i ? offsetof(struct hatch_line_segment, depth) : 0);
         glVertexArrayAttribBinding(made.array, i, 0);
     }
     glVertexArrayBindingDivisor(made.array, 0, 1);
@@ -58,7 +58,7 @@ enum hatch_status line_gl_make(const struct shader_source *shaders, bool haloes,
 }
 
 /* Samples fill rows of the texture; the last may be shorter. */
-static void upload(const struct line_gl *gl, const struct line_sample *samples, size_t count)
+static void upload(const struct line_gl *gl, const struct hatch_line_sample *samples, size_t count)
 {
     GLsizei rows = (GLsizei)(count / LINE_BATCH), rest = (GLsizei)(count % LINE_BATCH);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -70,7 +70,7 @@ static void upload(const struct line_gl *gl, const struct line_sample *samples, 
 }
 
 void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct line_sample *samples, size_t count, uint8_t *seen)
+                  const struct hatch_line_sample *samples, size_t count, uint8_t *seen)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->result_framebuffer);
     glDisable(GL_DEPTH_TEST);
@@ -112,7 +112,7 @@ enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
     return HATCH_OK;
 }
 
-void line_gl_stroke(const struct line_gl *gl, const struct line_segment *segments, size_t count,
+void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count,
                     double width_px)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->coverage_framebuffer);

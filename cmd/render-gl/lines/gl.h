@@ -2,7 +2,7 @@
 #ifndef RENDER_LINES_GL_H
 #define RENDER_LINES_GL_H
 
-#include "render-gl/lines/strip.h"
+#include "line/strip.h"
 #include "render-gl/target.h"
 
 #define LINE_PROGRAMS 3
@@ -30,7 +30,7 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
  * line_seen; room for count rounded up to LINE_BATCH. */
 #define LINE_BATCH 1024u
 void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct line_sample *samples, size_t count, uint8_t *seen);
+                  const struct hatch_line_sample *samples, size_t count, uint8_t *seen);
 
 /* Empty coverage of the target's size. HATCH_LIMIT when the GPU has no memory for it. */
 enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
@@ -38,7 +38,7 @@ enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
 
 /* Draws segments with round ends into the coverage. Where they meet or cross the larger coverage counts, so
  * that joints are no darker than the rest. */
-void line_gl_stroke(const struct line_gl *gl, const struct line_segment *segments, size_t count,
+void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count,
                     double width_px);
 
 /* Puts a colour, in linear light, over the target's resolved picture where coverage says. */

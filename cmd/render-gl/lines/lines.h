@@ -6,7 +6,7 @@
 #include "render-gl/scene.h"
 
 struct line_style {
-    uint32_t kinds;    /* enum line_kind, joined; LINES_NONE: nothing is drawn */
+    uint32_t kinds;    /* enum hatch_line_kind, joined; HATCH_LINES_NONE: nothing is drawn */
     bool haloes;       /* lines end where the haloes of what is nearer begin */
     bool asked;        /* by name; else only techniques of strokes have lines */
     double width_px;
@@ -19,7 +19,7 @@ struct lines {
     struct gpu_scene *scene;
     struct hatch_arena frame;    /* the lines of a frame */
     struct hatch_arena *scratch;
-    struct line_mesh *meshes;    /* of each of the scene's meshes two: as it is, and for a skin */
+    struct hatch_line_mesh *meshes;    /* of each of the scene's meshes two: as it is, and for a skin */
     struct line_gl gl;
 };
 
@@ -32,7 +32,7 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
 
 /* Draws the lines of the posed scene over the target's resolved picture. The target's depth holds the
  * surfaces that hide them. HATCH_LIMIT when memory does not suffice. */
-enum hatch_status lines_draw(struct lines *lines, const struct view *view, const struct tile *tile,
+enum hatch_status lines_draw(struct lines *lines, const struct hatch_view *view, const struct hatch_tile *tile,
                              const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
 
 /* A zeroed struct is allowed. */

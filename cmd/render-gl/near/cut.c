@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/pieces.h"
+#include "near/pieces.h"
 #include "render-gl/near/parts.h"
 
 #define MARGIN 0.02 /* of the picture's sides, that are looked at beyond them */
@@ -40,12 +40,12 @@ static enum hatch_status add_piece(void *context, const struct hatch_piece_corne
 
 static void set_place(const struct near_frame *frame, const double world[3], struct hatch_pair at[3])
 {
-    const struct view *view = frame->view;
+    const struct hatch_view *view = frame->view;
     const double *axes[3] = {view->right, view->up, view->back};
     struct hatch_pair from[3];
     for (int k = 0; k < 3; k++) {
         const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-        from[k] = hatch_pair_sub(view_unit(&frame->scene->bounds, k, world[k]), eye);
+        from[k] = hatch_pair_sub(hatch_view_unit(&frame->scene->bounds, k, world[k]), eye);
     }
     for (int row = 0; row < 3; row++)
         at[row] = hatch_pair_dot(from, axes[row]);
@@ -62,9 +62,9 @@ static void set_uv(const double hatch[2], const float texcoord[2], const float r
     uv[1] = hatch_pair_add(hatch_pair_product(hatch[1], tiles[0]), hatch_pair_product(hatch[0], tiles[1]));
 }
 
-static struct hatch_piece_view picture_of(const struct near_frame *frame, const struct tile *tile)
+static struct hatch_piece_view picture_of(const struct near_frame *frame, const struct hatch_tile *tile)
 {
-    const struct view *view = frame->view;
+    const struct hatch_view *view = frame->view;
     struct hatch_piece_view picture = {
         .orthographic = view->orthographic, .near = view->near, .ratio = RATIO};
     double half[2] = {view->half_height * view->aspect, view->half_height};

@@ -4,14 +4,14 @@
 
 #include "math/box.h"
 #include "math/vector.h"
-#include "mesh/pieces.h"
+#include "near/pieces.h"
 #include "render-gl/near/parts.h"
 
 /* From the eye; for an orthographic view from the axis of the picture. */
 static void from_eye(const struct near_frame *frame, const double point[3], double out[3])
 {
     double from[3];
-    const struct view *view = frame->view;
+    const struct hatch_view *view = frame->view;
     for (int k = 0; k < 3; k++)
         from[k] = point[k] - view->eye[k];
     if (!view->orthographic) {
@@ -107,12 +107,12 @@ static enum hatch_status make_posed(const struct gpu_scene *scene, const struct 
 {
     struct near_shape made = *shape;
     struct near_faces lists[2];
-    struct pose pose = scene->pose;
+    struct hatch_pose pose = scene->pose;
     made.positions =
         HATCH_NEW(posed, double, 3 * (size_t)scene->scene->meshes[item->mesh].mesh.vertex_count, err);
     if (!made.positions)
         return HATCH_LIMIT;
-    pose_vertices(&pose, item->node, item->mesh, made.positions, NULL);
+    hatch_pose_vertices(&pose, item->node, item->mesh, made.positions, NULL);
     int list_count = near_lists(scene, item, lists);
     for (int which = 0; which < list_count; which++) {
         size_t blocks = (lists[which].count + (size_t)NEAR_BLOCK - 1) / NEAR_BLOCK;

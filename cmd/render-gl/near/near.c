@@ -39,18 +39,18 @@ static void open_near(struct near *near, uint64_t max_memory)
 }
 
 /* Half of the picture's diagonal and a little more, orthographic. */
-static double half_diagonal(const struct view *view)
+static double half_diagonal(const struct hatch_view *view)
 {
     return 1.1 * view->half_height * hypot(1, view->aspect);
 }
 
-static struct near_frame frame_of(const struct gpu_scene *scene, const struct view *view,
-                                  const struct tile *tile, uint32_t number)
+static struct near_frame frame_of(const struct gpu_scene *scene, const struct hatch_view *view,
+                                  const struct hatch_tile *tile, uint32_t number)
 {
-    double reach = view_float_error(view, tile) / NEAR_PIXELS;
+    double reach = hatch_view_float_error(view, tile) / NEAR_PIXELS;
     return (struct near_frame){.scene = scene,
                                .view = view,
-                               .reach = view->orthographic ? reach : fmax(reach, 8 * VIEW_NEAR),
+                               .reach = view->orthographic ? reach : fmax(reach, 8 * HATCH_VIEW_NEAR),
                                .half = half_diagonal(view),
                                .number = number,
                                .nearest = INFINITY};
@@ -137,7 +137,7 @@ static bool touches_any(const struct near_frame *frame)
 }
 
 enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, const struct near_wish *wish,
-                             struct view *view, uint64_t max_memory, struct hatch_err *err)
+                             struct hatch_view *view, uint64_t max_memory, struct hatch_err *err)
 {
     struct near_frame frame = frame_of(scene, view, wish->tile, near->frame_number + 1);
     near->items = NULL;
@@ -156,7 +156,7 @@ enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, c
         return HATCH_LIMIT;
     HATCH_TRY(choose(near, &frame, choices, err));
     if (view->near_is_own && !view->orthographic)
-        view->near = near->plane = fmax(fmin(VIEW_NEAR, frame.nearest / 8), NEAREST);
+        view->near = near->plane = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);
     if (!wish->pieces)
         return HATCH_OK;
     struct hatch_buffer buffer = {.arena = &near->frame};
@@ -168,7 +168,7 @@ enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, c
         near->items = NULL;
         return status;
     }
-    view_lens(view, wish->tile, near->lens);
+    hatch_view_lens(view, wish->tile, near->lens);
     glNamedBufferData(near->buffer, (GLsizeiptr)buffer.size, buffer.data, GL_STREAM_DRAW);
     return HATCH_OK;
 }

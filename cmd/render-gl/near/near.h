@@ -1,11 +1,11 @@
 /* What of a scene is so near the eye that floats cannot place it: those faces are cut into pieces on the
- * processor, in pairs of doubles, and floats carry what is left (mesh/pieces.h). Around them lies a ring of
+ * processor, in pairs of doubles, and floats carry what is left (near/pieces.h). Around them lies a ring of
  * faces that are drawn both ways, so that nothing gapes between the two ways of rounding. */
 #ifndef RENDER_NEAR_H
 #define RENDER_NEAR_H
 
 #include "render-gl/scene.h"
-#include "render-gl/view.h"
+#include "scene/view.h"
 
 #define NEAR_PIXELS 0.02 /* by how much floats may be off, in pixels of the picture */
 
@@ -46,13 +46,13 @@ struct near {
 struct near_wish {
     bool pieces;                 /* else only the near plane is looked for */
     double hatch[2];             /* how texture coordinates are turned and scaled: cosine and sine */
-    const struct tile *tile;
+    const struct hatch_tile *tile;
 };
 
 /* Finds what is near, cuts it and uploads the pieces; moves the view's near plane, where it is nobody's
  * wish, before what is nearest. */
 enum hatch_status near_begin(struct near *near, const struct gpu_scene *scene, const struct near_wish *wish,
-                             struct view *view, uint64_t max_memory, struct hatch_err *err) HATCH_MUST_USE;
+                             struct hatch_view *view, uint64_t max_memory, struct hatch_err *err) HATCH_MUST_USE;
 
 /* What the item's cut is, or NULL when it has none in this frame. */
 const struct near_item *near_find(const struct near *near, uint32_t item);

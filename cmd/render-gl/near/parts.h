@@ -38,7 +38,7 @@ struct near_shape {
 /* A frame's measures. */
 struct near_frame {
     const struct gpu_scene *scene;
-    const struct view *view;
+    const struct hatch_view *view;
     double reach;        /* faces nearer than that are near, where uv_reach is below 2; orthographic: over 1
                             floats hold nothing in the picture */
     double half;         /* of the picture's diagonal, orthographic */

@@ -68,7 +68,7 @@ static void toggle_lines(struct window *window)
     }
     if (job->lines.scene)
         renderer->lines = &job->lines;
-    else if (job_make_lines(job, LINES_ALL, &err) != HATCH_OK)
+    else if (job_make_lines(job, HATCH_LINES_ALL, &err) != HATCH_OK)
         cmd_say("%s", err.text);
     job->lines.style.asked = true;
 }
@@ -77,12 +77,12 @@ static void toggle_lines(struct window *window)
  * however often one zooms, it stays before the eye. */
 static void zoom(struct window *window, double factor)
 {
-    struct orbit *orbit = &window->orbit;
+    struct hatch_orbit *orbit = &window->orbit;
     double depth = (double)target_middle_depth(&window->target);
     double distance = depth > 0 ? window->job->renderer.near.plane / depth : INFINITY;
     if (!orbit->view.orthographic && distance < 0.5 * orbit->distance)
-        orbit_look_at(orbit, distance);
-    orbit_zoom(orbit, factor);
+        hatch_orbit_look_at(orbit, distance);
+    hatch_orbit_zoom(orbit, factor);
     window->moved = window->stale = true;
 }
 
@@ -146,7 +146,7 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
     double azimuth = (key == GLFW_KEY_RIGHT) - (key == GLFW_KEY_LEFT);
     double elevation = (key == GLFW_KEY_UP) - (key == GLFW_KEY_DOWN);
     if (azimuth != 0 || elevation != 0) {
-        orbit_turn(&window->orbit, step * azimuth, step * elevation);
+        hatch_orbit_turn(&window->orbit, step * azimuth, step * elevation);
         window->moved = window->stale = true;
     }
 }
@@ -177,9 +177,9 @@ static void on_pointer(GLFWwindow *handle, double x, double y)
     window->stale = true;
     window->moved = window->moved || window->drag != DRAG_LIGHT;
     if (window->drag == DRAG_TURN)
-        orbit_turn(&window->orbit, -4 * right, 4 * down);
+        hatch_orbit_turn(&window->orbit, -4 * right, 4 * down);
     if (window->drag == DRAG_PAN)
-        orbit_pan(&window->orbit, -right, down);
+        hatch_orbit_pan(&window->orbit, -right, down);
     if (window->drag == DRAG_LIGHT) {
         struct own_light *light = &window->job->renderer.style.light;
         light->wanted = true;

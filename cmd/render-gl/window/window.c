@@ -45,7 +45,7 @@ static bool can_save(const char *name)
 }
 
 /* Pictures are saved where -o says, else beside the user; the number grows with each. */
-static void save(struct window *window, const struct view *view)
+static void save(struct window *window, const struct hatch_view *view)
 {
     struct job *job = window->job;
     const char *pattern = job->args.output ? job->args.output : "render-gl-%03d.png";
@@ -83,7 +83,7 @@ static void move_params(struct window *window)
         cmd_say("%s", err.text);
 }
 
-static void pose(struct window *window, struct view *view)
+static void pose(struct window *window, struct hatch_view *view)
 {
     struct job *job = window->job;
     double aspect = (double)window->target.width / window->target.height;
@@ -93,7 +93,7 @@ static void pose(struct window *window, struct view *view)
               NULL, &err);
     if (!window->moved) {
         job_view(job, window->time_s, view);
-        orbit_start(&window->orbit, view);
+        hatch_orbit_start(&window->orbit, view);
     }
     window->orbit.view.aspect = aspect;
     *view = window->orbit.view;
@@ -102,10 +102,10 @@ static void pose(struct window *window, struct view *view)
 static void draw(struct window *window)
 {
     struct job *job = window->job;
-    struct view view;
+    struct hatch_view view;
     move_params(window);
     pose(window, &view);
-    struct tile tile = {0, 0, window->target.width, window->target.height, window->target.width,
+    struct hatch_tile tile = {0, 0, window->target.width, window->target.height, window->target.width,
                         window->target.height};
     double now_s = clock_now_s();
     bool timed = now_s - window->title_s > TITLE_EVERY_S;

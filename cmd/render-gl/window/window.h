@@ -6,7 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include "render-gl/job.h"
-#include "render-gl/window/orbit.h"
+#include "scene/orbit.h"
 
 enum drag { DRAG_NONE, DRAG_TURN, DRAG_PAN, DRAG_LIGHT };
 
@@ -15,7 +15,7 @@ struct window {
     GLFWwindow *handle;
     struct target target;
     struct clock clock;
-    struct orbit orbit;
+    struct hatch_orbit orbit;
     uint32_t technique, saved;
     uint32_t param, component;     /* that keys change; PARAM_NONE: none yet */
     double start[PARAMS_MAX][2];   /* what parameters were when they were first changed */

@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 #include "math/vector.h"
-#include "mesh/pieces.h"
+#include "near/pieces.h"
 
 enum { MOST = 40000 };
 

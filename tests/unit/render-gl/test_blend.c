@@ -30,7 +30,7 @@ static void add_lamp(void)
     scene->lights = HATCH_NEW(&frame.arena, struct hatch_light, 1, &frame.err);
     scene->lights[0] = lamp;
     scene->light_count = 1;
-    HATCH_TEST_OK(pose_make(scene, &frame.arena, &frame.gpu.pose, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_pose_make(scene, &frame.arena, &frame.gpu.pose, &frame.err), &frame.err);
     HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 0, &frame.scratch, &frame.err), &frame.err);
     frame.renderer.style.curve.exposure = 1;
 }
@@ -152,14 +152,14 @@ END_TEST
 
 static void draw_teapot(const char *technique, struct hatch_image *image)
 {
-    struct view view = frame_view(&frame, 4.0 / 3);
+    struct hatch_view view = frame_view(&frame, 4.0 / 3);
     frame_draw(&frame, technique, &view, 320, 240, 2, image);
 }
 
 START_TEST(tam_triple_is_tam_on_a_teapot)
 {
     struct hatch_image one, three;
-    struct bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
+    struct hatch_bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
     frame_arenas(&frame);
     random_map(SIZE, TONES, &frame.arena, &map);
     struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 4000);

@@ -11,13 +11,13 @@ enum { SIZE = 256 };
 
 static struct test_frame frame;
 
-static const struct view near_by = {.eye = {0, 0, 4},
+static const struct hatch_view near_by = {.eye = {0, 0, 4},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},
                                     .back = {0, 0, 1},
                                     .half_height = 0.25,
                                     .aspect = 1,
-                                    .near = VIEW_NEAR,
+                                    .near = HATCH_VIEW_NEAR,
                                     .pivot = 4};
 
 static void show(const struct hatch_mesh *mesh)
@@ -30,7 +30,7 @@ static void show(const struct hatch_mesh *mesh)
     memcpy(frame.renderer.style.inks.light_ink, frame.renderer.style.inks.paper, sizeof(float[3]));
 }
 
-static void draw(const struct view *view, double halo_px, uint32_t side, struct hatch_image *image)
+static void draw(const struct hatch_view *view, double halo_px, uint32_t side, struct hatch_image *image)
 {
     frame.renderer.style.halo_px = halo_px;
     frame_draw(&frame, "gouraud", view, SIZE, SIZE, side, image);
@@ -61,7 +61,7 @@ static struct hatch_mesh ball_before_plane(void)
 }
 
 /* The ball's radius in pixels. */
-static double rim_px(const struct view *view)
+static double rim_px(const struct hatch_view *view)
 {
     double distance = view->eye[2];
     double seen = view->orthographic ? RADIUS : RADIUS / sqrt(distance * distance - RADIUS * RADIUS);
@@ -75,7 +75,7 @@ START_TEST(haloes_are_as_wide_as_asked_for)
     show(&mesh);
     for (uint32_t side = 1; side <= 3; side++)
         for (size_t i = 0; i < 2 * sizeof widths / sizeof *widths; i++) {
-            const struct view *view = i % 2 ? &near_by : &map_facing;
+            const struct hatch_view *view = i % 2 ? &near_by : &map_facing;
             double width = widths[i / 2], white[2] = {0, 0}, inside = 0, rim = rim_px(view);
             struct hatch_image image;
             draw(view, width, side, &image);
@@ -185,7 +185,7 @@ static void draw_lines(const struct hatch_mesh *mesh, double halo_px, struct hat
 {
     struct lines lines;
     const struct line_style style = {
-        .kinds = LINES_ALL, .haloes = true, .asked = true, .width_px = LINE_PX, .crease_rad = 0.7};
+        .kinds = HATCH_LINES_ALL, .haloes = true, .asked = true, .width_px = LINE_PX, .crease_rad = 0.7};
     show(mesh);
     HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30, &frame.arena,
                              &frame.scratch, &lines, &frame.err),

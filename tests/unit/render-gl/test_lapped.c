@@ -80,7 +80,7 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     meshes[2] = (struct hatch_scene_mesh){.mesh = behind, .material = HATCH_NONE};
     scene->meshes = meshes;
     scene->mesh_count = scene->nodes[0].mesh_count = 3;
-    HATCH_TEST_OK(patches_join(scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
     frame_begin_scene(patches, &frame_unit, &map, &frame);
     ck_assert_uint_eq(frame.gpu.item_count, 2);
     lend_outline();
@@ -119,7 +119,7 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
     static const char *const names[] = {"tam",         "tam-flat",   "tam-face",     "tam-gouraud",
                                         "tam-triple", "tam-threshold", "gouraud"};
     const struct cut cut = {.count = 1, .materials = 1, .place = place_plain};
-    const struct view slant = {.eye = {0, 1.2, 2.4},
+    const struct hatch_view slant = {.eye = {0, 1.2, 2.4},
                                .right = {1, 0, 0},
                                .up = {0, 0.894427191, -0.447213595},
                                .back = {0, 0.447213595, 0.894427191},

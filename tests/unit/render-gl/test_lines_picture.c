@@ -32,7 +32,7 @@ static void end_context(void)
 static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
 {
     static struct shader_source shaders;
-    const struct bounds bounds = {.radius = 1};
+    const struct hatch_bounds bounds = {.radius = 1};
     const struct line_style style = {
         .kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
     shaders = (struct shader_source){NULL, &scratch};
@@ -52,7 +52,7 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
 }
 
 /* The ink of each pixel, lowest row last; drawn in tiles of target_px. */
-static struct hatch_image draw(const struct view *view, uint32_t target_px, uint32_t side)
+static struct hatch_image draw(const struct hatch_view *view, uint32_t target_px, uint32_t side)
 {
     struct hatch_image image;
     struct target target;
@@ -81,15 +81,15 @@ static double ink_of(const struct hatch_image *image)
     return sum;
 }
 
-static void pixel_of(const struct view *view, const double point[3], double out[2])
+static void pixel_of(const struct hatch_view *view, const double point[3], double out[2])
 {
-    double from[3], depth = view->orthographic ? 1 : line_depth(view, point);
+    double from[3], depth = view->orthographic ? 1 : hatch_line_depth(view, point);
     hatch_vec_sub(point, view->eye, from);
     out[0] = 200 + 200 * hatch_vec_dot(from, view->right) / (depth * view->half_height);
     out[1] = 200 + 200 * hatch_vec_dot(from, view->up) / (depth * view->half_height);
 }
 
-static double pixels_between(const struct view *view, const double a[3], const double b[3])
+static double pixels_between(const struct hatch_view *view, const double a[3], const double b[3])
 {
     double p[2], q[2];
     pixel_of(view, a, p);
@@ -103,9 +103,9 @@ START_TEST(ink_is_width_times_length)
     static const double corners[5][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}};
     const double width_px = widths_px[_i];
     struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50);
-    show(&plane, LINES_ALL, width_px);
+    show(&plane, HATCH_LINES_ALL, width_px);
     for (int turn = 0; turn < 4; turn++) {
-        struct view view = view_from(0.4 * turn, -0.3 * turn, 4, turn % 2);
+        struct hatch_view view = view_from(0.4 * turn, -0.3 * turn, 4, turn % 2);
         struct hatch_image image = draw(&view, 400, 1 + (uint32_t)turn % 2);
         double length = 0;
         for (int i = 0; i < 4; i++)
@@ -118,9 +118,9 @@ END_TEST
 START_TEST(nine_edges_of_a_cube_are_seen)
 {
     struct hatch_mesh mesh = cube(-1, 1);
-    struct view view = view_from(7, 5, 6, false);
+    struct hatch_view view = view_from(7, 5, 6, false);
     double length = 0;
-    show(&mesh, LINES_ALL, 2);
+    show(&mesh, HATCH_LINES_ALL, 2);
     struct hatch_image image = draw(&view, 400, 2);
     for (int a = 0; a < 8; a++)
         for (int k = 0; k < 3; k++) {
@@ -165,10 +165,10 @@ START_TEST(a_sphere_is_one_even_ring)
     static uint8_t seen[400 * 400];
     static const uint32_t faces[] = {200, 2000, 60000};
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, faces[_i]);
-    struct view view = view_from(1, 2, 3, false);
+    struct hatch_view view = view_from(1, 2, 3, false);
     double d = hatch_vec_length(view.eye), radius = 200 / view.half_height / sqrt(d * d - 1);
     double tolerance_px = faces[_i] > 1000 ? 0.3 : 1.5;
-    show(&mesh, LINES_ALL, 2);
+    show(&mesh, HATCH_LINES_ALL, 2);
     struct hatch_image image = draw(&view, 400, 1);
     uint32_t parts = 0;
     for (size_t i = 0; i < 400 * 400; i++) {
@@ -187,7 +187,7 @@ START_TEST(a_sphere_is_one_even_ring)
 END_TEST
 
 /* Is the way from a point of the torus to the eye free of the torus? */
-static bool torus_hides(const struct view *view, const double point[3])
+static bool torus_hides(const struct hatch_view *view, const double point[3])
 {
     double way[3];
     hatch_vec_sub(view->eye, point, way);
@@ -207,12 +207,12 @@ START_TEST(hidden_parts_of_a_torus_are_left_out)
     static bool hidden[4000];
     static const double eyes[][3] = {{1, 1.6, 4}, {0.4, 1.2, 4}, {4, 0.7, 1}};
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TORUS, 20000);
-    show(&mesh, LINES_ALL, 2);
-    struct view view = view_from(eyes[_i][0], eyes[_i][1], eyes[_i][2], false);
+    show(&mesh, HATCH_LINES_ALL, 2);
+    struct hatch_view view = view_from(eyes[_i][0], eyes[_i][1], eyes[_i][2], false);
     struct hatch_image image = draw(&view, 400, 2);
-    struct line_mesh traced = lines_of(&mesh, LINES_SILHOUETTES, CREASE_RAD);
-    struct line_shape shape = shape_in_place(&traced);
-    struct line_trace trace = silhouettes_of(&shape, &view);
+    struct hatch_line_mesh traced = lines_of(&mesh, HATCH_LINES_SILHOUETTES, CREASE_RAD);
+    struct hatch_line_shape shape = shape_in_place(&traced);
+    struct hatch_line_trace trace = silhouettes_of(&shape, &view);
     uint32_t counts[2] = {0, 0};
     ck_assert_uint_lt(trace.node_count, 4000);
     for (uint32_t i = 0; i < trace.node_count; i++) {
@@ -242,8 +242,8 @@ START_TEST(tiles_have_no_seams)
 {
     static const uint32_t tiles_px[] = {130, 201, 399};
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TEAPOT, 6000);
-    struct view view = view_from(2, 2.5, 5, false);
-    show(&mesh, LINES_ALL, 3);
+    struct hatch_view view = view_from(2, 2.5, 5, false);
+    show(&mesh, HATCH_LINES_ALL, 3);
     struct hatch_image one = draw(&view, 400, 2);
     for (int k = 0; k < 3; k++) {
         struct hatch_image tiled = draw(&view, tiles_px[k], 2);
@@ -259,9 +259,9 @@ START_TEST(the_camera_may_stand_anywhere)
 {
     static const double eyes[][3] = {{1, 1, 1}, {0, 0, 0.2}, {1, 0, 1e-9}, {0, 1, 0}};
     struct hatch_mesh mesh = _i % 2 ? shape_of(HATCH_SHAPE_TORUS, 3000) : cube(-1, 1);
-    show(&mesh, LINES_ALL, 2);
+    show(&mesh, HATCH_LINES_ALL, 2);
     for (size_t i = 0; i < 4; i++) {
-        struct view view = view_from(eyes[i][0], eyes[i][1], eyes[i][2], _i / 2);
+        struct hatch_view view = view_from(eyes[i][0], eyes[i][1], eyes[i][2], _i / 2);
         struct hatch_image image = draw(&view, 400, 1);
         ck_assert(isfinite(ink_of(&image)));
     }

@@ -37,8 +37,8 @@ static void make_case(int i)
 START_TEST(lists_and_all_seeds_give_one_picture)
 {
     struct hatch_image pictures[2];
-    struct view view = {.half_height = 0.5, .aspect = 1, .near = 0.01, .far = 100, .pivot = 3};
-    view_set_back(&view, (const double[3]){0.4, 0.8, 1});
+    struct hatch_view view = {.half_height = 0.5, .aspect = 1, .near = 0.01, .far = 100, .pivot = 3};
+    hatch_view_set_back(&view, (const double[3]){0.4, 0.8, 1});
     for (int k = 0; k < 3; k++)
         view.eye[k] = 3 * view.back[k];
     frame_arenas(&frame);

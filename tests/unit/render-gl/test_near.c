@@ -28,11 +28,11 @@ static void make_model(void)
 }
 
 /* Near a torus's face, off its normal. */
-static struct view view_near(const struct hatch_mesh *mesh, double distance, const double shift[3])
+static struct hatch_view view_near(const struct hatch_mesh *mesh, double distance, const double shift[3])
 {
     double corner[3][3], normal[3], side[3];
-    struct view_choice choice = {.kind = VIEW_EYE, .fov_rad = 0.5, .has_target = true};
-    struct view view;
+    struct hatch_view_choice choice = {.kind = HATCH_VIEW_EYE, .fov_rad = 0.5, .has_target = true};
+    struct hatch_view view;
     ck_assert(hatch_mesh_corners(mesh, 300, corner));
     hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
     hatch_vec_normalize(normal);
@@ -41,7 +41,7 @@ static struct view view_near(const struct hatch_mesh *mesh, double distance, con
         choice.target[k] = 0.3 * corner[0][k] + 0.3 * corner[1][k] + 0.4 * corner[2][k] + shift[k];
         choice.eye[k] = choice.target[k] + distance * (0.9 * normal[k] + 0.44 * side[k]);
     }
-    HATCH_TEST_OK(view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH, &frame.scratch,
+    HATCH_TEST_OK(hatch_view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH, &frame.scratch,
                             &view, &frame.err),
                   &frame.err);
     return view;
@@ -60,7 +60,7 @@ START_TEST(lapped_surfaces_hold)
     struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
     begin_lapped(&torus, &whole);
     make_model();
-    struct view view = view_near(&torus, distance, nowhere);
+    struct hatch_view view = view_near(&torus, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[0]);
     ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
     struct hatch_mesh last = patch_of(&torus, &whole, whole.count - 1);
@@ -90,7 +90,7 @@ START_TEST(surfaces_may_move)
         for (int k = 0; k < 3; k++)
             frame.scene.nodes[0].translation[k] = i == 1 ? (float)away[k] : 0.0f;
         HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, i, &frame.scratch, &frame.err), &frame.err);
-        struct view view = view_near(&torus, 0x1p-30, i == 1 ? away : nowhere);
+        struct hatch_view view = view_near(&torus, 0x1p-30, i == 1 ? away : nowhere);
         frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[i]);
         ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
     }
@@ -112,7 +112,7 @@ START_TEST(skinned_surfaces_hold)
     struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 700);
     frame_begin(&plane, &frame_unit, NULL, &frame);
     make_model();
-    struct view view = view_near(&plane, distance, nowhere);
+    struct hatch_view view = view_near(&plane, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &plain);
     renderer_free(&frame.renderer);
     scene_free(&frame.gpu);
@@ -136,13 +136,13 @@ END_TEST
 /* Memory ends at every size: a status, and a picture when there is enough again. */
 START_TEST(too_little_memory_is_a_status)
 {
-    static const struct tile tile = {0, 0, WIDE, HIGH, WIDE, HIGH};
+    static const struct hatch_tile tile = {0, 0, WIDE, HIGH, WIDE, HIGH};
     const struct near_wish wish = {.pieces = true, .hatch = {1, 0}, .tile = &tile};
     uint32_t refused = 0;
     begin();
     struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
     frame_begin(&torus, &frame_unit, NULL, &frame);
-    struct view view = view_near(&torus, 0x1p-30, nowhere);
+    struct hatch_view view = view_near(&torus, 0x1p-30, nowhere);
     for (uint64_t bytes = 1024; bytes < (uint64_t)64 << 20; bytes += bytes / 3) {
         struct near near = {.is_open = false};
         enum hatch_status status = HATCH_LIMIT;

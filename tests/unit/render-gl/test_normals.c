@@ -115,7 +115,7 @@ END_TEST
 /* The other side of a plane leans as that side shows it. */
 START_TEST(from_behind_all_is_turned_round)
 {
-    struct view behind = map_facing;
+    struct hatch_view behind = map_facing;
     behind.eye[2] = -2;
     behind.right[0] = -1;
     behind.back[2] = -1;

@@ -30,14 +30,14 @@ enum { MODELS = sizeof models / sizeof *models, SCENES = sizeof scenes / sizeof 
 static struct test_frame frame;
 static struct hatch_rptam rptam;
 
-static void set_view(int scene, struct view *view)
+static void set_view(int scene, struct hatch_view *view)
 {
-    *view = (struct view){.half_height = scenes[scene].half_height,
+    *view = (struct hatch_view){.half_height = scenes[scene].half_height,
                           .aspect = 1,
                           .near = 0.01,
                           .far = 100,
                           .pivot = scenes[scene].distance};
-    view_set_back(view, scenes[scene].back);
+    hatch_view_set_back(view, scenes[scene].back);
     for (int k = 0; k < 3; k++)
         view->eye[k] = scenes[scene].distance * view->back[k];
 }
@@ -45,7 +45,7 @@ static void set_view(int scene, struct view *view)
 static void draw_both(int scene, double low, double high, struct raster *raster, struct hatch_image *picture)
 {
     static struct hatch_mesh mesh;
-    static struct view view;
+    static struct hatch_view view;
     set_view(scene, &view);
     mesh = frame_shape(&frame, scenes[scene].shape, scenes[scene].faces);
     frame_begin(&mesh, &frame_unit, NULL, &frame);

@@ -18,9 +18,9 @@ static void begin_plane(void)
 }
 
 /* From the front; the picture shows `span` by `span` of the texture's plane around its middle. */
-static struct view view_of(double span)
+static struct hatch_view view_of(double span)
 {
-    return (struct view){.eye = {0, 0, 5},
+    return (struct hatch_view){.eye = {0, 0, 5},
                          .right = {1, 0, 0},
                          .up = {0, 1, 0},
                          .back = {0, 0, 1},
@@ -47,7 +47,7 @@ static double model_ink(const double uv[2], double unit_px, const double *amount
 static double compare(double span, double tone)
 {
     struct hatch_image picture;
-    struct view view = view_of(span);
+    struct hatch_view view = view_of(span);
     double amounts[HATCH_RPTAM_LAYERS_MAX], worst = 0;
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
@@ -97,7 +97,7 @@ END_TEST
 START_TEST(lists_hold_every_stroke_that_shows)
 {
     struct hatch_image pictures[2];
-    struct view view = view_of(0.8);
+    struct hatch_view view = view_of(0.8);
     view.half_height = 1.5;
     frame_arenas(&frame);
     model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
@@ -126,7 +126,7 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
     model_make(&how, &frame.arena, &frame.scratch, &rptam);
     begin_plane();
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
-    struct view view = view_of(1); /* depth 0 */
+    struct hatch_view view = view_of(1); /* depth 0 */
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &near_picture);
     view = view_of(2);
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &far_picture);
@@ -201,7 +201,7 @@ END_TEST
 START_TEST(no_layer_is_paper)
 {
     struct hatch_image picture;
-    struct view view = view_of(1);
+    struct hatch_view view = view_of(1);
     const struct hatch_rptam_style none = {.overlap = 0.5};
     const struct hatch_seeds no_sets = {0};
     frame_arenas(&frame);

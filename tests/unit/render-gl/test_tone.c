@@ -10,7 +10,7 @@ enum { WIDTH = 640, HEIGHT = 480 };
 static struct test_frame frame;
 static struct test_map map;
 static struct hatch_mesh mesh;
-static const struct bounds teapot_bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
+static const struct hatch_bounds teapot_bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
 
 /* The default style at 256 texels, and the teapot. */
 static void begin(void)
@@ -33,15 +33,15 @@ static void end(void)
 }
 
 /* From a distance in units of the distance that frames the teapot. */
-static struct view view_from(double distance)
+static struct hatch_view view_from(double distance)
 {
-    struct view view = frame_view(&frame, (double)WIDTH / HEIGHT);
+    struct hatch_view view = frame_view(&frame, (double)WIDTH / HEIGHT);
     for (int k = 0; k < 3; k++)
         view.eye[k] *= distance;
     return view;
 }
 
-static void set_repeat(const struct view *view)
+static void set_repeat(const struct hatch_view *view)
 {
     HATCH_TEST_OK(repeat_set(&frame.gpu, 0, view, HEIGHT, 256, 4, &frame.scratch, &frame.err),
                   &frame.err);
@@ -51,12 +51,12 @@ static void set_repeat(const struct view *view)
 START_TEST(strokes_have_the_tone_of_the_light)
 {
     static const double distances[] = {0.5, 1, 2};
-    struct view framed;
+    struct hatch_view framed;
     begin();
     framed = view_from(1);
     set_repeat(&framed);
     for (int i = 0; i < 3; i++) {
-        struct view view = view_from(distances[i]);
+        struct hatch_view view = view_from(distances[i]);
         struct hatch_image strokes, tone;
         double low, ink = 1 - 0.99;
         frame_draw(&frame, "tam", &view, WIDTH, HEIGHT, 2, &strokes);
@@ -71,7 +71,7 @@ START_TEST(strokes_have_the_tone_of_the_light)
 }
 END_TEST
 
-static double threshold_error(uint32_t side, const struct view *view,
+static double threshold_error(uint32_t side, const struct hatch_view *view,
                               const struct hatch_image *reference)
 {
     struct hatch_image image;
@@ -86,7 +86,7 @@ START_TEST(thresholded_strokes_have_smooth_edges)
 {
     struct hatch_image reference;
     begin();
-    struct view view = view_from(1);
+    struct hatch_view view = view_from(1);
     set_repeat(&view);
     frame_draw(&frame, "tam-threshold", &view, WIDTH, HEIGHT, 8, &reference);
     ck_assert_double_gt(threshold_error(1, &view, &reference), 0.05); /* the paper's jaggies */
@@ -99,7 +99,7 @@ START_TEST(tiles_join_without_a_seam)
 {
     static const char *const drawn[] = {"gouraud", "tam", "tam-triple"};
     begin();
-    struct view view = view_from(1);
+    struct hatch_view view = view_from(1);
     set_repeat(&view);
     for (int i = 0; i < 3; i++) {
         struct hatch_image whole, tiled;
@@ -120,7 +120,7 @@ START_TEST(every_technique_has_the_tone)
 {
     struct hatch_image tone;
     begin();
-    struct view view = view_from(1);
+    struct hatch_view view = view_from(1);
     set_repeat(&view);
     frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
     for (uint32_t i = 0; i < TECHNIQUE_GOURAUD; i++) {

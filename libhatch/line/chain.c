@@ -1,0 +1,140 @@
+#include "line/chain.h"
+
+#include "math/vector.h"
+
+#define OPEN UINT32_MAX
+#define STRAIGHTEST_MAX 16u /* ends at a node up to which every pair is looked at */
+
+/* End e of segment s is number 2 * s + e. */
+struct work {
+    const struct hatch_line_graph *graph;
+    uint32_t *first; /* per node, into ends_at; node_count + 2 */
+    uint32_t *ends_at;
+    uint32_t *link;  /* per end: the end that goes on, or OPEN */
+    uint8_t *taken;  /* per segment */
+};
+
+/* A counting sort; while it places, first[node + 1] is where the next end at the node goes. */
+static void list_ends(struct work *w)
+{
+    const struct hatch_line_graph *graph = w->graph;
+    uint32_t ends = 2 * graph->segment_count;
+    for (uint32_t end = 0; end < ends; end++)
+        w->first[graph->ends[end] + 2]++;
+    for (uint32_t node = 0; node < graph->node_count; node++)
+        w->first[node + 2] += w->first[node + 1];
+    for (uint32_t end = 0; end < ends; end++) {
+        w->ends_at[w->first[graph->ends[end] + 1]++] = end;
+        w->link[end] = OPEN;
+    }
+}
+
+/* The cosine between the ways in which two ends leave their node. */
+static double cosine(const struct hatch_line_graph *graph, uint32_t a, uint32_t b)
+{
+    double away[2][3];
+    const uint32_t ends[2] = {a, b};
+    for (int i = 0; i < 2; i++) {
+        const double *near = &graph->nodes[3 * (size_t)graph->ends[ends[i]]];
+        const double *far = &graph->nodes[3 * (size_t)graph->ends[ends[i] ^ 1]];
+        hatch_vec_sub(far, near, away[i]);
+        hatch_vec_normalize(away[i]);
+    }
+    return hatch_vec_dot(away[0], away[1]);
+}
+
+static void link_node(struct work *w, uint32_t node)
+{
+    const uint32_t *ends = &w->ends_at[w->first[node]];
+    uint32_t count = w->first[node + 1] - w->first[node];
+    for (uint32_t pairs = count / 2; pairs > 0 && (count == 2 || count <= STRAIGHTEST_MAX); pairs--) {
+        uint32_t best[2] = {OPEN, OPEN};
+        double least = 2;
+        for (uint32_t i = 0; i < count; i++)
+            for (uint32_t j = i + 1; j < count; j++) {
+                if (w->link[ends[i]] != OPEN || w->link[ends[j]] != OPEN)
+                    continue;
+                double bend = cosine(w->graph, ends[i], ends[j]);
+                if (bend < least) {
+                    least = bend;
+                    best[0] = ends[i];
+                    best[1] = ends[j];
+                }
+            }
+        if (best[0] == OPEN)
+            return;
+        w->link[best[0]] = best[1];
+        w->link[best[1]] = best[0];
+    }
+}
+
+static bool goes_on(const struct work *w, uint32_t end)
+{
+    uint32_t node = w->graph->ends[end];
+    return w->first[node + 1] - w->first[node] > 1;
+}
+
+/* Follows the chain that begins with an end. */
+static void walk(struct work *w, uint32_t begin, uint32_t first, struct hatch_line_chains *chains)
+{
+    struct hatch_line_chain *chain = &chains->chains[chains->count];
+    uint32_t *nodes = &chains->nodes[first + chains->count], end = begin;
+    *chain = (struct hatch_line_chain){.first = first};
+    nodes[0] = w->graph->ends[begin];
+    for (;;) {
+        uint32_t segment = end / 2;
+        w->taken[segment] = 1;
+        chains->segments[first + chain->segment_count++] = segment;
+        nodes[chain->segment_count] = w->graph->ends[end ^ 1];
+        uint32_t next = w->link[end ^ 1];
+        if (next == OPEN || w->taken[next / 2]) {
+            chain->closed = next == begin;
+            break;
+        }
+        end = next;
+    }
+    chain->joined[0] = goes_on(w, begin);
+    chain->joined[1] = goes_on(w, end ^ 1);
+    chains->count++;
+}
+
+static enum hatch_status find(struct work *w, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_line_chains *chains,
+                              struct hatch_err *err)
+{
+    const struct hatch_line_graph *graph = w->graph;
+    size_t segments = graph->segment_count, nodes = graph->node_count;
+    struct hatch_line_chains made = {.count = 0};
+    made.chains = HATCH_NEW(arena, struct hatch_line_chain, segments, err);
+    made.nodes = made.chains ? HATCH_NEW(arena, uint32_t, 2 * segments, err) : NULL;
+    made.segments = made.nodes ? HATCH_NEW(arena, uint32_t, segments, err) : NULL;
+    w->first = made.segments ? HATCH_NEW(scratch, uint32_t, nodes + 2, err) : NULL;
+    w->ends_at = w->first ? HATCH_NEW(scratch, uint32_t, 2 * segments, err) : NULL;
+    w->link = w->ends_at ? HATCH_NEW(scratch, uint32_t, 2 * segments, err) : NULL;
+    w->taken = w->link ? HATCH_NEW(scratch, uint8_t, segments, err) : NULL;
+    if (!w->taken)
+        return HATCH_LIMIT;
+    list_ends(w);
+    for (uint32_t node = 0; node < nodes; node++)
+        link_node(w, node);
+    uint32_t used = 0;
+    for (int closed = 0; closed < 2; closed++)
+        for (uint32_t end = 0; end < 2 * segments; end++)
+            if (!w->taken[end / 2] && (closed || w->link[end] == OPEN)) {
+                walk(w, end, used, &made);
+                used += made.chains[made.count - 1].segment_count;
+            }
+    *chains = made;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_line_chains_make(const struct hatch_line_graph *graph, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_line_chains *chains,
+                                   struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work work = {.graph = graph};
+    enum hatch_status status = find(&work, arena, scratch, chains, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}

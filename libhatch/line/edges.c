@@ -1,0 +1,232 @@
+#include "line/edges.h"
+
+#include <math.h>
+
+#include "math/vector.h"
+#include "mesh/fans.h"
+#include "line/prune.h"
+
+#define WELD 4e-5 /* of the mesh's size: a twentieth of a pixel in a picture of it */
+#define COS_SAME_NORMAL 0.9999 /* of two normals that are one but for rounding */
+#define SMOOTHED_CREASE_RAD 1.0471975511965976
+
+static double size_of(const struct hatch_mesh *mesh)
+{
+    float low[3], high[3];
+    double a[3], b[3];
+    if (!hatch_mesh_bounds(mesh, low, high))
+        return 0;
+    hatch_vec_of(low, a);
+    hatch_vec_of(high, b);
+    return hatch_vec_distance(a, b);
+}
+
+/* Positions on a grid, shifted by a share of its step, where the vertex's point is loose. */
+static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose,
+                 double step, double shift, float *snapped)
+{
+    const float *positions = mesh->attributes[0].data;
+    for (size_t i = 0; i < 3 * (size_t)mesh->vertex_count; i++)
+        snapped[i] = loose[point[i / 3]] && step > 0
+                         ? (float)(floor((double)positions[i] / step + shift) * step)
+                         : positions[i];
+}
+
+/* Numbers points anew: loose ones that lie as close as WELD says become one. Neighbours that one grid's
+ * cells part are together in the other's. */
+static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose,
+                              struct hatch_arena *scratch, uint32_t *of_vertex, uint32_t *count,
+                              struct hatch_err *err)
+{
+    struct hatch_mesh moved = *mesh;
+    size_t vertices = mesh->vertex_count;
+    moved.attributes[0].data = HATCH_NEW(scratch, float, 3 * vertices, err);
+    uint32_t *cell = moved.attributes[0].data ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL;
+    uint32_t *first = cell ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL, cells;
+    if (!first)
+        return HATCH_LIMIT;
+    uint32_t *parent = HATCH_NEW(scratch, uint32_t, vertices, err);
+    if (!parent)
+        return HATCH_LIMIT;
+    hatch_sets_init(parent, mesh->vertex_count);
+    for (int grid = 0; grid < 2; grid++) {
+        snap(mesh, of_vertex, loose, WELD * size_of(mesh), 0.5 * grid, moved.attributes[0].data);
+        HATCH_TRY(hatch_mesh_weld(&moved, scratch, cell, &cells, err));
+        for (uint32_t v = mesh->vertex_count; v-- > 0;)
+            first[cell[v]] = v;
+        for (uint32_t v = 0; v < mesh->vertex_count; v++)
+            hatch_sets_join(parent, first[cell[v]], v);
+    }
+    *count = 0;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        cell[v] = hatch_sets_find(parent, v);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        of_vertex[v] = cell[v] == v ? (*count)++ : of_vertex[cell[v]];
+    return HATCH_OK;
+}
+
+/* The edges between points; of_vertex: the point of each vertex. */
+static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_t *of_vertex,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct hatch_line_edges *made, struct hatch_err *err)
+{
+    uint8_t *dropped = HATCH_NEW(scratch, uint8_t, mesh->face_count, err);
+    made->point = dropped ? HATCH_NEW(arena, uint32_t, 3 * (size_t)mesh->face_count, err) : NULL;
+    if (!made->point)
+        return HATCH_LIMIT;
+    hatch_mesh_corner_points(mesh, of_vertex, made->point);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *p = &made->point[3 * f];
+        dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+    }
+    return hatch_edges_find(made->point, mesh->face_count, made->point_count, dropped, arena, scratch,
+                            &made->edges, err);
+}
+
+/* Marks the points at the ends of edges of one face. Returns whether there are any. */
+static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
+{
+    bool any = false;
+    for (uint32_t e = 0; e < made->edges.count; e++) {
+        uint32_t side = made->edges.sides[made->edges.first[e]];
+        if (made->edges.first[e + 1] - made->edges.first[e] > 1)
+            continue;
+        loose[made->point[side]] = loose[made->point[hatch_side_end(side)]] = 1;
+        any = true;
+    }
+    return any;
+}
+
+/* Many programs write each part of a surface by itself and round its border by itself, so vertices at
+ * boundaries are welded once more, loosely. */
+static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct hatch_line_edges *made, struct hatch_err *err)
+{
+    uint32_t *of_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    uint8_t *loose = of_vertex ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
+    if (!loose)
+        return HATCH_LIMIT;
+    struct hatch_arena_mark mark = hatch_arena_mark(arena);
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
+    HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
+    if (mark_loose(made, loose)) {
+        hatch_arena_rewind(arena, mark);
+        HATCH_TRY(weld(mesh, loose, scratch, of_vertex, &made->point_count, err));
+        HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
+    }
+    made->kinds = HATCH_NEW(arena, uint8_t, made->edges.count, err);
+    if (!made->kinds)
+        return HATCH_LIMIT;
+    hatch_edges_kinds(mesh, &made->edges, crease_rad, made->kinds);
+    return HATCH_OK;
+}
+
+static bool same_normal(const struct hatch_mesh *mesh, uint32_t a, uint32_t b)
+{
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    double na[3], nb[3];
+    hatch_vec_of(&normals[(size_t)mesh->indices[a] * 3], na);
+    hatch_vec_of(&normals[(size_t)mesh->indices[b] * 3], nb);
+    return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
+}
+
+bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
+                           uint32_t edge)
+{
+    const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
+    uint32_t a[2], b[2];
+    hatch_line_side_corners(edges->point, sides[0], a);
+    hatch_line_side_corners(edges->point, sides[1], b);
+    return same_normal(mesh, a[0], b[0]) || same_normal(mesh, a[1], b[1]);
+}
+
+/* Makes creases smooth that the mesh's maker smoothed, but for sharp ones. */
+static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                       struct hatch_line_edges *edges, struct hatch_err *err)
+{
+    uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
+    if (!sharp)
+        return HATCH_LIMIT;
+    hatch_edges_kinds(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH &&
+            hatch_line_edge_is_smoothed(mesh, edges, e))
+            edges->kinds[e] = HATCH_EDGE_SMOOTH;
+    return HATCH_OK;
+}
+
+/* All that is not smooth as a graph whose nodes are points; edge_of: per segment. */
+static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
+                                    struct hatch_arena *arena, struct hatch_line_graph *graph,
+                                    uint32_t **edge_of, struct hatch_err *err)
+{
+    uint32_t count = 0;
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        count += edges->kinds[e] != HATCH_EDGE_SMOOTH;
+    double *nodes = HATCH_NEW(arena, double, 3 * (size_t)edges->point_count, err);
+    uint32_t *ends = nodes ? HATCH_NEW(arena, uint32_t, 2 * (size_t)count, err) : NULL;
+    *edge_of = ends ? HATCH_NEW(arena, uint32_t, count, err) : NULL;
+    if (!*edge_of)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++)
+        hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[i]],
+                     &nodes[3 * (size_t)edges->point[i]]);
+    count = 0;
+    for (uint32_t e = 0; e < edges->edges.count; e++) {
+        if (edges->kinds[e] == HATCH_EDGE_SMOOTH)
+            continue;
+        uint32_t side = edges->edges.sides[edges->edges.first[e]];
+        ends[2 * count] = edges->point[side];
+        ends[2 * count + 1] = edges->point[hatch_side_end(side)];
+        (*edge_of)[count++] = e;
+    }
+    *graph = (struct hatch_line_graph){edges->point_count, count, nodes, ends};
+    return HATCH_OK;
+}
+
+static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
+                              struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_line_edges *made, struct hatch_err *err)
+{
+    struct hatch_line_graph graph;
+    uint32_t *edge_of;
+    HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
+    if (normals_meant && hatch_mesh_find(mesh, "NORMAL", 3))
+        HATCH_TRY(trust_normals(mesh, scratch, made, err));
+    HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
+    HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
+    uint8_t *bounds = HATCH_NEW(scratch, uint8_t, graph.segment_count, err);
+    uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, graph.segment_count, err) : NULL;
+    if (!pruned)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < graph.segment_count; i++)
+        bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
+    HATCH_TRY(hatch_line_find_cracks(&graph, bounds, arena, pruned, err));
+    HATCH_TRY(hatch_line_prune(&graph, bounds, size_of(mesh), scratch, arena, pruned, err));
+    for (uint32_t i = 0; i < graph.segment_count; i++)
+        if (pruned[i])
+            made->kinds[edge_of[i]] = HATCH_EDGE_SMOOTH;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad,
+                                  bool normals_meant, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_line_edges *edges, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_line_edges made;
+    enum hatch_status status = find(mesh, crease_rad, normals_meant, arena, scratch, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *edges = made;
+    return status;
+}
+
+void hatch_line_side_corners(const uint32_t *point, uint32_t side, uint32_t corners[2])
+{
+    uint32_t end = hatch_side_end(side);
+    bool rising = point[side] < point[end];
+    corners[0] = rising ? side : end;
+    corners[1] = rising ? end : side;
+}

@@ -1,0 +1,37 @@
+/* The vertices around each vertex of a mesh with feature lines. */
+#include "base/random.h"
+#include "line/mesh.h"
+
+/* In a closed ring each neighbour follows the vertex in one face and precedes it in another: of the two sums
+ * nothing is left. */
+static void count_corners(const struct hatch_mesh *mesh, uint32_t *first, uint64_t *open)
+{
+    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++) {
+        uint32_t after = mesh->indices[i % 3 == 2 ? i - 2 : i + 1];
+        uint32_t before = mesh->indices[i % 3 == 0 ? i + 2 : i - 1];
+        first[mesh->indices[i] + 1]++;
+        open[mesh->indices[i]] += hatch_random_mix(after) - hatch_random_mix(before);
+    }
+}
+
+enum hatch_status hatch_line_ring_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_line_ring *ring, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    size_t count = mesh->vertex_count;
+    uint64_t *open = HATCH_NEW(scratch, uint64_t, count, err);
+    uint32_t *at = open ? HATCH_NEW(scratch, uint32_t, count + 1, err) : NULL;
+    struct hatch_line_ring made = {.first = at ? HATCH_NEW(arena, uint32_t, count + 1, err) : NULL};
+    made.neighbours = made.first ? HATCH_NEW(arena, uint32_t, 3 * (size_t)mesh->face_count, err) : NULL;
+    if (!made.neighbours)
+        return HATCH_LIMIT;
+    count_corners(mesh, made.first, open);
+    for (size_t v = 0; v < count; v++)
+        at[v + 1] = made.first[v + 1] = made.first[v] + (open[v] ? 0 : made.first[v + 1]);
+    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++)
+        if (!open[mesh->indices[i]])
+            made.neighbours[at[mesh->indices[i]]++] = mesh->indices[i % 3 == 2 ? i - 2 : i + 1];
+    hatch_arena_rewind(scratch, mark);
+    *ring = made;
+    return HATCH_OK;
+}

@@ -1,0 +1,226 @@
+#include "line/strip.h"
+
+#include <math.h>
+
+#include "math/vector.h"
+
+#define PIECE_PX 1.5
+#define OFF_PX 0.5 /* lines that may lie further off are not drawn */
+
+/* A segment in the picture. */
+struct cut {
+    double at[2][2];     /* both ends in pixels of the tile */
+    double limit[2];     /* at both ends */
+    double count;        /* pieces from end to end, in and out of the tile */
+    double first, after; /* pieces that may be seen: first .. after - 1 */
+    bool begins, ends;   /* those pieces reach the segment's begin and end */
+};
+
+/* A walk along chains. Without arrays it counts what they must hold. */
+struct walk {
+    const struct hatch_line_trace *trace;
+    const struct hatch_view *view;
+    const struct hatch_tile *tile;
+    double margin_px;
+    struct hatch_line_strips strips;
+    struct hatch_line_strip strip; /* the one being made */
+    bool open;
+};
+
+/* What the depth buffer holds at a distance along the view. */
+static double buffer_depth(const struct hatch_view *view, double depth)
+{
+    if (view->orthographic)
+        return (view->far - depth) / (view->far - view->near);
+    return view->near / fmax(depth, view->near);
+}
+
+static void project(const struct hatch_view *view, const struct hatch_tile *tile, const double point[3],
+                    double depth, double out[2])
+{
+    double from[3], distance = view->orthographic ? 1.0 : depth;
+    hatch_vec_sub(point, view->eye, from);
+    double y = hatch_vec_dot(from, view->up) / (distance * view->half_height);
+    double x = hatch_vec_dot(from, view->right) / (distance * view->half_height * view->aspect);
+    out[0] = 0.5 * (1 + x) * tile->full_width - tile->x;
+    out[1] = 0.5 * (1 + y) * tile->full_height - tile->y;
+}
+
+/* Narrows begin .. end, shares of a segment, to where the value, linear between its ends, is at least
+ * 0. */
+static void keep_positive(double at_begin, double at_end, double *begin, double *end)
+{
+    if (at_begin < 0 && at_end < 0)
+        *end = -1;
+    else if (at_begin < 0)
+        *begin = fmax(*begin, at_begin / (at_begin - at_end));
+    else if (at_end < 0)
+        *end = fmin(*end, at_begin / (at_begin - at_end));
+}
+
+/* Moves a segment's ends to the near and far planes, and to where floats can place them. false when it
+ * lies outside. */
+static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *tile, double points[2][3],
+                       double depth[2], bool whole[2])
+{
+    double begin = 0, end = 1, a[3], along[3];
+    double least = hatch_view_float_error(view, tile) / OFF_PX;
+    if (view->orthographic) /* everywhere, or nowhere */
+        least = least > 1 ? INFINITY : view->near;
+    double nearest = fmax(view->near, least);
+    keep_positive(depth[0] - nearest, depth[1] - nearest, &begin, &end);
+    if (view->orthographic)
+        keep_positive(view->far - depth[0], view->far - depth[1], &begin, &end);
+    whole[0] = begin <= 0;
+    whole[1] = end >= 1;
+    if (!(begin < end))
+        return false;
+    hatch_vec_copy(points[0], a);
+    hatch_vec_sub(points[1], a, along);
+    double from = depth[0], change = depth[1] - depth[0];
+    const double shares[2] = {begin, end};
+    for (int i = 0; i < 2; i++)
+        if (!whole[i]) {
+            hatch_vec_add_scaled(a, shares[i], along, points[i]);
+            depth[i] = from + shares[i] * change;
+        }
+    return true;
+}
+
+static bool cut_segment(const struct walk *w, double points[2][3], double slack, struct cut *cut)
+{
+    const struct hatch_view *view = w->view;
+    const struct hatch_tile *tile = w->tile;
+    double depth[2] = {hatch_line_depth(view, points[0]), hatch_line_depth(view, points[1])};
+    double begin = 0, end = 1;
+    bool whole[2];
+    if (!(slack >= 0) || !clip_depth(view, tile, points, depth, whole))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        project(view, tile, points[i], depth[i], cut->at[i]);
+        cut->limit[i] = buffer_depth(view, depth[i] - slack);
+    }
+    const double sizes[2] = {tile->width, tile->height};
+    for (int k = 0; k < 2; k++) {
+        double a = cut->at[0][k] + w->margin_px, b = cut->at[1][k] + w->margin_px;
+        double most = sizes[k] + 2 * w->margin_px;
+        keep_positive(a, b, &begin, &end);
+        keep_positive(most - a, most - b, &begin, &end);
+    }
+    double x = cut->at[1][0] - cut->at[0][0], y = cut->at[1][1] - cut->at[0][1];
+    double length = sqrt(x * x + y * y);
+    if (!(begin <= end) || !isfinite(length))
+        return false;
+    cut->count = fmax(ceil(length / PIECE_PX), 1);
+    cut->first = fmin(floor(begin * cut->count), cut->count - 1);
+    cut->after = fmax(ceil(end * cut->count), cut->first + 1);
+    cut->begins = whole[0] && cut->first <= 0;
+    cut->ends = whole[1] && cut->after >= cut->count;
+    return true;
+}
+
+static void mix(const double a[2], const double b[2], double t, float out[2])
+{
+    for (int k = 0; k < 2; k++)
+        out[k] = (float)(a[k] + t * (b[k] - a[k]));
+}
+
+static float limit_at(const struct cut *cut, double share)
+{
+    return (float)(cut->limit[0] + share * (cut->limit[1] - cut->limit[0]));
+}
+
+static void begin_strip(struct walk *w, bool joined)
+{
+    if (!w->open)
+        w->strip = (struct hatch_line_strip){.first = w->strips.piece_count, .joined = {joined, false}};
+    w->open = true;
+}
+
+static void end_strip(struct walk *w, bool joined)
+{
+    if (!w->open)
+        return;
+    w->open = false;
+    w->strip.joined[1] = joined;
+    w->strip.count = w->strips.piece_count - w->strip.first;
+    if (w->strips.strips)
+        w->strips.strips[w->strips.strip_count] = w->strip;
+    w->strips.strip_count++;
+}
+
+static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
+{
+    struct hatch_line_strips *strips = &w->strips;
+    if (!strips->pieces) {
+        strips->piece_count += (uint32_t)(cut->after - cut->first);
+        return;
+    }
+    for (double k = cut->first; k < cut->after; k++) {
+        struct hatch_line_piece *piece = &strips->pieces[strips->piece_count];
+        struct hatch_line_sample *sample = &strips->samples[strips->piece_count++];
+        double middle = (k + 0.5) / cut->count;
+        piece->segment = segment;
+        mix(cut->at[0], cut->at[1], k / cut->count, piece->a);
+        mix(cut->at[0], cut->at[1], (k + 1) / cut->count, piece->b);
+        mix(cut->at[0], cut->at[1], middle, sample->at);
+        sample->limit = limit_at(cut, middle);
+        sample->turn_rad = (float)atan2(cut->at[1][1] - cut->at[0][1], cut->at[1][0] - cut->at[0][0]);
+        for (int end = 0; end < 2; end++)
+            piece->depth[end] = limit_at(cut, (k + end) / cut->count);
+    }
+}
+
+static void walk_chain(struct walk *w, const struct hatch_line_chains *chains, uint32_t number)
+{
+    const struct hatch_line_chain *chain = &chains->chains[number];
+    const uint32_t *nodes = &chains->nodes[chain->first + number];
+    bool whole = true, joined = chain->closed || chain->joined[0];
+    for (uint32_t i = 0; i < chain->segment_count; i++) {
+        struct cut cut = {.count = 0};
+        double points[2][3];
+        uint32_t segment = chains->segments[chain->first + i];
+        for (uint32_t k = 0; k < 2; k++)
+            hatch_vec_copy(&w->trace->nodes[3 * (size_t)nodes[i + k]], points[k]);
+        bool drawn = cut_segment(w, points, (double)w->trace->slack[segment], &cut);
+        whole = whole && drawn && cut.begins && cut.ends;
+        if (!drawn || !cut.begins)
+            end_strip(w, w->trace->slack[segment] >= 0);
+        if (drawn) {
+            begin_strip(w, joined);
+            add_pieces(w, &cut, segment);
+        }
+        if (drawn && !cut.ends)
+            end_strip(w, true);
+        joined = w->trace->slack[segment] >= 0;
+    }
+    w->strip.closed = chain->closed && whole;
+    end_strip(w, chain->closed || chain->joined[1]);
+}
+
+static void walk_chains(struct walk *w, const struct hatch_line_chains *chains)
+{
+    w->strips.strip_count = w->strips.piece_count = 0;
+    for (uint32_t i = 0; i < chains->count; i++)
+        walk_chain(w, chains, i);
+}
+
+enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
+                                   const struct hatch_view *view, const struct hatch_tile *tile,
+                                   double margin_px, struct hatch_arena *arena, struct hatch_line_strips *strips,
+                                   struct hatch_err *err)
+{
+    struct walk walk = {.trace = trace, .view = view, .tile = tile, .margin_px = margin_px};
+    walk_chains(&walk, chains);
+    struct hatch_line_strips *made = &walk.strips;
+    size_t pieces = made->piece_count;
+    struct hatch_line_strip *list = HATCH_NEW(arena, struct hatch_line_strip, made->strip_count, err);
+    made->pieces = list ? HATCH_NEW(arena, struct hatch_line_piece, pieces, err) : NULL;
+    made->samples = made->pieces ? HATCH_NEW(arena, struct hatch_line_sample, pieces, err) : NULL;
+    if (!made->samples)
+        return HATCH_LIMIT;
+    made->strips = list;
+    walk_chains(&walk, chains);
+    *strips = walk.strips;
+    return HATCH_OK;
+}

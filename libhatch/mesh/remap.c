@@ -1,0 +1,79 @@
+#include "mesh/remap.h"
+
+#include <string.h>
+
+#include "base/keys.h"
+
+/* values: three numbers a vertex that have to be equal, too. */
+static enum hatch_status number(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
+                                struct hatch_remap *weld, struct hatch_err *err)
+{
+    uint32_t *point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
+    uint32_t *value = point ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL, unused;
+    if (!value)
+        return HATCH_LIMIT;
+    struct hatch_mesh others = {.vertex_count = mesh->vertex_count, .attribute_count = 1};
+    others.attributes[0].data = values;
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &unused, err));
+    HATCH_TRY(hatch_mesh_weld(&others, scratch, value, &unused, err));
+    struct hatch_keys keys;
+    HATCH_TRY(hatch_keys_make(scratch, &keys, err));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        uint64_t key = (uint64_t)point[v] << 32 | value[v];
+        HATCH_TRY(hatch_keys_number(&keys, key, &weld->number[v], err));
+        if (keys.count > weld->count)
+            weld->first[weld->count++] = v;
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status weld_by(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
+{
+    struct hatch_remap made = {.number = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err)};
+    made.first = made.number ? HATCH_NEW(arena, uint32_t, mesh->vertex_count, err) : NULL;
+    if (!made.first)
+        return HATCH_LIMIT;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = number(mesh, values, scratch, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *weld = made;
+    return status;
+}
+
+enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
+{
+    return weld_by(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, weld, err);
+}
+
+enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena, struct hatch_remap *weld,
+                                 struct hatch_err *err)
+{
+    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    float *values = HATCH_NEW(arena, float, 3 * (size_t)mesh->vertex_count, err);
+    if (!values)
+        return HATCH_LIMIT;
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
+    return weld_by(mesh, values, arena, arena, weld, err);
+}
+
+enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
+                            struct hatch_arena *arena, struct hatch_mesh *to,
+                            struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < from->attribute_count; i++) {
+        const struct hatch_mesh_attribute *other = &from->attributes[i];
+        size_t n = other->components;
+        float *data = to->attributes[0].data;
+        if (strncmp(other->name, "TEXCOORD_", 9) == 0)
+            continue;
+        if (i > 0)
+            HATCH_TRY(hatch_mesh_add(arena, to, other->name, other->components, &data, err));
+        for (size_t v = 0; v < to->vertex_count; v++)
+            memcpy(&data[n * v], &other->data[n * origin_of[v]], n * sizeof *data);
+    }
+    return HATCH_OK;
+}

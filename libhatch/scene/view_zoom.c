@@ -1,0 +1,67 @@
+/* Coming nearer to what the middle of a picture shows. */
+#include "scene/view.h"
+
+#include <math.h>
+
+#include "math/vector.h"
+
+struct ray {
+    const struct hatch_view *view;
+    const struct hatch_bounds *bounds;
+    double corners[3][3]; /* of a face, from the eye */
+    int corner;
+    double distance;      /* of the nearest face that it meets */
+};
+
+/* Where the axis meets a face: it lies inside when it has one sign against all three sides. */
+static void meet_face(struct ray *ray)
+{
+    const double *back = ray->view->back;
+    double side[3], volume = 0, depth = 0;
+    for (int k = 0; k < 3; k++) {
+        double normal[3];
+        hatch_vec_cross(ray->corners[(k + 1) % 3], ray->corners[(k + 2) % 3], normal);
+        side[k] = -hatch_vec_dot(back, normal);
+        volume += side[k];
+    }
+    bool inside = (side[0] >= 0 && side[1] >= 0 && side[2] >= 0) || (side[0] <= 0 && side[1] <= 0 && side[2] <= 0);
+    if (!inside || volume == 0)
+        return;
+    for (int k = 0; k < 3; k++)
+        depth -= side[k] / volume * hatch_vec_dot(ray->corners[k], back);
+    if (depth > 0)
+        ray->distance = fmin(ray->distance, depth);
+}
+
+static void take_corner(void *context, const double point[3])
+{
+    struct ray *ray = context;
+    for (int k = 0; k < 3; k++)
+        ray->corners[ray->corner][k] = (point[k] - ray->bounds->center[k]) / ray->bounds->radius - ray->view->eye[k];
+    ray->corner = (ray->corner + 1) % 3;
+    if (ray->corner == 0)
+        meet_face(ray);
+}
+
+enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment, const struct hatch_bounds *bounds,
+                            double factor, struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
+{
+    if (view->orthographic) { /* a nearer eye shows nothing larger, and would pass the camera's near plane */
+        view->half_height /= factor;
+        return HATCH_OK;
+    }
+    const struct hatch_pose_span now = {moment->animation, moment->begin_s, moment->begin_s, 1};
+    struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
+    HATCH_TRY(hatch_pose_each_corner(pose, &now, scratch, take_corner, &ray, err));
+    double distance = isfinite(ray.distance) ? ray.distance : view->pivot;
+    struct hatch_pair way = hatch_pair_sum(distance / factor, -distance);
+    for (int k = 0; k < 3; k++) {
+        struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
+        eye = hatch_pair_add(eye, hatch_pair_scale(way, view->back[k]));
+        view->eye[k] = eye.high;
+        view->eye_rest[k] = eye.low;
+    }
+    view->pivot = distance / factor;
+    hatch_view_free_near(view);
+    return HATCH_OK;
+}

@@ -1,0 +1,222 @@
+/* Which edges are drawn. */
+#include "fail_alloc.h"
+#include "lines.h"
+#include "mesh/creases.h"
+
+#define CREASE_RAD 0.7
+
+static uint32_t closed_chains(const struct hatch_line_mesh *lines)
+{
+    uint32_t closed = 0;
+    for (uint32_t i = 0; i < lines->chains.count; i++)
+        closed += lines->chains.chains[i].closed;
+    return closed;
+}
+
+START_TEST(a_cube_has_twelve_creases)
+{
+    struct hatch_mesh welded = cube(-1, 1), apart = unwelded(&welded);
+    const struct hatch_mesh *meshes[] = {&welded, &apart};
+    for (int i = 0; i < 2; i++) {
+        ck_assert_uint_eq(lines_of(meshes[i], HATCH_LINES_CREASES, CREASE_RAD).feature_count, 12);
+        ck_assert_uint_eq(lines_of(meshes[i], HATCH_LINES_BOUNDARIES, CREASE_RAD).feature_count, 0);
+        ck_assert_uint_eq(lines_of(meshes[i], HATCH_LINES_CREASES, 1.6).feature_count, 0);
+    }
+}
+END_TEST
+
+START_TEST(the_winding_of_faces_does_not_matter)
+{
+    struct hatch_mesh mesh = cube(-1, 1);
+    for (uint32_t f = 0; f < mesh.face_count; f += 3) {
+        uint32_t swap = mesh.indices[3 * f];
+        mesh.indices[3 * f] = mesh.indices[3 * f + 1];
+        mesh.indices[3 * f + 1] = swap;
+    }
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD).feature_count, 12);
+}
+END_TEST
+
+START_TEST(boundaries_are_closed_chains)
+{
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200);
+    struct hatch_mesh cylinder = shape_of(HATCH_SHAPE_CYLINDER, 800);
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 800);
+    struct hatch_line_mesh lines = lines_of(&plane, HATCH_LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 40);
+    ck_assert_uint_eq(lines.chains.count, 1);
+    ck_assert_uint_eq(closed_chains(&lines), 1);
+    lines = lines_of(&cylinder, HATCH_LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.chains.count, 2);
+    ck_assert_uint_eq(closed_chains(&lines), 2);
+    ck_assert_uint_eq(lines_of(&torus, HATCH_LINES_ALL, CREASE_RAD).feature_count, 0);
+}
+END_TEST
+
+/* Programs that write every face by itself round its corners by themselves. */
+START_TEST(corners_apart_by_rounding_are_one)
+{
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TORUS, 2000), apart = unwelded(&mesh);
+    float *p = apart.attributes[0].data;
+    for (uint32_t i = 0; i < 3 * apart.vertex_count; i++)
+        p[i] += (float)(i * 7919u % 3u) * 1e-7f;
+    ck_assert_uint_eq(lines_of(&apart, HATCH_LINES_ALL, CREASE_RAD).feature_count, 0);
+}
+END_TEST
+
+/* Leaves are often given twice, once for each side. */
+START_TEST(two_sheets_on_one_another_have_the_boundary_of_one)
+{
+    static const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    static const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 2, 1, 0, 3, 2};
+    struct hatch_mesh mesh = mesh_of(corners, 4, faces, 4);
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_BOUNDARIES, CREASE_RAD).feature_count, 4);
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_CREASES, CREASE_RAD).feature_count, 0);
+}
+END_TEST
+
+START_TEST(three_sheets_meet_in_a_crease)
+{
+    static const float corners[15] = {0, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0, 0, 0, 1, 0};
+    static const uint32_t faces[9] = {0, 1, 2, 0, 1, 3, 0, 1, 4};
+    struct hatch_mesh mesh = mesh_of(corners, 5, faces, 3);
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_CREASES, CREASE_RAD).feature_count, 1);
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_BOUNDARIES, CREASE_RAD).feature_count, 6);
+}
+END_TEST
+
+/* A corner of one face on the side of another: the gap between them has no area. */
+START_TEST(a_crack_is_no_boundary)
+{
+    static const float corners[18] = {0, 0, 0, 3, 0, 0, 1, 1, 0, 1, -1, 0, 1, 0, 0, 2, 0, 0};
+    static const uint32_t faces[12] = {0, 1, 2, 0, 3, 4, 4, 3, 5, 5, 3, 1};
+    struct hatch_mesh mesh = mesh_of(corners, 6, faces, 4);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 4);
+    ck_assert_uint_eq(closed_chains(&lines), 1);
+}
+END_TEST
+
+/* Every quadrangle is three triangles, of which two would do. */
+START_TEST(what_ends_within_a_face_is_no_boundary)
+{
+    static const float corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    static const uint32_t faces[9] = {0, 1, 2, 1, 2, 3, 2, 3, 0};
+    struct hatch_mesh mesh = mesh_of(corners, 4, faces, 3);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 4);
+    ck_assert_uint_eq(closed_chains(&lines), 1);
+}
+END_TEST
+
+/* Noise on a surface folds single edges over the angle of a crease; a fold from side to side is meant. */
+START_TEST(creases_of_noise_are_left_out)
+{
+    struct hatch_mesh rough =
+        shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 4000, .noise = 0.15f, .seed = 1});
+    uint32_t point_count, over_angle = 0;
+    uint32_t *point = HATCH_NEW(&keep, uint32_t, 12000, &err);
+    uint32_t *of_vertex = HATCH_NEW(&keep, uint32_t, rough.vertex_count, &err);
+    uint8_t *kinds = HATCH_NEW(&keep, uint8_t, 12000, &err);
+    struct hatch_edges edges;
+    HATCH_TEST_OK(hatch_mesh_weld(&rough, &scratch, of_vertex, &point_count, &err), &err);
+    hatch_mesh_corner_points(&rough, of_vertex, point);
+    HATCH_TEST_OK(hatch_edges_find(point, rough.face_count, point_count, NULL, &keep, &scratch,
+                                   &edges, &err),
+                  &err);
+    hatch_edges_kinds(&rough, &edges, CREASE_RAD, kinds);
+    for (uint32_t e = 0; e < edges.count; e++)
+        over_angle += kinds[e] == HATCH_EDGE_CREASE;
+    ck_assert_uint_gt(over_angle, 20);
+    ck_assert_uint_le(lines_of(&rough, HATCH_LINES_CREASES, CREASE_RAD).feature_count, over_angle / 10);
+
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_PLANE, 800);
+    mesh.attribute_count = 1;
+    float *p = mesh.attributes[0].data;
+    for (uint32_t v = 0; v < mesh.vertex_count; v++)
+        p[3 * v + 2] = fabsf(p[3 * v]);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_CREASES, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 20);
+    ck_assert_uint_eq(lines.chains.count, 1);
+}
+END_TEST
+
+/* A coarse torus turns by more than the angle at every edge; whoever gave it smooth normals did not mean
+ * these, but would have meant the edges of a cube. */
+START_TEST(normals_tell_what_was_meant)
+{
+    static const double origin[3] = {0, 0, 0};
+    const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true};
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube(-1, 1);
+    struct hatch_line_mesh lines;
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &box, 0.0f, &err), &err);
+    ck_assert_uint_gt(lines_of(&torus, HATCH_LINES_CREASES, CREASE_RAD).feature_count, 20);
+    HATCH_TEST_OK(hatch_line_mesh_make(&torus, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    ck_assert_uint_eq(lines.feature_count, 0);
+    HATCH_TEST_OK(hatch_line_mesh_make(&box, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    ck_assert_uint_eq(lines.feature_count, 12);
+}
+END_TEST
+
+START_TEST(scale_and_place_do_not_matter)
+{
+    const float scales[] = {1e-20f, 1e-3f, 1e15f};
+    for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+        struct hatch_mesh mesh = cube(-1, 1);
+        for (uint32_t k = 0; k < 24; k++)
+            mesh.attributes[0].data[k] *= scales[i];
+        ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD).feature_count, 12);
+    }
+}
+END_TEST
+
+START_TEST(faces_without_area_are_no_lines)
+{
+    static const float corners[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0.5f, 0.5f, 0};
+    static const uint32_t faces[15] = {0, 1, 4, 0, 4, 2, 1, 3, 2, 1, 2, 4, 3, 3, 1};
+    struct hatch_mesh mesh = mesh_of(corners, 5, faces, 5);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD);
+    ck_assert_uint_eq(lines.feature_count, 4);
+    ck_assert_uint_eq(closed_chains(&lines), 1);
+}
+END_TEST
+
+static enum hatch_status make(void *context, struct hatch_arena *arena,
+                              struct hatch_arena *temporary, struct hatch_err *said)
+{
+    static const double origin[3] = {0, 0, 0};
+    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true};
+    struct hatch_line_mesh lines;
+    return hatch_line_mesh_make(context, origin, &choice, arena, temporary, &lines, said);
+}
+
+START_TEST(extraction_survives_every_failed_allocation)
+{
+    struct hatch_mesh smooth = shape_of(HATCH_SHAPE_TEAPOT, 300), sharp = cube(-1, 1);
+    ck_assert_uint_gt(hatch_test_fail_alloc(make, &smooth, NULL, 0), 20);
+    ck_assert_uint_gt(hatch_test_fail_alloc(make, &sharp, NULL, 0), 20);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render lines mesh");
+    TCase *tests = tcase_create("features");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, a_cube_has_twelve_creases);
+    tcase_add_test(tests, the_winding_of_faces_does_not_matter);
+    tcase_add_test(tests, boundaries_are_closed_chains);
+    tcase_add_test(tests, corners_apart_by_rounding_are_one);
+    tcase_add_test(tests, two_sheets_on_one_another_have_the_boundary_of_one);
+    tcase_add_test(tests, three_sheets_meet_in_a_crease);
+    tcase_add_test(tests, a_crack_is_no_boundary);
+    tcase_add_test(tests, what_ends_within_a_face_is_no_boundary);
+    tcase_add_test(tests, creases_of_noise_are_left_out);
+    tcase_add_test(tests, normals_tell_what_was_meant);
+    tcase_add_test(tests, scale_and_place_do_not_matter);
+    tcase_add_test(tests, faces_without_area_are_no_lines);
+    tcase_add_test(tests, extraction_survives_every_failed_allocation);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)

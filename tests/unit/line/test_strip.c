@@ -1,0 +1,282 @@
+/* Chains as they lie in a picture: cut at planes and borders, evenly visible. */
+#include "fail_alloc.h"
+#include "lines.h"
+#include "line/strip.h"
+
+static const struct hatch_tile whole = {0, 0, 400, 400, 400, 400};
+
+/* A polyline through points, closed when it ends where it begins. */
+static struct hatch_line_trace polyline(const double *points, uint32_t count)
+{
+    bool closed = hatch_vec_distance(points, points + 3 * (count - 1)) == 0;
+    struct hatch_line_trace trace = {.node_count = count - closed, .segment_count = count - 1};
+    trace.nodes = HATCH_NEW(&keep, double, 3 * (size_t)count, &err);
+    trace.ends = HATCH_NEW(&keep, uint32_t, 2 * (size_t)count, &err);
+    trace.slack = HATCH_NEW(&keep, float, count, &err);
+    memcpy(trace.nodes, points, 24 * (size_t)trace.node_count);
+    for (uint32_t s = 0; s < trace.segment_count; s++) {
+        trace.ends[2 * s] = s;
+        trace.ends[2 * s + 1] = (s + 1) % trace.node_count;
+    }
+    return trace;
+}
+
+static struct hatch_line_strips strips_of(const struct hatch_line_trace *trace, const struct hatch_view *view,
+                                    const struct hatch_tile *tile)
+{
+    struct hatch_line_chains chains = chains_of(trace);
+    struct hatch_line_strips strips = {.strip_count = 0};
+    HATCH_TEST_OK(hatch_line_strips_make(trace, &chains, view, tile, 4, &keep, &strips, &err), &err);
+    return strips;
+}
+
+START_TEST(a_segment_becomes_pieces_of_its_projection)
+{
+    static const double points[6] = {-1, 0.5, 0, 1, 0.5, 0};
+    struct hatch_line_trace trace = polyline(points, 2);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_eq(strips.strip_count, 1);
+    ck_assert_uint_eq(strips.piece_count, 134); /* 200 pixels, at most 1.5 a piece */
+    ck_assert_float_eq_tol(strips.pieces[0].a[0], 100, 1e-3f);
+    ck_assert_float_eq_tol(strips.pieces[133].b[0], 300, 1e-3f);
+    ck_assert_float_eq_tol(strips.pieces[70].a[1], 250, 1e-3f);
+    ck_assert_float_eq_tol(strips.samples[0].limit, 0.96f, 1e-3f); /* 4 of 100 deep */
+}
+END_TEST
+
+START_TEST(what_is_behind_the_eye_is_cut_off)
+{
+    static const double points[6] = {0.1, 0.1, -3, 0.2, 0.3, 9};
+    static const double behind[6] = {0.1, 0.1, 5, 0.2, 0.3, 9};
+    struct hatch_view view = view_from(0, 0, 4, false);
+    struct hatch_line_trace trace = polyline(points, 2), unseen = polyline(behind, 2);
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_gt(strips.piece_count, 10);
+    for (uint32_t i = 0; i < strips.piece_count; i++) {
+        ck_assert(isfinite(strips.pieces[i].a[0] + strips.pieces[i].b[1] + strips.samples[i].limit));
+        ck_assert_float_ge(strips.pieces[i].b[0], 190);
+        ck_assert_float_le(strips.pieces[i].a[0], 406);
+    }
+    ck_assert(strips.strips[0].joined[1]);
+    ck_assert_uint_eq(strips_of(&unseen, &view, &whole).piece_count, 0);
+}
+END_TEST
+
+/* The pieces of a tile are the whole picture's, moved: its lines end where the neighbour's do. */
+START_TEST(tiles_cut_lines_alike)
+{
+    static const double points[9] = {-1.7, -1.1, 0, 0.4, 0.9, 0.5, 1.8, -1.6, 0.2};
+    struct hatch_line_trace trace = polyline(points, 3);
+    struct hatch_view view = view_from(0.3, 0.2, 5, false);
+    struct hatch_tile tile = {150, 90, 120, 160, 400, 400};
+    struct hatch_line_strips all = strips_of(&trace, &view, &whole);
+    struct hatch_line_strips part = strips_of(&trace, &view, &tile);
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < part.piece_count; i++)
+        for (uint32_t j = 0; j < all.piece_count; j++)
+            found += part.pieces[i].segment == all.pieces[j].segment &&
+                     hypotf(part.pieces[i].a[0] + 150 - all.pieces[j].a[0],
+                            part.pieces[i].a[1] + 90 - all.pieces[j].a[1]) < 1e-3f;
+    ck_assert_uint_gt(part.piece_count, 40);
+    ck_assert_uint_lt(part.piece_count, all.piece_count / 2);
+    ck_assert_uint_eq(found, part.piece_count);
+}
+END_TEST
+
+/* A closed square of 100 pixels a side. */
+static struct hatch_line_strips square(void)
+{
+    static const double points[15] = {-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0, -.5, -.5, 0};
+    struct hatch_line_trace trace = polyline(points, 5);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    ck_assert_uint_eq(strips.strip_count, 1);
+    ck_assert(strips.strips[0].closed);
+    ck_assert_uint_eq(strips.piece_count, 268);
+    return strips;
+}
+
+static uint32_t sum(const uint8_t *visible, uint32_t count)
+{
+    uint32_t total = 0;
+    for (uint32_t i = 0; i < count; i++)
+        total += visible[i];
+    return total;
+}
+
+/* visible: becomes what is left of it. */
+static void smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px, uint8_t *visible)
+{
+    uint8_t seen[268];
+    memcpy(seen, visible, sizeof seen);
+    hatch_line_strips_smooth(strips, gap_px, crumb_px, trim_px, seen, visible);
+}
+
+START_TEST(gaps_are_closed_and_crumbs_are_dropped)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t visible[268];
+    memset(visible, 1, sizeof visible);
+    visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner is one of two pieces */
+    memset(visible + 100, 0, 40);
+    smooth(&strips, 4, 8, 0, visible);
+    ck_assert_uint_eq(sum(visible, 268), 228);
+    memset(visible, 0, sizeof visible);
+    memset(visible + 20, 1, 5);
+    memset(visible + 200, 1, 30);
+    visible[0] = visible[267] = 1;
+    smooth(&strips, 4, 8, 0, visible);
+    ck_assert_uint_eq(sum(visible, 268), 30);
+    ck_assert_uint_eq(visible[215], 1);
+    memset(visible, 0, sizeof visible);
+    smooth(&strips, 1e9, 8, 0, visible);
+    ck_assert_uint_eq(sum(visible, 268), 0);
+}
+END_TEST
+
+START_TEST(ends_at_hidden_parts_are_trimmed)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t visible[268];
+    memset(visible, 1, sizeof visible);
+    memset(visible + 100, 0, 40);
+    smooth(&strips, 4, 8, 2, visible); /* pieces are 1.49 long: two on each side */
+    ck_assert_uint_eq(sum(visible, 268), 224);
+    ck_assert_uint_eq(visible[97] + visible[142], 2);
+    ck_assert_uint_eq(visible[98] + visible[141], 0);
+    memset(visible, 1, sizeof visible);
+    memset(visible, 0, 40);
+    smooth(&strips, 4, 8, 2, visible);
+    ck_assert_uint_eq(visible[267] + visible[41], 0);
+    strips.strips[0].closed = false;
+    memset(visible, 1, sizeof visible);
+    smooth(&strips, 4, 8, 2, visible);
+    ck_assert_uint_eq(sum(visible, 268), 268);
+}
+END_TEST
+
+START_TEST(what_another_line_joins_is_no_crumb)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t visible[268] = {1, 1};
+    strips.strips[0].closed = false;
+    strips.strips[0].joined[0] = true;
+    strips.strips[0].joined[1] = false;
+    visible[266] = visible[267] = 1;
+    smooth(&strips, 4, 8, 0, visible);
+    ck_assert_uint_eq(visible[0], 1);
+    ck_assert_uint_eq(visible[267], 0);
+}
+END_TEST
+
+START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t visible[268];
+    struct hatch_line_segment segments[268];
+    memset(visible, 1, sizeof visible);
+    visible[30] = 0;
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, visible, segments), 5);
+    ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[31].a[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[66].b[0], 1e-6f);
+}
+END_TEST
+
+/* Haloes cut a line into parts; what is shorter than a crumb goes, however long it is under the halo. */
+START_TEST(what_haloes_leave_is_no_crumb)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    memset(seen, HATCH_LINE_VISIBLE, sizeof seen);
+    memset(seen + 100, HATCH_LINE_VISIBLE | HATCH_LINE_TOUCHED | HATCH_LINE_COVERED, 20);
+    memset(seen + 103, HATCH_LINE_VISIBLE, 3);
+    memset(seen + 110, HATCH_LINE_VISIBLE, 7);
+    hatch_line_strips_smooth(&strips, 4, 8, 2, seen, visible);
+    ck_assert_uint_eq(sum(visible + 101, 8), 0);   /* 4.5 pixels are dropped */
+    ck_assert_uint_eq(sum(visible + 109, 9), 9);   /* 10.4 stay, with a piece on either side to be cut */
+    ck_assert_uint_eq(visible[108] + visible[118], 0);
+    ck_assert_uint_eq(sum(visible, 101), 101);     /* no trimming either: the halo says where it ends */
+    ck_assert_uint_eq(sum(visible + 119, 149), 149);
+    memset(seen + 110, HATCH_LINE_TOUCHED | HATCH_LINE_COVERED, 7);
+    hatch_line_strips_smooth(&strips, 4, 8, 0, seen, visible);
+    ck_assert_uint_eq(sum(visible + 101, 18), 0);
+}
+END_TEST
+
+START_TEST(only_pieces_near_haloes_are_asked_again)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    struct hatch_line_segment segments[268];
+    memset(seen, HATCH_LINE_VISIBLE, sizeof seen);
+    memset(visible, 1, sizeof visible);
+    seen[30] |= HATCH_LINE_TOUCHED;
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, segments), 6);
+    for (uint32_t i = 0; i < 6; i++)
+        ck_assert_uint_eq(segments[i].in_halo > 0, i == 1);
+    ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[29].a[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[31].b[0], 1e-6f);
+}
+END_TEST
+
+/* Two lines that cross at a node stay straight; a third that ends there is joined. */
+START_TEST(chains_go_straight_on)
+{
+    static const double nodes[18] = {0, 0, 0, -1, 0, 0, 1, 0.1, 0, 0, -1, 0, 0.1, 1, 0, 0.7, 0.7, 0};
+    static const uint32_t ends[10] = {1, 0, 0, 2, 3, 0, 4, 0, 5, 0};
+    const struct hatch_line_graph graph = {6, 5, nodes, ends};
+    struct hatch_line_chains chains;
+    HATCH_TEST_OK(hatch_line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
+    ck_assert_uint_eq(chains.count, 3);
+    uint32_t twos = 0, joined = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        twos += chains.chains[i].segment_count == 2;
+        joined += chains.chains[i].joined[0] + chains.chains[i].joined[1];
+    }
+    ck_assert_uint_eq(twos, 2);
+    ck_assert_uint_eq(joined, 1);
+}
+END_TEST
+
+static enum hatch_status make(void *context, struct hatch_arena *arena,
+                              struct hatch_arena *temporary, struct hatch_err *said)
+{
+    const struct hatch_line_trace *trace = context;
+    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
+                                     trace->ends};
+    struct hatch_view view = view_from(0, 0, 4, true);
+    struct hatch_line_chains chains;
+    struct hatch_line_strips strips;
+    HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, said));
+    return hatch_line_strips_make(trace, &chains, &view, &whole, 4, arena, &strips, said);
+}
+
+START_TEST(strips_survive_every_failed_allocation)
+{
+    static const double points[9] = {-1.7, -1.1, 0, 0.4, 0.9, 0.5, 1.8, -1.6, 0.2};
+    struct hatch_line_trace trace = polyline(points, 3);
+    ck_assert_uint_ge(hatch_test_fail_alloc(make, &trace, NULL, 0), 7);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render lines strip");
+    TCase *tests = tcase_create("strips");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
+    tcase_add_test(tests, what_is_behind_the_eye_is_cut_off);
+    tcase_add_test(tests, tiles_cut_lines_alike);
+    tcase_add_test(tests, gaps_are_closed_and_crumbs_are_dropped);
+    tcase_add_test(tests, ends_at_hidden_parts_are_trimmed);
+    tcase_add_test(tests, what_another_line_joins_is_no_crumb);
+    tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
+    tcase_add_test(tests, what_haloes_leave_is_no_crumb);
+    tcase_add_test(tests, only_pieces_near_haloes_are_asked_again);
+    tcase_add_test(tests, chains_go_straight_on);
+    tcase_add_test(tests, strips_survive_every_failed_allocation);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
