@@ -14,16 +14,16 @@ static bool field;
 static const char *const uv_choices[] = {"natural", "even", "whole", NULL};
 
 static const struct cmd_option options[] = {
-    {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N",
-     "about how many triangles (default 10000)", &faces, NULL, NULL},
-    {'J', "jitter", CMD_REAL, 0, 1, "SHARE",
-     "irregular triangles: how far vertices move over the surface (default 0)", &jitter, NULL, NULL},
-    {'N', "noise", CMD_REAL, 0, 1, "SHARE",
-     "displacement along the normals, in mean edge lengths (default 0)", &noise, NULL, NULL},
-    {'u', "uv", CMD_CHOICE, 0, 0, "HOW",
-     "natural (the parameter; default), even (v by length), whole (0 to 1)", &uv, uv_choices, NULL},
-    {'f', "field", CMD_FLAG, 0, 0, NULL,
-     "add the shape's true principal directions, as dirfield would write them", &field, NULL, NULL},
+    {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N", "about how many triangles (default 10000)", &faces, NULL,
+     NULL},
+    {'J', "jitter", CMD_REAL, 0, 1, "SHARE", "irregular triangles: how far vertices move over the surface (default 0)",
+     &jitter, NULL, NULL},
+    {'N', "noise", CMD_REAL, 0, 1, "SHARE", "displacement along the normals, in mean edge lengths (default 0)", &noise,
+     NULL, NULL},
+    {'u', "uv", CMD_CHOICE, 0, 0, "HOW", "natural (the parameter; default), even (v by length), whole (0 to 1)", &uv,
+     uv_choices, NULL},
+    {'f', "field", CMD_FLAG, 0, 0, NULL, "add the shape's true principal directions, as dirfield would write them",
+     &field, NULL, NULL},
     {0},
 };
 
@@ -79,8 +79,7 @@ int main(int argc, char **argv)
              hatch_shape_name(shape), how.faces, jitter, noise, uv_choices[uv], field ? " --field" : "",
              (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
-    cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err),
-              NULL, &err);
+    cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err), NULL, &err);
     cmd_note("%u faces, %u vertices", mesh.face_count, mesh.vertex_count);
     cmd_write(output, file.data, file.size);
     return cmd_end(&args, HATCH_OK);

@@ -15,13 +15,13 @@ static const char *bins = "7", *modulation_path, *mask_path;
 static bool bins_given, exact;
 
 static const struct cmd_option options[] = {
-    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "how many, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
-     &bins, NULL, &bins_given},
+    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "how many, 1 to 7, or the tones between them: .4,.7,.9 (default 7)", &bins,
+     NULL, &bins_given},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "all changes of every texel, as runs in a buffer", &exact, NULL, NULL},
     {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel that light is multiplied by",
      &modulation_path, NULL, NULL},
-    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel of the outline's opacity", &mask_path,
-     NULL, NULL},
+    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel of the outline's opacity", &mask_path, NULL,
+     NULL},
     {0},
 };
 
@@ -99,8 +99,7 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
     cmd_encode_texture(args, &texture, args->output, file);
 }
 
-static void make_exact(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
-                       struct hatch_buffer *file)
+static void make_exact(struct cmd_args *args, const char *name, const struct hatch_tam *tam, struct hatch_buffer *file)
 {
     struct hatch_err err;
     struct hatch_exact made;
@@ -132,12 +131,10 @@ static void make_thresholds(struct cmd_args *args, const char *name, const struc
     how.border = listed ? border : NULL;
     read_picture(args, modulation_path, &pictures[0], &how.modulation);
     read_picture(args, mask_path, &pictures[1], &how.mask);
-    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &figures,
-                                    &err),
+    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &figures, &err),
               name, &err);
     for (uint32_t b = 0, at = 0; b <= made.bins; b++)
-        at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "",
-                                 (double)made.border[b]);
+        at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "", (double)made.border[b]);
     if (figures.error > ERROR_WARNED)
         cmd_warn(name, "%.1f changes of tone a texel do not fit %u bins: off by %.4f in the mean, %.4f at worst",
                  figures.steps, made.bins, figures.error, figures.error_max);

@@ -15,8 +15,8 @@ static const char *const layouts[] = {"volume", "array", NULL};
 static const struct cmd_option options[] = {
     {'t', "tones", CMD_INT, HATCH_VOLUME_TONES_MIN, HATCH_VOLUME_TONES_MAX, "N",
      "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
-    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)",
-     &layout, layouts, &layout_given},
+    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
+     layouts, &layout_given},
     {'c', "compress", CMD_FLAG, 0, 0, NULL, "in blocks: BC4 (grey) or BC1 (colour), as an array; BC7 as a volume",
      &compress, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 in place of RGB8", &alpha, NULL, NULL},
@@ -95,8 +95,13 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
     snprintf(levels, sizeof levels, "%u", volume->levels);
     snprintf(darkest, sizeof darkest, "%.9g", (double)volume->darkest);
     const char *seed = cmd_map_seed(tam);
-    const char *const keys[] = {HATCH_TAM_ATTR_LEVELS,       levels, HATCH_VOLUME_KEY_DARKEST, darkest,
-                                seed ? HATCH_TAM_ATTR_SEED : NULL, seed,   NULL};
+    const char *const keys[] = {HATCH_TAM_ATTR_LEVELS,
+                                levels,
+                                HATCH_VOLUME_KEY_DARKEST,
+                                darkest,
+                                seed ? HATCH_TAM_ATTR_SEED : NULL,
+                                seed,
+                                NULL};
     const struct cmd_texture texture = {&volume->texels, keys, NULL};
     cmd_encode_texture(args, &texture, args->output, file);
 }
@@ -122,8 +127,8 @@ int main(int argc, char **argv)
 
     struct hatch_buffer file = {.arena = &args.keep};
     encode(&args, &tam, &volume, &file);
-    cmd_note("%u slices of drawn levels, the farthest %.4f from a column; %zu bytes", figures.slices,
-             figures.distance, file.size);
+    cmd_note("%u slices of drawn levels, the farthest %.4f from a column; %zu bytes", figures.slices, figures.distance,
+             file.size);
     cmd_write(output, file.data, file.size);
     warn(name, &tam, &figures);
     return cmd_end(&args, HATCH_OK);

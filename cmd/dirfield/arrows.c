@@ -82,8 +82,9 @@ void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct dirfield_p
 {
     struct hatch_err err;
     for (uint32_t i = 0; i < part->pose_count; i++) {
-        check(hatch_buffer_reserve(&arrows->vertices,
-                                   (size_t)part->surface->point_count * CORNERS * VERTEX_BYTES, &err), &err);
+        check(
+            hatch_buffer_reserve(&arrows->vertices, (size_t)part->surface->point_count * CORNERS * VERTEX_BYTES, &err),
+            &err);
         for (uint32_t p = 0; p < part->surface->point_count; p++)
             put_rhomb(arrows, part, &part->poses[i], p);
     }
@@ -99,7 +100,8 @@ struct hatch_bytes dirfield_arrows_end(struct dirfield_arrows *arrows)
                              "element vertex %u\nproperty float x\nproperty float y\nproperty float z\n"
                              "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                              "element face %u\nproperty list uchar int vertex_indices\nend_header\n",
-                             CORNERS * arrows->count, 2 * arrows->count), &err);
+                             CORNERS * arrows->count, 2 * arrows->count),
+          &err);
     check(hatch_buffer_reserve(&file, arrows->vertices.size + (size_t)arrows->count * 26, &err), &err);
     check(hatch_buffer_add(&file, arrows->vertices.data, arrows->vertices.size, &err), &err);
     for (uint32_t i = 0; i < 2 * arrows->count; i++) {

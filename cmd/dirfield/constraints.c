@@ -35,9 +35,8 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
         while (key < KEYS && !hatch_text_is(field, key_names[key]))
             key++;
         if (key == KEYS || header->column_of[key] >= 0)
-            return hatch_fail(err, HATCH_BAD_INPUT, "header: '%.*s' %s",
-                              (int)(field.length < 40 ? field.length : 40), field.at,
-                              key == KEYS ? "is no column of constraints" : "stands twice");
+            return hatch_fail(err, HATCH_BAD_INPUT, "header: '%.*s' %s", (int)(field.length < 40 ? field.length : 40),
+                              field.at, key == KEYS ? "is no column of constraints" : "stands twice");
         header->column_of[key] = (int)header->columns;
     }
     bool by_vertex = header->column_of[VERTEX] >= 0;
@@ -64,8 +63,8 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %u %s, want %u", row, column,
                           cmd_noun(column, "field", "fields"), header->columns);
     if (!(values[WEIGHT] > 0 && values[WEIGHT] <= WEIGHT_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: weight %g, want over 0 and at most %g", row,
-                          values[WEIGHT], WEIGHT_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: weight %g, want over 0 and at most %g", row, values[WEIGHT],
+                          WEIGHT_MAX);
     double length = hatch_vec_length(&values[DX]);
     if (!(length > 0 && isfinite(length)))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the direction has no length", row);
@@ -87,13 +86,13 @@ static enum hatch_status find_vertex(const struct places *places, double vertex,
         }
         first += count;
     }
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.10g, want a whole number from 0 to %.0f", row,
-                      vertex, first - 1);
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.10g, want a whole number from 0 to %.0f", row, vertex,
+                      first - 1);
 }
 
 /* How far a position of the scene is from a part's nearest point, where a pose shows it. */
-static double distance(const struct dirfield_part *part, const struct dirfield_pose *pose,
-                       const double position[3], uint32_t *point)
+static double distance(const struct dirfield_part *part, const struct dirfield_pose *pose, const double position[3],
+                       uint32_t *point)
 {
     double offset[3], local[3], at[3], shown[3];
     hatch_vec_sub(position, pose->offset, offset);
@@ -125,8 +124,8 @@ static bool find_nearest(const struct places *places, const double position[3], 
 }
 
 /* Where two rows meet at one point, the later one counts: it stands later in the part's list. */
-static enum hatch_status add(struct cmd_args *args, struct dirfield_part *part,
-                             struct dirfield_constraint constraint, struct hatch_err *err)
+static enum hatch_status add(struct cmd_args *args, struct dirfield_part *part, struct dirfield_constraint constraint,
+                             struct hatch_err *err)
 {
     uint32_t count = part->constraint_count;
     if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8 ... */
@@ -197,8 +196,7 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
     return header.columns ? HATCH_OK : hatch_fail(err, HATCH_BAD_INPUT, "no header line");
 }
 
-void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts,
-                               uint32_t count)
+void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts, uint32_t count)
 {
     struct hatch_err err;
     struct places places = {.parts = parts, .part_count = count};

@@ -10,12 +10,12 @@
 #include "field/field.h"
 
 struct dirfield_options {
-    double turn_deg;      /* from the first principal direction, counter-clockwise seen from outside */
+    double turn_deg;         /* from the first principal direction, counter-clockwise seen from outside */
     const char *constraints; /* a table of them, or NULL */
-    double coarse_faces;  /* fit to meshes of so many faces together; 0: to the meshes as they are */
+    double coarse_faces;     /* fit to meshes of so many faces together; 0: to the meshes as they are */
     struct hatch_curvature_options curvature;
     struct hatch_field_options field;
-    char comment[160];    /* for the file */
+    char comment[160]; /* for the file */
 };
 
 /* The outputs; those without one are not asked for. */
@@ -35,7 +35,7 @@ struct dirfield_pose {
 /* A direction given by hand. */
 struct dirfield_constraint {
     uint32_t point;
-    uint32_t line; /* of the file */
+    uint32_t line;               /* of the file */
     double direction[3], weight; /* in the mesh's coordinates */
 };
 
@@ -46,7 +46,7 @@ struct dirfield_part {
     uint32_t number;
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
-    double share; /* of the faces of all meshes */
+    double share;        /* of the faces of all meshes */
     uint32_t pose_count; /* 0: no node shows it */
     struct dirfield_pose *poses;
     uint32_t constraint_count;
@@ -68,12 +68,10 @@ void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], d
 bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3]);
 
 /* Reads a table of constraints and gives each part its own. Dies on failure. */
-void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts,
-                               uint32_t count);
+void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts, uint32_t count);
 
 /* Computes the field of a part, and the singularities. Dies on failure. */
-void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
-                    struct dirfield_part *part);
+void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_part *part);
 
 #define DIRFIELD_REPORT_COLUMNS 25
 

@@ -57,7 +57,7 @@ bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], 
         hatch_vec_cross(pose->matrix[(row + 1) % 3], pose->matrix[(row + 2) % 3], cofactors[row]);
     double determinant = hatch_vec_dot(pose->matrix[0], cofactors[0]);
     for (int k = 0; k < 3; k++)
-        mesh[k] = (cofactors[0][k] * vector[0] + cofactors[1][k] * vector[1] + cofactors[2][k] * vector[2]) /
-                  determinant;
+        mesh[k] =
+            (cofactors[0][k] * vector[0] + cofactors[1][k] * vector[1] + cofactors[2][k] * vector[2]) / determinant;
     return isfinite(hatch_vec_length(mesh));
 }

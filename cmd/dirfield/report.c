@@ -6,10 +6,31 @@
 #include "dirfield.h"
 #include "math/vector.h"
 
-enum { KIND, MESH, COMPONENT, POINTS, FACES, BORDERS, EULER, INDEX_SUM, SINGULARITIES, INDEX, X, Y, Z,
-       CONFIDENCE, SMOOTHNESS = CONFIDENCE + 3, DISAGREEMENT, ENERGY, ITERATIONS, RESIDUAL, TIMES,
-       COLUMNS = TIMES + PHASE_COUNT };
+enum {
+    KIND,
+    MESH,
+    COMPONENT,
+    POINTS,
+    FACES,
+    BORDERS,
+    EULER,
+    INDEX_SUM,
+    SINGULARITIES,
+    INDEX,
+    X,
+    Y,
+    Z,
+    CONFIDENCE,
+    SMOOTHNESS = CONFIDENCE + 3,
+    DISAGREEMENT,
+    ENERGY,
+    ITERATIONS,
+    RESIDUAL,
+    TIMES,
+    COLUMNS = TIMES + PHASE_COUNT
+};
 
+/* clang-format off */
 static const char *const columns[COLUMNS + 1] = {
     "kind",           "mesh",         "component",      "points",         "faces",
     "border_loops",   "euler",        "index_sum",      "singularities",  "index",
@@ -17,6 +38,7 @@ static const char *const columns[COLUMNS + 1] = {
     "confidence_p75", "smoothness",   "disagreement",   "energy",         "iterations",
     "residual",       "surfaces_ms",  "frames_ms",      "curvature_ms",   "field_ms",
     NULL};
+/* clang-format on */
 
 _Static_assert(COLUMNS <= DIRFIELD_REPORT_COLUMNS, "the last row has no room");
 
@@ -50,8 +72,7 @@ static void put_quartiles(struct hatch_weighted *values, uint32_t count, double 
 }
 
 /* Components follow one another by points and by faces. */
-static struct hatch_weighted *add_confidence(struct dirfield_report *report,
-                                             const struct dirfield_part *part,
+static struct hatch_weighted *add_confidence(struct dirfield_report *report, const struct dirfield_part *part,
                                              const struct hatch_component *component)
 {
     struct hatch_weighted *values = &report->confidence[report->points];
@@ -132,8 +153,7 @@ void dirfield_report_add(struct dirfield_report *report, const struct dirfield_p
     put_mesh(report, part);
     for (uint32_t c = 0; c < part->surface->component_count; c++) {
         uint32_t end = first;
-        while (end < part->singular.count &&
-               component_of_face(part->surface, part->singular.faces[end]) == c)
+        while (end < part->singular.count && component_of_face(part->surface, part->singular.faces[end]) == c)
             end++;
         put_component(report, part, c, end - first);
         for (; first < end; first++)

@@ -24,8 +24,8 @@ static void make_parts(struct run *run)
     run->parts = HATCH_NEW(&run->args->keep, struct dirfield_part, count, &err);
     cmd_check(run->parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
-        run->parts[i] = (struct dirfield_part){cmd_input_name(run->input), i, &run->scene.meshes[i],
-                                               &surfaces[i], .share = 0};
+        run->parts[i] =
+            (struct dirfield_part){cmd_input_name(run->input), i, &run->scene.meshes[i], &surfaces[i], .share = 0};
         run->faces += surfaces[i].face_count;
     }
     for (uint32_t i = 0; i < count; i++)
@@ -61,8 +61,7 @@ static void work(struct run *run, struct dirfield_part *part)
 {
     hatch_arena_init(&part->work, run->args->max_memory);
     dirfield_solve(run->args, run->options, part);
-    cmd_attach_field(run->args, part->name, part->surface, part->field.direction, part->field.confidence,
-                     part->mesh);
+    cmd_attach_field(run->args, part->name, part->surface, part->field.direction, part->field.confidence, part->mesh);
     if (run->files[DIRFIELD_REPORT].output)
         dirfield_report_add(&run->report, part);
     if (run->files[DIRFIELD_ARROWS].output)

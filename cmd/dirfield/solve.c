@@ -36,8 +36,7 @@ static void turn(const struct hatch_frames *frames, const struct hatch_surface *
     }
 }
 
-static enum hatch_status check_sides(const struct hatch_surface *surface, double degrees,
-                                     struct hatch_err *err)
+static enum hatch_status check_sides(const struct hatch_surface *surface, double degrees, struct hatch_err *err)
 {
     for (uint32_t c = 0; c < surface->component_count && fmod(degrees, 90) != 0; c++)
         if (!surface->components[c].orientable)
@@ -49,17 +48,15 @@ static enum hatch_status check_sides(const struct hatch_surface *surface, double
 }
 
 static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_options *options,
-                                  struct dirfield_part *part, struct hatch_curvature *curvature,
-                                  struct hatch_err *err)
+                                  struct dirfield_part *part, struct hatch_curvature *curvature, struct hatch_err *err)
 {
     if (!(options->coarse_faces > 0))
-        return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature,
-                                        cmd_pool(args), &part->work, &args->scratch, curvature, err);
+        return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature, cmd_pool(args), &part->work,
+                                        &args->scratch, curvature, err);
     struct hatch_mesh coarse;
     uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * part->share));
     HATCH_TRY(hatch_mesh_decimate(&part->mesh->mesh, faces, &part->work, &args->scratch, &coarse, NULL, err));
-    return hatch_curvature_coarse(part->surface, &part->frames, &coarse, &part->work, &args->scratch,
-                                  curvature, err);
+    return hatch_curvature_coarse(part->surface, &part->frames, &coarse, &part->work, &args->scratch, curvature, err);
 }
 
 /* What was given by hand replaces what was found. */
@@ -87,8 +84,7 @@ static void constrain(const char *file, struct dirfield_part *part, double *dire
     }
 }
 
-void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options,
-                    struct dirfield_part *part)
+void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_part *part)
 {
     struct hatch_err err;
     struct hatch_curvature curvature;
@@ -112,10 +108,14 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
 
     begun_ms = cmd_elapsed_ms();
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard, true};
-    check(part, hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args),
-                                  &part->work, &args->scratch, &part->field, &err), &err);
+    check(part,
+          hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args), &part->work,
+                            &args->scratch, &part->field, &err),
+          &err);
     hatch_field_own_up(part->surface, made_up, &part->field);
     end_phase(part, PHASE_FIELD, begun_ms);
-    check(part, hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work,
-                                          &args->scratch, &part->singular, &err), &err);
+    check(part,
+          hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work, &args->scratch,
+                                    &part->singular, &err),
+          &err);
 }

@@ -2,13 +2,12 @@
 #include "filter/difference.h"
 #include "subject.h"
 
-static const char *const columns[] = {"max",       "mean",      "bias",      "rmse",      "psnr_db", "differing",
+static const char *const columns[] = {"max",      "mean",      "bias",      "rmse",      "psnr_db", "differing",
                                       "max_box8", "max_box16", "max_box32", "max_box64", NULL};
 static const uint32_t boxes_px[] = {8, 16, 32, 64};
 #define BOXES (sizeof boxes_px / sizeof *boxes_px)
 
-enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options,
-                            struct cmd_output *output)
+enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     struct hatch_image a, b;
     const char *const *paths = (const char *const *)args->operands + 1;

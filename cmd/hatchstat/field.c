@@ -4,10 +4,9 @@
 #include "subject.h"
 
 static const char *const columns[] = {
-    "file",           "points",         "faces",          "components", "euler",
-    "index_sum",      "singularities",  "smoothness",     "confidence_p25", "confidence_p50",
-    "confidence_p75", "uv_deg_p50",     "uv_deg_p75",     "uv_deg_p95", "compared",
-    "deg_p50",        "deg_p75",        "deg_p95",        "deg_max",    NULL};
+    "file",       "points",         "faces",          "components",     "euler",      "index_sum",  "singularities",
+    "smoothness", "confidence_p25", "confidence_p50", "confidence_p75", "uv_deg_p50", "uv_deg_p75", "uv_deg_p95",
+    "compared",   "deg_p50",        "deg_p75",        "deg_p95",        "deg_max",    NULL};
 
 static void report_row(struct cmd_report *report, const char *name, const struct hatch_field_figures *f)
 {
@@ -44,8 +43,8 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
         cmd_die(name, &err);
     }
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
-        enum hatch_status status = hatch_measure_field_add(
-            &sum, &scene.meshes[i].mesh, reference ? &reference->meshes[i].mesh : NULL, &err);
+        enum hatch_status status =
+            hatch_measure_field_add(&sum, &scene.meshes[i].mesh, reference ? &reference->meshes[i].mesh : NULL, &err);
         if (status != HATCH_OK && scene.mesh_count > 1)
             hatch_fail_at(&err, "mesh %u: ", i);
         cmd_check(status, name, &err);
@@ -54,8 +53,7 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
     report_row(report, name, &figures);
 }
 
-enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options,
-                             struct cmd_output *output)
+enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     struct cmd_report report;
     struct hatch_scene reference;

@@ -31,10 +31,8 @@ static struct hatch_image *load(struct cmd_args *args, int index, bool srgb, str
     struct hatch_err err;
     if (index > 0 && (image->width != before->width || image->height != before->height ||
                       image->channel_count != before->channel_count)) {
-        hatch_fail(&err, HATCH_BAD_INPUT,
-                   "%ux%u pixels of %u channels, the frame before has %ux%u of %u", image->width,
-                   image->height, image->channel_count, before->width, before->height,
-                   before->channel_count);
+        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels of %u channels, the frame before has %ux%u of %u", image->width,
+                   image->height, image->channel_count, before->width, before->height, before->channel_count);
         cmd_die(cmd_input_name(path), &err);
     }
     return image;
@@ -57,9 +55,8 @@ static void measure(struct cmd_args *args, bool srgb, int count, struct figures 
             struct hatch_image *two = &ring.images[(i + HELD - 2) % HELD];
             struct figures *middle = &figures[i - 1];
             middle->pop = hatch_image_second_difference(two, one, image, two);
-            cmd_check(hatch_image_low_difference(two, NULL, POP_BOX_PX, &args->scratch,
-                                                 &middle->pop_low, &err),
-                      NULL, &err);
+            cmd_check(hatch_image_low_difference(two, NULL, POP_BOX_PX, &args->scratch, &middle->pop_low, &err), NULL,
+                      &err);
         }
         cmd_progress("frames", (double)(i + 1) / count);
     }
@@ -67,8 +64,7 @@ static void measure(struct cmd_args *args, bool srgb, int count, struct figures 
         hatch_arena_free(&ring.arenas[i]);
 }
 
-static void put_row(struct cmd_report *report, const char *name, const struct figures *figures,
-                    double drift)
+static void put_row(struct cmd_report *report, const char *name, const struct figures *figures, double drift)
 {
     cmd_report_text(report, name);
     cmd_report_number(report, figures->mean);
@@ -93,8 +89,7 @@ static void put_summary(struct cmd_report *report, const struct figures *figures
     put_row(report, "all", &all, drift);
 }
 
-enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options,
-                              struct cmd_output *output)
+enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     int count = args->operand_count - 1;
     struct hatch_err err;
@@ -104,8 +99,7 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
     struct cmd_report report;
     cmd_report_begin(&report, args, columns);
     for (int i = 0; i < count; i++)
-        put_row(&report, cmd_input_name(args->operands[1 + i]), &figures[i],
-                figures[i].mean - figures[0].mean);
+        put_row(&report, cmd_input_name(args->operands[1 + i]), &figures[i], figures[i].mean - figures[0].mean);
     put_summary(&report, figures, count);
     cmd_report_write(&report, output);
     return HATCH_OK;

@@ -7,9 +7,9 @@
 #define SEED 1 /* of the samples: the same file has the same figures */
 
 static const char *const columns[] = {
-    "patches",  "hidden",      "faces",       "patch_faces", "overlap",  "samples",  "covered",
-    "opacity",  "flipped",     "stretch_p50", "stretch_p95", "stretch_p99", "stretch_max", "area_p50",
-    "area_p95", "area_p99",    "area_max",    "angle_p50",   "angle_p95", "angle_p99", "angle_max",
+    "patches",        "hidden",         "faces",          "patch_faces", "overlap",     "samples",     "covered",
+    "opacity",        "flipped",        "stretch_p50",    "stretch_p95", "stretch_p99", "stretch_max", "area_p50",
+    "area_p95",       "area_p99",       "area_max",       "angle_p50",   "angle_p95",   "angle_p99",   "angle_max",
     "angle_area_p50", "angle_area_p95", "angle_area_p99", NULL};
 
 /* The pixels of the textures that patches show themselves with. */
@@ -73,8 +73,7 @@ static bool holds(const char *name, const struct hatch_lapped_figures *f)
     return all;
 }
 
-enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options,
-                              struct cmd_output *output)
+enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL, *name = cmd_input_name(path);
     struct hatch_scene scene;
@@ -83,8 +82,7 @@ enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *
     struct hatch_err err;
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     const struct hatch_image *masks = read_masks(args, name, &scene);
-    cmd_check(hatch_measure_lapped(&scene, masks, (uint32_t)options->samples, SEED, &args->scratch, &figures,
-                                   &err),
+    cmd_check(hatch_measure_lapped(&scene, masks, (uint32_t)options->samples, SEED, &args->scratch, &figures, &err),
               name, &err);
     cmd_report_begin(&report, args, columns);
     put(&report, &figures);

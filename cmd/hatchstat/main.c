@@ -6,24 +6,22 @@
 static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1, .samples = 100000};
 
 static const struct cmd_option options[] = {
-    {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
-     "diff: exit 1 when the largest difference is over X (default: any)", &values.max_difference,
+    {'m', "max-difference", CMD_REAL, 0, 1e9, "X", "diff: exit 1 when the largest difference is over X (default: any)",
+     &values.max_difference, NULL, NULL},
+    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames, ink: measure sRGB numbers in place of linear light", &values.srgb,
      NULL, NULL},
-    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames, ink: measure sRGB numbers in place of linear light",
-     &values.srgb, NULL, NULL},
-    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: its strokes, as tamgen --strokes wrote them",
-     &values.strokes, NULL, NULL},
-    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: what they were drawn with (default: as FILE says)",
-     &values.style, NULL, NULL},
+    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: its strokes, as tamgen --strokes wrote them", &values.strokes, NULL,
+     NULL},
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: what they were drawn with (default: as FILE says)", &values.style,
+     NULL, NULL},
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: tamgen's --set", &values.settings, NULL, NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
-    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with (default 8)",
-     &values.throws, NULL, NULL},
+    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with (default 8)", &values.throws,
+     NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a bar is missed: see the manual",
      &values.check, NULL, NULL},
     {'R', "reference", CMD_TEXT, 0, 0, "FILE",
-     "field: the one that is wanted; tones: the map of FILE; ink: another picture",
-     &values.reference, NULL, NULL},
+     "field: the one that is wanted; tones: the map of FILE; ink: another picture", &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
      &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: places that are looked at (default 100000)",
@@ -79,8 +77,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
         if (strcmp(subjects[i].name, args.operands[0]) != 0)
             continue;
-        if (files < subjects[i].files_min ||
-            (subjects[i].files_max >= 0 && files > subjects[i].files_max))
+        if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
             cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_noun((uint64_t)files, "file", "files"),
                       subjects[i].want);
         /* What asks for an exit status must not be passed over. */

@@ -3,6 +3,7 @@
 #include "measure/mesh_figures.h"
 #include "subject.h"
 
+/* clang-format off */
 static const char *const columns[] = {
     "file",           "vertices",        "faces",           "points",
     "unused",         "components",      "boundary_loops",  "euler",
@@ -13,6 +14,7 @@ static const char *const columns[] = {
     "uv",             "uv_degenerate",   "uv_mirrored",     "angle_p5",
     "angle_p50",      "angle_p95",       "texels_p5",       "texels_p50",
     "texels_p95",     NULL};
+/* clang-format on */
 
 /* A mesh far from the origin (hatch_mesh_read) is measured where floats are fine; what was taken off goes to away. */
 static void take_place(struct hatch_scene *scene, double away[3])
@@ -28,10 +30,10 @@ static void take_place(struct hatch_scene *scene, double away[3])
 static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double away[3],
                        const struct hatch_mesh_figures *f)
 {
-    const uint32_t counts[] = {file_vertices, f->faces, f->points, f->unused_vertices,
-                               f->components, f->boundary_loops};
-    const uint32_t faults[] = {f->non_manifold_edges, f->non_manifold_points, f->degenerate_faces,
-                               f->duplicate_faces, f->contrary_edges};
+    const uint32_t counts[] = {file_vertices,      f->faces,      f->points,
+                               f->unused_vertices, f->components, f->boundary_loops};
+    const uint32_t faults[] = {f->non_manifold_edges, f->non_manifold_points, f->degenerate_faces, f->duplicate_faces,
+                               f->contrary_edges};
     if (report->columns == columns)
         cmd_report_text(report, name);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
@@ -82,8 +84,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     cmd_warn_mesh(name, &notes);
 }
 
-enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options,
-                            struct cmd_output *output)
+enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     (void)options;
     struct cmd_report report;

@@ -12,8 +12,8 @@ static void encode_srgb(struct hatch_image *image)
         }
 }
 
-void stat_read_picture(struct cmd_args *args, const char *path, bool srgb,
-                       struct hatch_arena *arena, struct hatch_image *image)
+void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
+                       struct hatch_image *image)
 {
     cmd_read_picture(args, path, 0, arena ? arena : &args->keep, image);
     if (srgb)
@@ -34,20 +34,18 @@ static void widen(struct hatch_arena *arena, struct hatch_image *image)
 {
     struct hatch_err err;
     struct hatch_image wide;
-    cmd_check(hatch_image_make(arena, image->width, image->height, "RGBA", &wide, &err), NULL,
-              &err);
+    cmd_check(hatch_image_make(arena, image->width, image->height, "RGBA", &wide, &err), NULL, &err);
     for (size_t i = 0; i < (size_t)image->width * image->height; i++)
         as_rgba(image, i, wide.pixels + 4 * i);
     *image = wide;
 }
 
-void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first,
-                     struct hatch_image *image)
+void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first, struct hatch_image *image)
 {
     struct hatch_err err;
     if (first->width != image->width || first->height != image->height) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels, the first picture has %ux%u", image->width,
-                   image->height, first->width, first->height);
+        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels, the first picture has %ux%u", image->width, image->height,
+                   first->width, first->height);
         cmd_die(cmd_input_name(path), &err);
     }
     if (first->channel_count == image->channel_count)

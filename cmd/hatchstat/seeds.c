@@ -5,9 +5,9 @@
 #include "subject.h"
 
 static const char *const columns[] = {
-    "layer",           "seeds",         "uneven",      "astray",      "distance",  "distance_sparse",
-    "distance_random", "distance_bayer", "discrepancy", "correlation", "power_1_4", "power_1_2",
-    "power_3_4",       "power_1",       NULL};
+    "layer",           "seeds",           "uneven",         "astray",      "distance",
+    "distance_sparse", "distance_random", "distance_bayer", "discrepancy", "correlation",
+    "power_1_4",       "power_1_2",       "power_3_4",      "power_1",     NULL};
 
 static void report_row(struct cmd_report *report, uint32_t layer, const struct hatch_seed_figures *f)
 {
@@ -25,8 +25,7 @@ static void report_row(struct cmd_report *report, uint32_t layer, const struct h
         cmd_report_number(report, f->whole ? f->power[ring] : (double)NAN);
 }
 
-enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options,
-                             struct cmd_output *output)
+enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
     const char *name = cmd_input_name(path);
@@ -38,8 +37,7 @@ enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *o
     cmd_report_begin(&report, args, columns);
     for (uint32_t i = 0; i < seeds.layer_count; i++) {
         struct hatch_seed_figures figures;
-        cmd_check(hatch_measure_seeds(&seeds.layers[i], (uint32_t)options->throws, &args->scratch,
-                                      &figures, &err),
+        cmd_check(hatch_measure_seeds(&seeds.layers[i], (uint32_t)options->throws, &args->scratch, &figures, &err),
                   name, &err);
         report_row(&report, i + 1, &figures);
         good = good && !figures.uneven && !figures.astray;

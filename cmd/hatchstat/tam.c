@@ -11,11 +11,10 @@
 #define FINEST_ERROR 0.003
 #define ERROR 0.02
 
-static const char *const columns[] = {
-    "tone",    "level",   "size",    "target", "mean",   "error",    "allowed",  "allowed_by",
-    "stroke",  "lighter", "missing", "seam_x", "seam_y", "spread32", "spread16", "spread8",
-    "spread4", "even32",  "even16",  "even8",  "even4",
-    "chroma",  "hue_error", NULL};
+static const char *const columns[] = {"tone",    "level",      "size",     "target",  "mean",      "error",
+                                      "allowed", "allowed_by", "stroke",   "lighter", "missing",   "seam_x",
+                                      "seam_y",  "spread32",   "spread16", "spread8", "spread4",   "even32",
+                                      "even16",  "even8",      "even4",    "chroma",  "hue_error", NULL};
 
 /* A map with all that is known of it. */
 struct subject {
@@ -25,9 +24,8 @@ struct subject {
     struct hatch_style style;
     struct hatch_brush brush;
     struct hatch_tam_strokes strokes;
-    double
-        stroke_darkness[HATCH_MIP_LEVELS_MAX]; /* NaN without strokes, and where none are drawn */
-    double *evenness;                          /* of each tone's finest image, or NULL */
+    double stroke_darkness[HATCH_MIP_LEVELS_MAX]; /* NaN without strokes, and where none are drawn */
+    double *evenness;                             /* of each tone's finest image, or NULL */
 };
 
 /* What the last row says. */
@@ -40,44 +38,38 @@ struct summary {
 
 static double growth_of(const struct hatch_tam *tam)
 {
-    const struct hatch_attribute *growth =
-        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_GROWTH);
+    const struct hatch_attribute *growth = hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_GROWTH);
     return growth && growth->number > 0 && growth->number < 1 ? growth->number : 0;
 }
 
 /* What the user says, else what the map says, where that can be had. */
-static const char *style_of(struct cmd_args *args, const struct stat_options *options,
-                            const struct hatch_tam *tam)
+static const char *style_of(struct cmd_args *args, const struct stat_options *options, const struct hatch_tam *tam)
 {
-    const struct hatch_attribute *named =
-        hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
+    const struct hatch_attribute *named = hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
     if (options->style)
         return options->style;
     if (!named || !named->text)
         return "ink";
     if (!cmd_has_style(args, named->text))
-        cmd_usage("the map's style '%s' does not come with the commands: --style says where it is",
-                  named->text);
+        cmd_usage("the map's style '%s' does not come with the commands: --style says where it is", named->text);
     return named->text;
 }
 
-static void read_strokes(struct cmd_args *args, const struct stat_options *options,
-                         struct subject *subject)
+static void read_strokes(struct cmd_args *args, const struct stat_options *options, struct subject *subject)
 {
     struct hatch_err err;
     struct hatch_tam *tam = &subject->tam;
     cmd_read_style(args, style_of(args, options, tam), options->settings, options->brush, &subject->style,
                    &subject->brush);
-    cmd_check(hatch_script_parse(cmd_read(args, options->strokes), tam->size_px, &args->keep,
-                                 &subject->list, &err),
+    cmd_check(hatch_script_parse(cmd_read(args, options->strokes), tam->size_px, &args->keep, &subject->list, &err),
               cmd_input_name(options->strokes), &err);
     subject->has_strokes = true;
-    subject->strokes = (struct hatch_tam_strokes){&subject->list, &subject->style, &subject->brush,
-                                                  (float)growth_of(tam)};
+    subject->strokes =
+        (struct hatch_tam_strokes){&subject->list, &subject->style, &subject->brush, (float)growth_of(tam)};
 }
 
-static void measure_strokes(struct cmd_args *args, const struct stat_options *options,
-                            struct subject *subject, struct summary *summary)
+static void measure_strokes(struct cmd_args *args, const struct stat_options *options, struct subject *subject,
+                            struct summary *summary)
 {
     struct hatch_err err;
     const struct hatch_tam *tam = &subject->tam;
@@ -86,14 +78,11 @@ static void measure_strokes(struct cmd_args *args, const struct stat_options *op
         cmd_check(hatch_measure_stroke_darkness(tam, &subject->strokes, level, &args->scratch,
                                                 &subject->stroke_darkness[level], &err),
                   name, &err);
-    cmd_check(
-        hatch_measure_tam_nesting(tam, &subject->strokes, &args->scratch, &summary->missing, &err),
-        name, &err);
-    subject->evenness =
-        HATCH_NEW(&args->keep, double, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err);
+    cmd_check(hatch_measure_tam_nesting(tam, &subject->strokes, &args->scratch, &summary->missing, &err), name, &err);
+    subject->evenness = HATCH_NEW(&args->keep, double, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err);
     cmd_check(subject->evenness ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    cmd_check(hatch_measure_evenness(tam, &subject->strokes, (uint32_t)options->throws,
-                                     &args->scratch, subject->evenness, &err),
+    cmd_check(hatch_measure_evenness(tam, &subject->strokes, (uint32_t)options->throws, &args->scratch,
+                                     subject->evenness, &err),
               name, &err);
 }
 
@@ -111,9 +100,8 @@ static void put_numbers(struct cmd_report *report, const double *numbers, uint32
         cmd_report_number(report, numbers ? numbers[i] : NAN);
 }
 
-static void put_image(struct cmd_report *report, const struct subject *subject, uint32_t tone,
-                      uint32_t level, const struct hatch_tam_image_figures *f,
-                      struct summary *summary)
+static void put_image(struct cmd_report *report, const struct subject *subject, uint32_t tone, uint32_t level,
+                      const struct hatch_tam_image_figures *f, struct summary *summary)
 {
     const char *by;
     double allowed = allowed_error(subject, level, &by);
@@ -128,8 +116,7 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
     cmd_report_number(report, NAN);
     put_numbers(report, f->seam_z, 2);
     put_numbers(report, f->spread, HATCH_EVENNESS_BOXES);
-    const double *even =
-        level || !subject->evenness ? NULL : subject->evenness + tone * HATCH_EVENNESS_BOXES;
+    const double *even = level || !subject->evenness ? NULL : subject->evenness + tone * HATCH_EVENNESS_BOXES;
     put_numbers(report, even, HATCH_EVENNESS_BOXES);
     cmd_report_number(report, f->chroma);
     cmd_report_number(report, f->hue_error_deg);
@@ -149,8 +136,7 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
         summary->seam[axis] += f->seam_z[axis];
 }
 
-static void put_summary(struct cmd_report *report, const struct subject *subject,
-                        const struct summary *s)
+static void put_summary(struct cmd_report *report, const struct subject *subject, const struct summary *s)
 {
     const double seam[] = {s->seam[0] / s->images, s->seam[1] / s->images};
     cmd_report_text(report, "all");
@@ -173,8 +159,7 @@ static void put_summary(struct cmd_report *report, const struct subject *subject
     cmd_report_number(report, s->hue_error);
 }
 
-enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options,
-                           struct cmd_output *output)
+enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     struct hatch_err err;
     struct subject subject = {.has_strokes = false};
@@ -194,9 +179,8 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
     for (uint32_t tone = 0; tone < subject.tam.tones; tone++)
         for (uint32_t level = 0; level < subject.tam.columns[tone].level_count; level++) {
             struct hatch_tam_image_figures figures;
-            cmd_check(
-                hatch_measure_tam_image(&subject.tam, tone, level, &args->scratch, &figures, &err),
-                cmd_input_name(path), &err);
+            cmd_check(hatch_measure_tam_image(&subject.tam, tone, level, &args->scratch, &figures, &err),
+                      cmd_input_name(path), &err);
             put_image(&report, &subject, tone, level, &figures, &summary);
         }
     put_summary(&report, &subject, &summary);

@@ -11,8 +11,8 @@
 #include "tam/thresholds.h"
 #include "tam/volume.h"
 
-static const char *const columns[] = {"lod",   "bytes",     "tone_error", "tone_worst", "error",
-                                      "error_max", "grey", "grey_all",   NULL};
+static const char *const columns[] = {"lod",       "bytes", "tone_error", "tone_worst", "error",
+                                      "error_max", "grey",  "grey_all",   NULL};
 
 struct subject {
     size_t bytes; /* of texels */
@@ -51,8 +51,7 @@ static size_t texel_bytes(const struct hatch_texels *texels)
 }
 
 /* Which kind a texture is shows in its form and its keys. */
-static void open_texture(struct cmd_args *args, const char *name, struct hatch_bytes file,
-                         struct subject *subject)
+static void open_texture(struct cmd_args *args, const char *name, struct hatch_bytes file, struct subject *subject)
 {
     struct hatch_err err;
     struct hatch_texels texels, plain;
@@ -94,8 +93,7 @@ static void open_subject(struct cmd_args *args, const char *path, struct subject
     subject->what = map;
 }
 
-enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options,
-                             struct cmd_output *output)
+enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     struct hatch_err err;
     struct subject subject = {0};

@@ -28,11 +28,10 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
         cmd_add_field(args, part->name, part->surface, part->mesh);
         return;
     }
-    cmd_check(hatch_surface_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh,
-                                 &vertex_point, &err),
-              part->name, &err);
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_CREASE_RAD, &err),
-              part->name, &err);
+    cmd_check(
+        hatch_surface_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh, &vertex_point, &err),
+        part->name, &err);
+    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_CREASE_RAD, &err), part->name, &err);
     part->mesh->mesh = mesh;
 }
 
@@ -46,9 +45,8 @@ static bool same_surface(const struct hatch_mesh *a, const struct hatch_mesh *b)
 }
 
 static enum hatch_status make_patches(struct cmd_args *args, const struct lapped_param_options *options,
-                                      const struct hatch_outline *outline,
-                                      const struct lapped_param_part *part, const struct hatch_mesh *source,
-                                      struct work *work, struct hatch_err *err)
+                                      const struct hatch_outline *outline, const struct lapped_param_part *part,
+                                      const struct hatch_mesh *source, struct work *work, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &part->mesh->mesh;
     struct hatch_surface_notes notes;
@@ -69,8 +67,8 @@ static enum hatch_status make_patches(struct cmd_args *args, const struct lapped
                              cmd_pool(args), &work->arena, &args->scratch, &work->lapped, err);
 }
 
-static enum hatch_status make_meshes(struct cmd_args *args, const struct work *work,
-                                     struct lapped_param_part *part, struct hatch_err *err)
+static enum hatch_status make_meshes(struct cmd_args *args, const struct work *work, struct lapped_param_part *part,
+                                     struct hatch_err *err)
 {
     const struct hatch_lapped *lapped = &work->lapped;
     part->made = HATCH_NEW(&args->keep, struct hatch_scene_mesh, lapped->patch_count, err);
@@ -78,22 +76,21 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
         return HATCH_LIMIT;
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         part->made[p] = *part->mesh;
-        HATCH_TRY(hatch_lapped_mesh(&work->surface, &part->mesh->mesh, lapped, p, work->direction,
-                                    work->confidence, part->tile, &args->keep, &args->scratch,
-                                    &part->made[p].mesh, err));
+        HATCH_TRY(hatch_lapped_mesh(&work->surface, &part->mesh->mesh, lapped, p, work->direction, work->confidence,
+                                    part->tile, &args->keep, &args->scratch, &part->made[p].mesh, err));
     }
     part->made_count = lapped->patch_count;
     return HATCH_OK;
 }
 
 /* class_of: per corner the first one at its vertex with its texture coordinates. */
-static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last,
-                         uint32_t *before, uint32_t *class_of)
+static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last, uint32_t *before,
+                         uint32_t *class_of)
 {
     for (uint32_t c = 0; c < 3 * surface->face_count; c++) {
         uint32_t vertex = surface->corner_vertex[c], found = last[vertex];
-        while (found > 0 && memcmp(&texcoords[2 * (size_t)(found - 1)], &texcoords[2 * (size_t)c],
-                                   2 * sizeof *texcoords) != 0)
+        while (found > 0 &&
+               memcmp(&texcoords[2 * (size_t)(found - 1)], &texcoords[2 * (size_t)c], 2 * sizeof *texcoords) != 0)
             found = before[found - 1];
         if (found == 0) {
             before[c] = last[vertex];
@@ -122,8 +119,8 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     find_classes(surface, texcoords, last, before, class_of);
     HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, vertex,
                                 &splits, err));
-    HATCH_TRY(hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep,
-                                &made->mesh, err));
+    HATCH_TRY(
+        hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep, &made->mesh, err));
     HATCH_TRY(hatch_mesh_add(&args->keep, &made->mesh, "TEXCOORD_0", 2, &uv, err));
     memcpy(made->mesh.indices, vertex, corners * sizeof *vertex);
     for (size_t v = 0; v < splits.count; v++)
@@ -132,9 +129,8 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     return HATCH_OK;
 }
 
-static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_outline *outline,
-                                    const struct work *work, struct lapped_param_part *part,
-                                    struct hatch_err *err)
+static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_outline *outline, const struct work *work,
+                                    struct lapped_param_part *part, struct hatch_err *err)
 {
     double scale;
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -144,8 +140,8 @@ static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_ou
         return HATCH_LIMIT;
     part->made[0] = *part->mesh;
     part->made_count = 1;
-    HATCH_TRY(hatch_lapped_atlas(&work->surface, &work->lapped, outline, ATLAS_MARGIN, &args->scratch,
-                                 texcoords, &scale, err));
+    HATCH_TRY(hatch_lapped_atlas(&work->surface, &work->lapped, outline, ATLAS_MARGIN, &args->scratch, texcoords,
+                                 &scale, err));
     part->atlas_side = 1 / scale;
     HATCH_TRY(split(args, work, texcoords, &part->made[0], err));
     hatch_arena_rewind(&args->scratch, mark);
@@ -161,8 +157,7 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
     hatch_arena_init(&work.arena, args->max_memory);
     prepare(args, part);
     cmd_check(make_patches(args, options, outline, part, &source, &work, &err), part->name, &err);
-    cmd_check(options->atlas ? make_atlas(args, outline, &work, part, &err)
-                             : make_meshes(args, &work, part, &err),
+    cmd_check(options->atlas ? make_atlas(args, outline, &work, part, &err) : make_meshes(args, &work, part, &err),
               part->name, &err);
     part->patches = work.lapped.patch_count;
     part->patch_faces = work.lapped.face_count;

@@ -40,8 +40,7 @@ static const float *place_of(const struct hatch_scene *scene, uint32_t n, const 
     return joints;
 }
 
-void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene,
-                          struct lapped_param_extent *extent)
+void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent)
 {
     struct hatch_err err;
     struct hatch_box box = {.any = false};

@@ -8,7 +8,7 @@
 
 struct lapped_param_options {
     struct hatch_lapped_options lapped; /* size: as a share of the scene's diagonal, or 0 */
-    double tile;         /* a tile's side in the scene's units; 0: a share of its diagonal */
+    double tile;                        /* a tile's side in the scene's units; 0: a share of its diagonal */
     double roughness, feather;
     uint32_t mask_px;
     bool atlas;
@@ -16,26 +16,25 @@ struct lapped_param_options {
 
 /* How large things are at rest, in the scene's units. */
 struct lapped_param_extent {
-    double diagonal;     /* of the box around all that the nodes draw */
-    double *scale;       /* per mesh: the scene's units for one of its own, where its first node puts it */
+    double diagonal; /* of the box around all that the nodes draw */
+    double *scale;   /* per mesh: the scene's units for one of its own, where its first node puts it */
 };
 
 /* One mesh of the scene and what is made of it. */
 struct lapped_param_part {
-    const char *name;    /* of the input, for messages */
+    const char *name; /* of the input, for messages */
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
-    double size, tile;   /* in the mesh's own terms */
+    double size, tile; /* in the mesh's own terms */
     struct hatch_scene_mesh *made;
     uint32_t made_count;
     uint32_t patches, faces, patch_faces, cut, enlarged, hidden; /* figures for --verbose */
     uint64_t placed;
-    double atlas_side;   /* length of a unit of texture coordinates on the mesh; 0: no atlas */
+    double atlas_side; /* length of a unit of texture coordinates on the mesh; 0: no atlas */
 };
 
 /* Memory: args->keep. Dies on failure, as all of these do. */
-void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene,
-                          struct lapped_param_extent *extent);
+void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent);
 
 /* Takes out of the scene what belongs to its old texture coordinates: those, tangents, and textures of
  * materials, about which it warns. Refuses a scene that is lapped. */
@@ -46,8 +45,7 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
                         const struct hatch_outline *outline, struct lapped_param_part *part);
 
 /* Puts what was made in place of the scene's meshes. */
-void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene,
-                          const struct lapped_param_part *parts);
+void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, const struct lapped_param_part *parts);
 
 /* Gives all meshes materials that show them where the mask does, and the scene the mask as a PNG. */
 void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,

@@ -14,25 +14,23 @@ static int64_t mask_size = 1024;
 static bool atlas, mask_given, tile_given;
 
 static const struct cmd_option options[] = {
-    {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
-     "of a patch, in diagonals of the scene (default: from the surface)", &size, NULL, NULL},
-    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where it is curved (default 0.5)", &curved,
-     NULL, NULL},
-    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.5)", &stretch, NULL,
+    {'S', "size", CMD_REAL, 0.001, 1, "SHARE", "of a patch, in diagonals of the scene (default: from the surface)",
+     &size, NULL, NULL},
+    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where it is curved (default 0.5)", &curved, NULL,
      NULL},
-    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 14)", &turn_deg,
-     NULL, NULL},
+    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.5)", &stretch, NULL, NULL},
+    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 14)", &turn_deg, NULL,
+     NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
-     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL,
-     &tile_given},
-    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)",
-     &roughness, NULL, NULL},
-    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.045)",
-     &feather, NULL, NULL},
+     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, &tile_given},
+    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)", &roughness,
+     NULL, NULL},
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.045)", &feather,
+     NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 1024)", &mask_size, NULL,
      &mask_given},
-    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "one ordinary layout of texture coordinates, without a mask", &atlas,
-     NULL, NULL},
+    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "one ordinary layout of texture coordinates, without a mask", &atlas, NULL,
+     NULL},
     {0},
 };
 
@@ -73,8 +71,8 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
 }
 
 /* Sizes in the terms of a mesh that the scene shows larger or smaller than it is. */
-static void set_sizes(const struct lapped_param_options *how, const struct lapped_param_extent *extent,
-                      uint32_t index, struct lapped_param_part *part)
+static void set_sizes(const struct lapped_param_options *how, const struct lapped_param_extent *extent, uint32_t index,
+                      struct lapped_param_part *part)
 {
     float low[3] = {0}, high[3] = {0};
     double diagonal = 0, scale = extent->scale[index];
@@ -85,15 +83,13 @@ static void set_sizes(const struct lapped_param_options *how, const struct lappe
     part->size = how->lapped.size > 0 ? fmin(how->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
 }
 
-static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
-                                       const struct lapped_param_options *how,
+static struct lapped_param_part *cover(struct cmd_args *args, const char *input, const struct lapped_param_options *how,
                                        const struct hatch_outline *outline, struct hatch_scene *scene)
 {
     struct hatch_err err;
     struct lapped_param_extent extent;
     const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
-    struct lapped_param_part *parts =
-        HATCH_NEW(&args->keep, struct lapped_param_part, scene->mesh_count, &err);
+    struct lapped_param_part *parts = HATCH_NEW(&args->keep, struct lapped_param_part, scene->mesh_count, &err);
     cmd_check(parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     lapped_param_measure(args, scene, &extent);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
@@ -123,8 +119,8 @@ static void describe(const struct lapped_param_part *parts, uint32_t count)
     }
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
         cmd_note("mesh %u: the side of its texture is %g long in the scene", i, parts[i].atlas_side);
-    cmd_note("%u %s, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face",
-             patches, cmd_noun(patches, "patch", "patches"), patch_faces / faces, hidden, cut, enlarged);
+    cmd_note("%u %s, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face", patches,
+             cmd_noun(patches, "patch", "patches"), patch_faces / faces, hidden, cut, enlarged);
     cmd_note("each face was placed %.1f times", placed / faces);
 }
 

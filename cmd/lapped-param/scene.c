@@ -60,11 +60,10 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
     cmd_check(textured ? HATCH_OK : HATCH_LIMIT, name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
-        const struct hatch_material *material =
-            mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
+        const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
         if (material && material->outline)
-            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: take the file that it was made of"),
-                      name, &err);
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: take the file that it was made of"), name,
+                      &err);
         if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
         clear_mesh(&mesh->mesh, material && material->normals.used ? &material->normals : NULL);
@@ -84,8 +83,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
                  cmd_noun(count, "texture", "textures"));
 }
 
-void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene,
-                          const struct lapped_param_part *parts)
+void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, const struct lapped_param_part *parts)
 {
     struct hatch_err err;
     size_t total = 0;

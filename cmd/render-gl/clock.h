@@ -10,8 +10,8 @@
 
 struct clock {
     GLuint queries[CLOCK_PASSES_MAX + 1]; /* moments: the begin, and the end of each pass */
-    bool every_pass;    /* the GPU finishes after each pass, so that their times are apart */
-    uint32_t count;     /* passes of the frame so far */
+    bool every_pass;                      /* the GPU finishes after each pass, so that their times are apart */
+    uint32_t count;                       /* passes of the frame so far */
     double wall_begin_s;
     double gpu_ms[CLOCK_PASSES_MAX], wall_ms[CLOCK_PASSES_MAX];
     const char *names[CLOCK_PASSES_MAX];

@@ -46,8 +46,7 @@ static enum hatch_status upload_six(const struct hatch_tam *map, struct hatch_ar
 {
     GLsizei chain = (GLsizei)map->columns[0].level_count;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &columns->texture);
-    glTextureStorage3D(columns->texture, chain, GL_RGBA8, (GLsizei)map->size_px,
-                       (GLsizei)map->size_px, 2);
+    glTextureStorage3D(columns->texture, chain, GL_RGBA8, (GLsizei)map->size_px, (GLsizei)map->size_px, 2);
     for (uint32_t half = 0; half < 2; half++) {
         for (GLsizei level = 0; level < chain; level++) {
             struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -62,8 +61,8 @@ static enum hatch_status upload_six(const struct hatch_tam *map, struct hatch_ar
                 for (size_t i = 0; i < count; i++)
                     texels[4 * i + c] = ink_of(image, i, 3, map->color);
             }
-            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)half, (GLsizei)size,
-                                (GLsizei)size, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)half, (GLsizei)size, (GLsizei)size, 1, GL_RGBA,
+                                GL_UNSIGNED_BYTE, texels);
             hatch_arena_rewind(scratch, mark);
         }
     }
@@ -77,8 +76,8 @@ static enum hatch_status upload_array(const struct hatch_tam *map, struct hatch_
     GLsizei chain = (GLsizei)map->columns[0].level_count;
     uint32_t channels = map->color ? 4 : 1;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &columns->texture);
-    glTextureStorage3D(columns->texture, chain, map->color ? GL_RGBA8 : GL_R8,
-                       (GLsizei)map->size_px, (GLsizei)map->size_px, (GLsizei)map->tones);
+    glTextureStorage3D(columns->texture, chain, map->color ? GL_RGBA8 : GL_R8, (GLsizei)map->size_px,
+                       (GLsizei)map->size_px, (GLsizei)map->tones);
     if (!map->color)
         glTextureParameteriv(columns->texture, GL_TEXTURE_SWIZZLE_RGBA, grey);
     for (uint32_t tone = 0; tone < map->tones; tone++)
@@ -90,24 +89,21 @@ static enum hatch_status upload_array(const struct hatch_tam *map, struct hatch_
             if (!texels)
                 return HATCH_LIMIT;
             for (size_t i = 0; i < channels * count; i++)
-                texels[i] = ink_of(&map->columns[tone].levels[level], i / channels,
-                                   (uint32_t)(i % channels), map->color);
-            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)tone, (GLsizei)size,
-                                (GLsizei)size, 1, map->color ? GL_RGBA : GL_RED, GL_UNSIGNED_BYTE,
-                                texels);
+                texels[i] =
+                    ink_of(&map->columns[tone].levels[level], i / channels, (uint32_t)(i % channels), map->color);
+            glTextureSubImage3D(columns->texture, level, 0, 0, (GLint)tone, (GLsizei)size, (GLsizei)size, 1,
+                                map->color ? GL_RGBA : GL_RED, GL_UNSIGNED_BYTE, texels);
             hatch_arena_rewind(scratch, mark);
         }
     return HATCH_OK;
 }
 
-enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form form,
-                                 float anisotropy, uint32_t size_max_px,
-                                 struct hatch_arena *scratch, struct gpu_columns *columns,
+enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form form, float anisotropy,
+                                 uint32_t size_max_px, struct hatch_arena *scratch, struct gpu_columns *columns,
                                  struct hatch_err *err)
 {
     if (map->size_px > size_max_px)
-        return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU takes %u",
-                          map->size_px, size_max_px);
+        return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU takes %u", map->size_px, size_max_px);
     struct gpu_columns made = {.form = form,
                                .size_px = map->size_px,
                                .levels = map->levels,
@@ -126,8 +122,8 @@ enum hatch_status columns_upload(const struct hatch_tam *map, enum columns_form 
     else if (form == COLUMNS_ARRAY)
         status = upload_array(map, scratch, &made, err);
     if (status == HATCH_OK && glGetError() == GL_OUT_OF_MEMORY)
-        status = hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %u columns of %u texels",
-                            made.count, made.size_px);
+        status =
+            hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %u columns of %u texels", made.count, made.size_px);
     columns_make_sampler(&made, anisotropy);
     if (status == HATCH_OK)
         *columns = made;

@@ -29,8 +29,7 @@ enum hatch_status context_open_window(struct context *context, uint32_t width, u
                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Reads the limits of the current context; both openers call it. HATCH_IO below OpenGL 4.5. */
-enum hatch_status context_read_limits(struct context *context, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status context_read_limits(struct context *context, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Releases the context, and its window. A zeroed struct is allowed. */
 void context_close(struct context *context);

@@ -40,13 +40,9 @@ static bool has_word(const char *words, const char *word)
 
 static bool make_current(struct context *context, EGLDisplay display)
 {
-    static const EGLint want[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                  4,
-                                  EGL_CONTEXT_MINOR_VERSION,
-                                  5,
-                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                  EGL_NONE};
+    static const EGLint want[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL))
         return false;
     EGLContext made = EGL_NO_CONTEXT;
@@ -68,16 +64,14 @@ static bool open_hardware(struct context *context, const char *extensions)
 {
     EGLDeviceEXT devices[DEVICES_MAX];
     EGLint count = 0;
-    if (!has_word(extensions, "EGL_EXT_platform_device") ||
-        !has_word(extensions, "EGL_EXT_device_enumeration") ||
+    if (!has_word(extensions, "EGL_EXT_platform_device") || !has_word(extensions, "EGL_EXT_device_enumeration") ||
         !eglQueryDevicesEXT(DEVICES_MAX, devices, &count))
         return false;
     for (EGLint i = 0; i < count; i++) {
         const char *kind = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
         if (!kind || has_word(kind, "EGL_MESA_device_software"))
             continue;
-        if (make_current(context,
-                         eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL)))
+        if (make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL)))
             return true;
     }
     return false;
@@ -86,15 +80,14 @@ static bool open_hardware(struct context *context, const char *extensions)
 static bool open_surfaceless(struct context *context, const char *extensions)
 {
     return has_word(extensions, "EGL_MESA_platform_surfaceless") &&
-           make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
-                                                          EGL_DEFAULT_DISPLAY, NULL));
+           make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL));
 }
 
 enum hatch_status context_read_limits(struct context *context, struct hatch_err *err)
 {
     if (epoxy_gl_version() < 45)
-        return hatch_fail(err, HATCH_IO, "the driver has OpenGL %d.%d, want 4.5",
-                          epoxy_gl_version() / 10, epoxy_gl_version() % 10);
+        return hatch_fail(err, HATCH_IO, "the driver has OpenGL %d.%d, want 4.5", epoxy_gl_version() / 10,
+                          epoxy_gl_version() % 10);
     GLint texture = 0, viewport[2] = {0, 0};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
@@ -108,23 +101,23 @@ enum hatch_status context_read_limits(struct context *context, struct hatch_err 
     return HATCH_OK;
 }
 
-enum hatch_status context_open_headless(struct context *context, uint32_t threads,
-                                        struct hatch_err *err)
+enum hatch_status context_open_headless(struct context *context, uint32_t threads, struct hatch_err *err)
 {
     char number[16];
     if (!library_is_there("libEGL.so.1") || !library_is_there("libGL.so.1"))
-        return hatch_fail(err, HATCH_IO, "there is no libEGL.so.1 or no libGL.so.1: install EGL "
-                                         "(libegl1) and OpenGL (libgl1-mesa-dri)");
+        return hatch_fail(err, HATCH_IO,
+                          "there is no libEGL.so.1 or no libGL.so.1: install EGL "
+                          "(libegl1) and OpenGL (libgl1-mesa-dri)");
     /* Mesa talks on standard error about devices that it may not open; ours is one line. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     /* Mesa's software renderer has no other place to be told. */
     snprintf(number, sizeof number, "%u", threads);
     setenv("LP_NUM_THREADS", number, 1);
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!extensions || (!open_hardware(context, extensions) &&
-                        !open_surfaceless(context, extensions)))
-        return hatch_fail(err, HATCH_IO, "EGL finds no driver with OpenGL 4.5 that works without a "
-                                         "display: install libgl1-mesa-dri");
+    if (!extensions || (!open_hardware(context, extensions) && !open_surfaceless(context, extensions)))
+        return hatch_fail(err, HATCH_IO,
+                          "EGL finds no driver with OpenGL 4.5 that works without a "
+                          "display: install libgl1-mesa-dri");
     return context_read_limits(context, err);
 }
 

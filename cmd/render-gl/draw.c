@@ -32,8 +32,7 @@ static void use_item(const struct renderer *renderer, const struct gpu_item *ite
     glUniformMatrix4fv(0, 1, GL_FALSE, item->to_unit);
     glUniformMatrix3fv(1, 1, GL_FALSE, item->normal);
     glVertexAttrib2fv(REPEAT_ATTRIBUTE, item->repeat); /* where vertices have none */
-    glUniform4f(5, renderer->style.base_tone ? item->base_lightness : 1.0f, item->base_lod,
-                item->alpha_cutoff, 0.0f);
+    glUniform4f(5, renderer->style.base_tone ? item->base_lightness : 1.0f, item->base_lod, item->alpha_cutoff, 0.0f);
     glFrontFace(item->mirrored ? GL_CW : GL_CCW);
 }
 
@@ -69,8 +68,8 @@ static GLuint program_of(const struct renderer *renderer, uint32_t technique, co
 }
 
 /* Makes ready to draw an item's pieces with a program. */
-static struct part use_pieces(const struct renderer *renderer, const struct gpu_item *item,
-                              const struct near_cut *cut, GLuint program)
+static struct part use_pieces(const struct renderer *renderer, const struct gpu_item *item, const struct near_cut *cut,
+                              GLuint program)
 {
     use_item(renderer, item, program);
     near_use(&renderer->near, renderer->scene, item);
@@ -82,8 +81,7 @@ static bool shows_patches(const struct renderer *renderer, uint32_t technique, c
     return draw_variant_of(renderer, technique, item) & DRAW_OUTLINE;
 }
 
-static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item *item,
-                              const struct near_item *near)
+static struct part surface_of(const struct gpu_mesh *mesh, const struct gpu_item *item, const struct near_item *near)
 {
     return (struct part){.vertex_array = mesh->patches ? item->surface_array : item->vertex_array,
                          .count = 3 * mesh->surface->face_count,
@@ -146,8 +144,8 @@ static void draw_below_patches(const struct renderer *renderer, uint32_t techniq
 
 /* The outline read by a texture unit in the technique's own pass: all patches at once, each blended over
  * those before it, since OpenGL keeps the order of faces. */
-static void draw_patches_at_once(const struct gpu_mesh *mesh, const struct gpu_item *item,
-                                 enum technique_patches way, const struct near_cut *cut)
+static void draw_patches_at_once(const struct gpu_mesh *mesh, const struct gpu_item *item, enum technique_patches way,
+                                 const struct near_cut *cut)
 {
     if (way == PATCHES_BLEND)
         glEnable(GL_BLEND);
@@ -157,8 +155,7 @@ static void draw_patches_at_once(const struct gpu_mesh *mesh, const struct gpu_i
 
 /* Real-time hatching §6: the outline goes into the destination's alpha; then each pass adds its share under
  * that alpha, the first one in place of what lies below. A layer of patches at a time. */
-static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu_item *item,
-                                   uint32_t pass_count)
+static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu_item *item, uint32_t pass_count)
 {
     uint32_t begin = 0;
     glEnable(GL_BLEND);
@@ -168,8 +165,7 @@ static void draw_patches_in_passes(const struct gpu_mesh *mesh, const struct gpu
             if (pass == 0)
                 glBlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ZERO);
             else
-                glBlendFuncSeparate(GL_DST_ALPHA, pass == 1 ? GL_ONE_MINUS_DST_ALPHA : GL_ONE, GL_ZERO,
-                                    GL_ONE);
+                glBlendFuncSeparate(GL_DST_ALPHA, pass == 1 ? GL_ONE_MINUS_DST_ALPHA : GL_ONE, GL_ZERO, GL_ONE);
             draw_sides(item, (struct part){.vertex_array = item->vertex_array, .first = begin, .count = end - begin},
                        pass);
         }
@@ -192,8 +188,9 @@ static void draw_patches(const struct renderer *renderer, uint32_t technique)
         else
             draw_patches_in_passes(mesh, item, chosen->pass_count);
         if (near)
-            draw_sides(item, use_pieces(renderer, item, &near->patches,
-                                        program_of(renderer, technique, item, DRAW_PIECES)), 0);
+            draw_sides(item,
+                       use_pieces(renderer, item, &near->patches, program_of(renderer, technique, item, DRAW_PIECES)),
+                       0);
     }
 }
 
@@ -209,8 +206,9 @@ static uint32_t draw_ordinary(const struct renderer *renderer, uint32_t techniqu
         use_item(renderer, item, program_of(renderer, technique, item, 0));
         draw_sides(item, surface_of(&scene->meshes[item->mesh], item, near), pass);
         if (near)
-            draw_sides(item, use_pieces(renderer, item, &near->surface,
-                                        program_of(renderer, technique, item, DRAW_PIECES)), pass);
+            draw_sides(item,
+                       use_pieces(renderer, item, &near->surface, program_of(renderer, technique, item, DRAW_PIECES)),
+                       pass);
         drawn++;
     }
     return drawn;

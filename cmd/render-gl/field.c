@@ -7,10 +7,10 @@
 
 #define SPACING_PX 11.0
 #define WIDTH_PX 1.5
-#define LENGTH 0.9        /* of the spacing */
+#define LENGTH 0.9 /* of the spacing */
 #define MARKS_MAX 200000u
-#define TRIES 8           /* places looked at for each that there is room for */
-#define CELLS 96          /* along a side of the grid around the unit scene */
+#define TRIES 8  /* places looked at for each that there is room for */
+#define CELLS 96 /* along a side of the grid around the unit scene */
 
 static const struct hatch_mesh *surface_of(const struct gpu_scene *scene, const struct gpu_item *item)
 {
@@ -21,9 +21,9 @@ static const struct hatch_mesh *surface_of(const struct gpu_scene *scene, const 
 struct spread {
     struct field *field;
     double spacing;
-    uint32_t *head;   /* of each cell: mark + 1 */
-    uint32_t *next;   /* of each mark: mark + 1 */
-    double *place;    /* of each mark, and its face's normal: 6 */
+    uint32_t *head; /* of each cell: mark + 1 */
+    uint32_t *next; /* of each mark: mark + 1 */
+    double *place;  /* of each mark, and its face's normal: 6 */
     uint64_t tried;
 };
 
@@ -63,8 +63,7 @@ static bool is_free(const struct spread *spread, const double place[6])
             for (int z = low[2]; z <= high[2]; z++)
                 for (uint32_t m = spread->head[(x * CELLS + y) * CELLS + z]; m; m = spread->next[m - 1]) {
                     const double *other = spread->place + 6 * (size_t)(m - 1);
-                    if (hatch_vec_distance(place, other) < spread->spacing &&
-                        hatch_vec_dot(place + 3, other + 3) > 0)
+                    if (hatch_vec_distance(place, other) < spread->spacing && hatch_vec_dot(place + 3, other + 3) > 0)
                         return false;
                 }
     return true;
@@ -120,8 +119,8 @@ static void try_place(struct spread *spread, const struct hatch_mesh *surface, u
     hatch_vec_triangle(corner[0], corner[1], corner[2], place + 3);
     if (field->count == MARKS_MAX || !is_free(spread, place) || !direction_at(surface, &mark))
         return;
-    uint32_t *head = &spread->head[(cell_along(place[0]) * CELLS + cell_along(place[1])) * CELLS +
-                                   cell_along(place[2])];
+    uint32_t *head =
+        &spread->head[(cell_along(place[0]) * CELLS + cell_along(place[1])) * CELLS + cell_along(place[2])];
     for (int i = 0; i < 6; i++)
         spread->place[6 * (size_t)field->count + (size_t)i] = place[i];
     field->marks[field->count] = mark;
@@ -187,8 +186,8 @@ static void make_array(struct field *field)
     static const GLint sizes[3] = {3, 3, 1};
     GLuint offset = 0;
     glCreateBuffers(1, &field->buffer);
-    glNamedBufferData(field->buffer, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * (field->count + 1u)),
-                      NULL, GL_DYNAMIC_DRAW);
+    glNamedBufferData(field->buffer, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * (field->count + 1u)), NULL,
+                      GL_DYNAMIC_DRAW);
     glCreateVertexArrays(1, &field->array);
     glVertexArrayVertexBuffer(field->array, 0, field->buffer, 0, sizeof(float) * FIELD_FLOATS);
     glVertexArrayBindingDivisor(field->array, 0, 1);
@@ -224,7 +223,7 @@ enum hatch_status field_make(const struct gpu_scene *scene, const struct hatch_v
     enum hatch_status status = spread_marks(&made, view, height_px, scratch, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
-    made.lines = HATCH_NEW(arena, float, FIELD_FLOATS * (size_t)made.count, err);
+    made.lines = HATCH_NEW(arena, float, FIELD_FLOATS *(size_t)made.count, err);
     if (!made.lines)
         return HATCH_LIMIT;
     HATCH_TRY(shader_program(shaders, &stages, "", &made.program, err));
@@ -233,8 +232,8 @@ enum hatch_status field_make(const struct gpu_scene *scene, const struct hatch_v
     return HATCH_OK;
 }
 
-static void place_mark(const struct field *field, const struct hatch_mesh *surface,
-                       const struct field_mark *mark, float *line)
+static void place_mark(const struct field *field, const struct hatch_mesh *surface, const struct field_mark *mark,
+                       float *line)
 {
     const double *corner[3];
     double middle[3] = {0, 0, 0}, way[3] = {0, 0, 0};
@@ -262,8 +261,7 @@ void field_draw(struct field *field, const struct target *target)
         for (; at < field->item_end[i]; at++)
             place_mark(field, surface_of(scene, item), &field->marks[at], &field->lines[FIELD_FLOATS * at]);
     }
-    glNamedBufferSubData(field->buffer, 0, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * field->count),
-                         field->lines);
+    glNamedBufferSubData(field->buffer, 0, (GLsizeiptr)(sizeof(float) * FIELD_FLOATS * field->count), field->lines);
     glUseProgram(field->program);
     glUniform2f(8, (float)(WIDTH_PX / target->width), (float)(WIDTH_PX / target->height));
     glBindVertexArray(field->array);

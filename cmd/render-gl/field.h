@@ -31,8 +31,7 @@ struct field {
  * HATCH_BAD_INPUT where no mesh has directions. scene is kept. */
 enum hatch_status field_make(const struct gpu_scene *scene, const struct hatch_view *view, double height_px,
                              const struct shader_source *shaders, struct hatch_arena *arena,
-                             struct hatch_arena *scratch, struct field *field, struct hatch_err *err)
-    HATCH_MUST_USE;
+                             struct hatch_arena *scratch, struct field *field, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws them as they lie in the scene's pose, in front of the surfaces in the target, whose uniform block
  * is bound. */

@@ -47,8 +47,8 @@ static enum hatch_status read_exact(struct fine *fine, struct hatch_err *err)
 }
 
 /* Packed texels are unpacked once, which finds what is wrong with them, and go to the GPU as they are. */
-static enum hatch_status read_volume(const char *const *key_values, struct hatch_arena *scratch,
-                                     struct fine *fine, struct hatch_err *err)
+static enum hatch_status read_volume(const char *const *key_values, struct hatch_arena *scratch, struct fine *fine,
+                                     struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_texels plain;
@@ -79,8 +79,9 @@ enum hatch_status fine_read(struct hatch_bytes file, struct hatch_arena *arena, 
     else if (hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST))
         HATCH_TRY(read_volume(key_values, scratch, &made, err));
     else
-        return hatch_fail(err, HATCH_BAD_INPUT, "a texture that is no volume, no thresholds and no exact runs: "
-                                                "tamvol or tamthresh makes them");
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "a texture that is no volume, no thresholds and no exact runs: "
+                          "tamvol or tamthresh makes them");
     *fine = made;
     return HATCH_OK;
 }

@@ -6,8 +6,8 @@
 #include "image/color.h"
 #include "math/vector.h"
 
-void frame_set_style(struct frame_block *block, const struct inks *inks,
-                     const struct tone_curve *curve, const struct gpu_columns *columns)
+void frame_set_style(struct frame_block *block, const struct inks *inks, const struct tone_curve *curve,
+                     const struct gpu_columns *columns)
 {
     memcpy(block->paper, inks->paper, sizeof inks->paper);
     memcpy(block->ink, inks->ink, sizeof inks->ink);
@@ -20,8 +20,8 @@ void frame_set_style(struct frame_block *block, const struct inks *inks,
     block->shade[3] = (float)curve->shininess;
     block->counts[1] = columns ? (int32_t)columns->count : 0;
     block->counts[3] = columns && columns->whole;
-    block->counts[2] = hatch_color_luminance(inks->ink) > hatch_color_luminance(inks->paper) ? INK_LIGHTENS
-                                                                                             : INK_DARKENS;
+    block->counts[2] =
+        hatch_color_luminance(inks->ink) > hatch_color_luminance(inks->paper) ? INK_LIGHTENS : INK_DARKENS;
     if (inks->two)
         block->counts[2] = INK_BOTH;
     for (uint32_t i = 0; columns && i < columns->count; i++) {
@@ -65,8 +65,8 @@ static void set_directional(struct frame_light *light, const double to_light[3])
 #define FAR_AWAY 1e3
 
 /* Fills one light, all but its strength; returns that. */
-static double set_scene_light(struct frame_light *light, const struct hatch_light *from,
-                              const double world[16], const struct hatch_bounds *bounds)
+static double set_scene_light(struct frame_light *light, const struct hatch_light *from, const double world[16],
+                              const struct hatch_bounds *bounds)
 {
     double power = (double)from->intensity * (double)hatch_color_luminance(from->color);
     double away[3] = {world[8], world[9], world[10]}, at[3];
@@ -97,8 +97,7 @@ static double set_scene_light(struct frame_light *light, const struct hatch_ligh
     return power;
 }
 
-static void set_own_light(struct frame_block *block, const struct hatch_view *view,
-                          const struct own_light *own)
+static void set_own_light(struct frame_block *block, const struct hatch_view *view, const struct own_light *own)
 {
     double level = cos(own->elevation_rad), to_light[3];
     double x = level * sin(own->azimuth_rad), y = sin(own->elevation_rad);
@@ -119,8 +118,7 @@ double frame_strongest_light(const struct hatch_pose *pose, const struct hatch_b
         if (scene->nodes[node].light == HATCH_NONE)
             continue;
         hatch_pose_matrix(pose, node, world);
-        strongest = fmax(strongest, set_scene_light(&light, &scene->lights[scene->nodes[node].light],
-                                                    world, bounds));
+        strongest = fmax(strongest, set_scene_light(&light, &scene->lights[scene->nodes[node].light], world, bounds));
     }
     return strongest;
 }

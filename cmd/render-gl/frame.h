@@ -16,11 +16,11 @@ struct inks {
 
 /* How light becomes tone. */
 struct tone_curve {
-    double low, high; /* darkness of full light and of none; the amount of ink asked for */
-    double gamma;     /* exponent of the darkness: over 1 lightens the middle */
-    double ambient;   /* light that comes from everywhere */
+    double low, high;           /* darkness of full light and of none; the amount of ink asked for */
+    double gamma;               /* exponent of the darkness: over 1 lightens the middle */
+    double ambient;             /* light that comes from everywhere */
     double specular, shininess; /* strength of the highlight, exponent */
-    double exposure;  /* over 0; from the light meter where the user says nothing */
+    double exposure;            /* over 0; from the light meter where the user says nothing */
 };
 
 /* The light that is used where the scene has none, or where the command line names one. */
@@ -38,12 +38,12 @@ struct frame_light {
 /* std140 */
 struct frame_block {
     float clip_from_unit[16];
-    float eye[4];  /* w: 1; orthographic: direction to the camera, w: 0 */
+    float eye[4]; /* w: 1; orthographic: direction to the camera, w: 0 */
     float paper[4], ink[4], light_ink[4];
-    float curve[4]; /* low, high, gamma, samples a pixel */
-    float shade[4]; /* 0, ambient, specular, shininess */
+    float curve[4];    /* low, high, gamma, samples a pixel */
+    float shade[4];    /* 0, ambient, specular, shininess */
     float viewport[4]; /* half the tile's width and height in pixels */
-    float hatch[4]; /* cosine and sine of the strokes' turn, over their size */
+    float hatch[4];    /* cosine and sine of the strokes' turn, over their size */
     int32_t counts[4]; /* lights, columns, ink mode (enum ink_mode), 1: the last column is all ink */
     float ramp_low[2][4], ramp_scale[2][4]; /* six columns: darkness where each begins, 1/step */
     float targets[64][4];                   /* 256 darknesses */
@@ -57,8 +57,8 @@ enum ink_mode {
 };
 
 /* What does not change with the view: inks, curve, columns. columns may be NULL (no map). */
-void frame_set_style(struct frame_block *block, const struct inks *inks,
-                     const struct tone_curve *curve, const struct gpu_columns *columns);
+void frame_set_style(struct frame_block *block, const struct inks *inks, const struct tone_curve *curve,
+                     const struct gpu_columns *columns);
 
 /* How strokes lie on their surface: turned against the clock as seen from outside, and their size. */
 void frame_set_hatch(struct frame_block *block, double turn_rad, double scale);

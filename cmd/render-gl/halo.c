@@ -13,8 +13,7 @@ struct halo_block {
     float depth[4]; /* a jump's share of half the picture's height, by difference and by ratio; the least */
 };
 
-enum hatch_status halo_compile(const struct shader_source *shaders, struct halo *halo,
-                               struct hatch_err *err)
+enum hatch_status halo_compile(const struct shader_source *shaders, struct halo *halo, struct hatch_err *err)
 {
     static const struct shader_stages stages[HALO_PROGRAMS] = {
         [CELLS] = {.vertex = "screen.vert", .fragment = "halo_cells.frag"},
@@ -42,8 +41,7 @@ static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint 
     glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, *texture, 0);
 }
 
-static enum hatch_status make_room(struct halo *halo, const struct target *target, uint32_t cell,
-                                   struct hatch_err *err)
+static enum hatch_status make_room(struct halo *halo, const struct target *target, uint32_t cell, struct hatch_err *err)
 {
     uint32_t width = parts(target->side * target->width, cell);
     uint32_t height = parts(target->side * target->height, cell);
@@ -92,10 +90,9 @@ enum hatch_status halo_find(struct halo *halo, const struct target *target, cons
 {
     double reach = reach_px * target->side, half = 1 / view->half_height;
     HATCH_TRY(make_room(halo, target, (uint32_t)fmax(target->side, ceil(reach / CELLS_MOST)), err));
-    const struct halo_block block = {
-        .sizes = {(float)reach, (float)halo->cell, (float)target->side, 0},
-        .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
-                  view->orthographic ? 0.0f : (float)half, (float)DEPTH, 0}};
+    const struct halo_block block = {.sizes = {(float)reach, (float)halo->cell, (float)target->side, 0},
+                                     .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
+                                               view->orthographic ? 0.0f : (float)half, (float)DEPTH, 0}};
     glNamedBufferSubData(halo->buffer, 0, sizeof block, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, HALO_BINDING, halo->buffer);
     use_texture(HALO_UNIT_DEPTHS, target->depth);

@@ -10,7 +10,7 @@
 
 #define TWO_PI 6.28318530717958648
 #define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
-#define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
+#define SPAN_MOMENTS 9  /* at which an animation's extent is measured */
 
 /* Dies where the options ask for what the scene does not have. */
 static void check_scene(const struct job *job)
@@ -46,8 +46,8 @@ static void warn_of_map(struct cmd_args *args, const struct options *options, co
         return;
     if (map->tones > COLUMNS_SIX_MOST)
         cmd_warn(cmd_input_name(options->map_path),
-                 "%u of the map's %u columns are drawn, spread over it; tam-triple draws all",
-                 COLUMNS_SIX_MOST, map->tones);
+                 "%u of the map's %u columns are drawn, spread over it; tam-triple draws all", COLUMNS_SIX_MOST,
+                 map->tones);
     if (map->color)
         cmd_warn(cmd_input_name(options->map_path), "the map's colours are drawn grey; tam-triple draws them");
 }
@@ -88,9 +88,8 @@ static enum hatch_status set_repeat(struct job *job, const struct hatch_view *vi
 {
     const struct options *options = &job->options;
     bool map = job->map.tones > 0;
-    return repeat_set(&job->gpu, options->repeat, view, options->height,
-                      map ? job->map.size_px : job->fine.size_px, map ? job->map.levels : job->fine.levels,
-                      &job->args.scratch, err);
+    return repeat_set(&job->gpu, options->repeat, view, options->height, map ? job->map.size_px : job->fine.size_px,
+                      map ? job->map.levels : job->fine.levels, &job->args.scratch, err);
 }
 
 void job_read(struct job *job)
@@ -119,8 +118,8 @@ static void set_span(struct job *job)
     const struct options *options = &job->options;
     bool moves = options->animated && job->scene.animation_count;
     job->span = (struct hatch_pose_span){.animation = moves ? options->animation : HATCH_NONE,
-                                   .begin_s = options->time_s,
-                                   .end_s = time_of(job, options->frames - 1)};
+                                         .begin_s = options->time_s,
+                                         .end_s = time_of(job, options->frames - 1)};
     if (moves && options->window)
         job->span.end_s = (double)job->scene.animations[options->animation].duration_s;
     moves = moves && job->span.end_s > job->span.begin_s;
@@ -131,14 +130,13 @@ static void open_context(struct job *job)
 {
     const struct options *options = &job->options;
     struct hatch_err err;
-    enum hatch_status status =
-        options->window ? context_open_window(&job->context, options->width, options->height, &err)
-                        : context_open_headless(&job->context, job->args.threads, &err);
+    enum hatch_status status = options->window
+                                   ? context_open_window(&job->context, options->width, options->height, &err)
+                                   : context_open_headless(&job->context, job->args.threads, &err);
     cmd_check(status, NULL, &err);
     cmd_note("%s", job->context.device);
     if (options->style.anisotropy > job->context.anisotropy_max)
-        cmd_note("the driver filters with anisotropy %g at most",
-                 (double)job->context.anisotropy_max);
+        cmd_note("the driver filters with anisotropy %g at most", (double)job->context.anisotropy_max);
 }
 
 static void upload(struct job *job)
@@ -157,14 +155,13 @@ static void upload(struct job *job)
     uint32_t left_out = options->style.light.wanted ? 0 : frame_lights_left_out(&job->scene);
     if (left_out)
         cmd_warn(name, "%u lights are left out: %u are the most", left_out, LIGHTS_MAX);
-    cmd_check(hatch_view_make(&options->view, &pose, &job->span, &bounds,
-                        (double)options->width / options->height, scratch, &job->fixed_view, &err),
+    cmd_check(hatch_view_make(&options->view, &pose, &job->span, &bounds, (double)options->width / options->height,
+                              scratch, &job->fixed_view, &err),
               name, &err);
     open_context(job);
-    cmd_check(scene_upload(&job->scene, job->patches, &bounds, keep, scratch, &job->gpu, &err), name,
-              &err);
-    material_upload(&job->args, name, options->style.base_tone && !options->modulate_path,
-                    job->context.size_max_px, &job->gpu);
+    cmd_check(scene_upload(&job->scene, job->patches, &bounds, keep, scratch, &job->gpu, &err), name, &err);
+    material_upload(&job->args, name, options->style.base_tone && !options->modulate_path, job->context.size_max_px,
+                    &job->gpu);
     if (options->style.pixel_light)
         normals_upload(&job->args, name, job->context.size_max_px, &job->gpu);
     if (options->modulate_path)
@@ -175,8 +172,8 @@ enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_e
 {
     struct line_style style = job->options.lines;
     style.kinds = kinds;
-    HATCH_TRY(lines_make(&job->gpu, &style, &job->renderer.shaders, job->args.max_memory,
-                         &job->args.keep, &job->args.scratch, &job->lines, err));
+    HATCH_TRY(lines_make(&job->gpu, &style, &job->renderer.shaders, job->args.max_memory, &job->args.keep,
+                         &job->args.scratch, &job->lines, err));
     job->renderer.lines = &job->lines;
     return HATCH_OK;
 }
@@ -210,14 +207,13 @@ void job_prepare(struct job *job)
     if (options->map_path)
         cmd_check(set_repeat(job, &view, &err), cmd_input_name(options->scene_path), &err);
     if (options->technique == TECHNIQUE_FIELD) {
-        cmd_check(field_make(&job->gpu, &view, options->height, &job->renderer.shaders, &job->args.keep,
-                             scratch, &job->field, &err),
+        cmd_check(field_make(&job->gpu, &view, options->height, &job->renderer.shaders, &job->args.keep, scratch,
+                             &job->field, &err),
                   cmd_input_name(options->scene_path), &err);
         job->renderer.field = &job->field;
         job->renderer.style.curve.high *= FIELD_SHADE;
     }
-    cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err), NULL,
-              &err);
+    cmd_check(renderer_prepare(&job->renderer, (uint32_t)options->technique, scratch, &err), NULL, &err);
 }
 
 void job_view(struct job *job, double time_s, struct hatch_view *view)
@@ -225,14 +221,14 @@ void job_view(struct job *job, double time_s, struct hatch_view *view)
     struct hatch_err err;
     *view = job->fixed_view;
     if (!hatch_view_is_fixed(&job->options.view, &job->scene))
-        cmd_check(hatch_view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
-                            view->aspect, &job->args.scratch, view, &err),
+        cmd_check(hatch_view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds, view->aspect,
+                                  &job->args.scratch, view, &err),
                   cmd_input_name(job->options.scene_path), &err);
     const struct hatch_pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
     if (job->options.zoom != 1)
-        cmd_check(hatch_view_zoom(&job->gpu.pose, &now, &job->gpu.bounds, job->options.zoom, &job->args.scratch, view,
-                            &err),
-                  cmd_input_name(job->options.scene_path), &err);
+        cmd_check(
+            hatch_view_zoom(&job->gpu.pose, &now, &job->gpu.bounds, job->options.zoom, &job->args.scratch, view, &err),
+            cmd_input_name(job->options.scene_path), &err);
 }
 
 void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
@@ -242,8 +238,7 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
     if (options->frames > 1)
         params_move(job, (double)frame / (options->frames - 1));
     cmd_check(job_refresh(job, &err), NULL, &err);
-    cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame),
-                             &job->args.scratch, &err),
+    cmd_check(scene_set_pose(&job->gpu, job->span.animation, time_of(job, frame), &job->args.scratch, &err),
               cmd_input_name(options->scene_path), &err);
     job_view(job, time_of(job, frame), view);
     if (options->turntable)
@@ -254,9 +249,7 @@ void job_make_target(struct job *job, struct target *target)
 {
     const struct options *options = &job->options;
     struct hatch_err err;
-    cmd_check(picture_target(options->width, options->height, options->side, &job->renderer, target,
-                             &err),
-              NULL, &err);
+    cmd_check(picture_target(options->width, options->height, options->side, &job->renderer, target, &err), NULL, &err);
 }
 
 void job_end(struct job *job)

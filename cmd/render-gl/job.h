@@ -22,7 +22,7 @@ struct stroke_source {
     struct job_stroke stroke;         /* the drawing style's */
     struct hatch_layers layers;       /* those that differ; count 0: none */
     struct job_stroke *layer_strokes; /* of each of them that has its own */
-    struct hatch_arena arenas[2]; /* the model lies in one; the next is made in the other */
+    struct hatch_arena arenas[2];     /* the model lies in one; the next is made in the other */
     int arena;
 };
 
@@ -31,21 +31,21 @@ struct job {
     struct options options;
     struct hatch_scene scene;
     struct hatch_patch_mesh *patches; /* of each of its meshes */
-    struct hatch_tam map; /* no columns: the file held what fine says, or there was none */
+    struct hatch_tam map;             /* no columns: the file held what fine says, or there was none */
     struct fine fine;
     struct stroke_source source;
-    struct hatch_rptam rptam; /* made when a technique first draws at seeds */
+    struct hatch_rptam rptam;           /* made when a technique first draws at seeds */
     bool strokes_changed, view_changed; /* job_refresh has something to do */
-    uint32_t strokes_made;    /* how often the model was made anew */
-    double strokes_ms;        /* and how long that took */
+    uint32_t strokes_made;              /* how often the model was made anew */
+    double strokes_ms;                  /* and how long that took */
     struct context context;
     struct gpu_scene gpu;
     struct renderer renderer;
     struct lines lines;
     struct field field;
-    struct cmd_output **outputs; /* one per frame, or one for a report; NULL with a window */
-    struct hatch_pose_span span;   /* all frames */
-    struct hatch_view fixed_view;  /* used when hatch_view_is_fixed */
+    struct cmd_output **outputs;  /* one per frame, or one for a report; NULL with a window */
+    struct hatch_pose_span span;  /* all frames */
+    struct hatch_view fixed_view; /* used when hatch_view_is_fixed */
 };
 
 /* Reads the files. Dies with one line on what is wrong. */

@@ -14,8 +14,7 @@
 /* Sets of 64, spread well. */
 static void make_seeds(struct cmd_args *args, uint32_t layers, struct hatch_seeds *seeds)
 {
-    const struct hatch_seeds_options how = {
-        .cycle = {.count = 64, .seed = 1}, .layers = layers, .candidates = 100};
+    const struct hatch_seeds_options how = {.cycle = {.count = 64, .seed = 1}, .layers = layers, .candidates = 100};
     uint64_t steps;
     struct hatch_err err;
     cmd_check(hatch_seeds_make(&how, &args->keep, &args->scratch, seeds, &steps, &err), NULL, &err);
@@ -30,8 +29,8 @@ static void read_sets(struct job *job)
     if (!path)
         make_seeds(args, layers ? layers : LAYERS, &job->source.sets);
     else
-        cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &job->source.sets, &err),
-                  cmd_input_name(path), &err);
+        cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &job->source.sets, &err), cmd_input_name(path),
+                  &err);
     if (job->source.sets.layer_count < layers) {
         hatch_fail(&err, HATCH_BAD_INPUT, "%u %s for the %u layers of %s", job->source.sets.layer_count,
                    cmd_noun(job->source.sets.layer_count, "seed set", "seed sets"), layers,
@@ -149,15 +148,15 @@ static void set_layer(const struct stroke_source *source, const struct seed_choi
     const struct hatch_style *from = &source->drawing;
     const struct seed_style *common = &choice->style;
     int round = (int)(index / from->direction_count), turns = (round + 1) / 2 * (round % 2 ? 1 : -1);
-    *layer = (struct hatch_rptam_layer_style){
-        .low = (double)index / count,
-        .high = (index + 1.0) / count,
-        .angle_rad = (double)from->directions[index % from->direction_count].angle_rad +
-                     choice->turn_rad * turns + choice->stroke_turn_rad,
-        .length_px = common->length_px,
-        .width_px = common->width_px,
-        .tile_px = common->tile_px,
-        .ink = common->ink};
+    *layer = (struct hatch_rptam_layer_style){.low = (double)index / count,
+                                              .high = (index + 1.0) / count,
+                                              .angle_rad =
+                                                  (double)from->directions[index % from->direction_count].angle_rad +
+                                                  choice->turn_rad * turns + choice->stroke_turn_rad,
+                                              .length_px = common->length_px,
+                                              .width_px = common->width_px,
+                                              .tile_px = common->tile_px,
+                                              .ink = common->ink};
     set_stroke(&source->stroke, layer);
 }
 
@@ -251,7 +250,7 @@ enum hatch_status job_refresh(struct job *job, struct hatch_err *err)
     job->strokes_changed = false;
     if (job->view_changed && hatch_view_is_fixed(&job->options.view, &job->scene))
         HATCH_TRY(hatch_view_make(&job->options.view, &job->gpu.pose, &job->span, &job->gpu.bounds,
-                            job->fixed_view.aspect, &job->args.scratch, &job->fixed_view, err));
+                                  job->fixed_view.aspect, &job->args.scratch, &job->fixed_view, err));
     job->view_changed = false;
     return HATCH_OK;
 }

@@ -4,8 +4,8 @@
 #include "scene/ground.h"
 #include "scene/row.h"
 
-static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, bool stand,
-                     struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, bool stand, struct hatch_scene *scene,
+                     struct hatch_mesh_notes *notes)
 {
     struct hatch_err err;
     struct hatch_scene *scenes = HATCH_NEW(&args->keep, struct hatch_scene, count, &err);
@@ -20,8 +20,7 @@ static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes 
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
-        const struct hatch_material *material =
-            mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
+        const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
         if (!material || !(material->base_color[3] < (material->outline ? 0.5f : material->alpha_cutoff)))
             continue;
         mesh->mesh.face_count = 0;
@@ -29,8 +28,8 @@ static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes 
     }
 }
 
-void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground,
-                struct hatch_scene *scene, struct hatch_patch_mesh **patches, struct hatch_mesh_notes *notes)
+void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, double ground, struct hatch_scene *scene,
+                struct hatch_patch_mesh **patches, struct hatch_mesh_notes *notes)
 {
     const char *path = count ? paths[0] : NULL;
     struct hatch_err err;
@@ -42,11 +41,9 @@ void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, doubl
     if (ground > 0)
         cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh,
-                                         CMD_CREASE_RAD, &err),
+        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, CMD_CREASE_RAD, &err),
                   cmd_input_name(path), &err);
-    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path),
-              &err);
+    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, patches, &err), cmd_input_name(path), &err);
 }
 
 enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
@@ -66,6 +63,5 @@ enum hatch_status load_check_patches(const struct hatch_scene *scene, const stru
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (patches[i].patch_count)
             return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT,
-                      "the scene has no patches: dirfield FILE | lapped-param makes some");
+    return hatch_fail(err, HATCH_BAD_INPUT, "the scene has no patches: dirfield FILE | lapped-param makes some");
 }

@@ -18,14 +18,13 @@ static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap
     static const GLint grey_alpha[4] = {GL_RED, GL_RED, GL_RED, GL_GREEN};
     GLuint texture;
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-    glTextureStorage2D(texture, (GLsizei)hatch_mip_chain_length(image->width, image->height),
-                       GL_RGBA16F, (GLsizei)image->width, (GLsizei)image->height);
+    glTextureStorage2D(texture, (GLsizei)hatch_mip_chain_length(image->width, image->height), GL_RGBA16F,
+                       (GLsizei)image->width, (GLsizei)image->height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTextureSubImage2D(texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height,
-                        formats[image->channel_count], GL_FLOAT, image->pixels);
+    glTextureSubImage2D(texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, formats[image->channel_count],
+                        GL_FLOAT, image->pixels);
     if (image->channel_count <= 2)
-        glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA,
-                             image->channel_count == 2 ? grey_alpha : grey);
+        glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, image->channel_count == 2 ? grey_alpha : grey);
     glGenerateTextureMipmap(texture);
     glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(texture, GL_TEXTURE_WRAP_S, modes[wrap[0]]);
@@ -33,8 +32,8 @@ static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap
     return texture;
 }
 
-enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch,
-                                   GLuint *texture, struct hatch_err *err)
+enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
+                                   struct hatch_err *err)
 {
     static const float nothing[4] = {0, 0, 0, 0};
     size_t count = (size_t)image->width * image->height, channels = image->channel_count;
@@ -48,8 +47,7 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
     glCreateTextures(GL_TEXTURE_2D, 1, texture);
     glTextureStorage2D(*texture, last + 1, GL_R8, (GLsizei)image->width, (GLsizei)image->height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTextureSubImage2D(*texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED,
-                        GL_FLOAT, alpha);
+    glTextureSubImage2D(*texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED, GL_FLOAT, alpha);
     glGenerateTextureMipmap(*texture);
     glTextureParameteri(*texture, GL_TEXTURE_MAX_LEVEL, last < 2 ? last : 2);
     glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
@@ -61,15 +59,14 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
 }
 
 /* Halves an image until the driver takes it. */
-static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px,
-                             struct hatch_arena *arena, struct hatch_err *err)
+static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px, struct hatch_arena *arena,
+                             struct hatch_err *err)
 {
     while (image->width > size_max_px || image->height > size_max_px) {
         struct hatch_image half = *image;
         half.width = hatch_mip_size(image->width, 1);
         half.height = hatch_mip_size(image->height, 1);
-        half.pixels =
-            HATCH_NEW(arena, float, (size_t)half.width *half.height *half.channel_count, err);
+        half.pixels = HATCH_NEW(arena, float, (size_t)half.width *half.height *half.channel_count, err);
         if (!half.pixels)
             return HATCH_LIMIT;
         hatch_image_halve(image, &half);
@@ -78,8 +75,8 @@ static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px,
     return HATCH_OK;
 }
 
-static void read_texture(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
-                         uint32_t number, struct hatch_image *image)
+static void read_texture(struct cmd_args *args, const char *file, const struct hatch_scene *scene, uint32_t number,
+                         struct hatch_image *image)
 {
     const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
     struct hatch_bytes bytes = {scene->textures[number].data, scene->textures[number].size};
@@ -119,9 +116,8 @@ static float least_alpha(const struct hatch_image *image)
     return least;
 }
 
-static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_px,
-                     const struct hatch_scene *scene, const struct hatch_material *material,
-                     bool outline, struct gpu_item *item)
+static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_px, const struct hatch_scene *scene,
+                     const struct hatch_material *material, bool outline, struct gpu_item *item)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_image image;
@@ -140,18 +136,16 @@ static GLuint decode(struct cmd_args *args, const char *file, uint32_t size_max_
 }
 
 /* An earlier item with the same texture, for the same use, lends it. */
-static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item,
-                                     const struct hatch_material *wanted, bool outline)
+static const struct gpu_item *lender(const struct gpu_scene *gpu, uint32_t item, const struct hatch_material *wanted,
+                                     bool outline)
 {
     for (uint32_t i = 0; i < item; i++) {
         uint32_t material = gpu->scene->meshes[gpu->items[i].mesh].material;
         if (!gpu->items[i].base_texture || material == HATCH_NONE)
             continue;
         const struct hatch_material *has = &gpu->scene->materials[material];
-        if (has->base.texture == wanted->base.texture &&
-            has->base.wrap[0] == wanted->base.wrap[0] &&
-            has->base.wrap[1] == wanted->base.wrap[1] &&
-            (gpu->meshes[gpu->items[i].mesh].patches != NULL) == outline)
+        if (has->base.texture == wanted->base.texture && has->base.wrap[0] == wanted->base.wrap[0] &&
+            has->base.wrap[1] == wanted->base.wrap[1] && (gpu->meshes[gpu->items[i].mesh].patches != NULL) == outline)
             return &gpu->items[i];
     }
     return NULL;
@@ -164,8 +158,7 @@ static void set_lod(struct gpu_item *item, const struct hatch_mesh *mesh)
     item->base_lod = fmaxf(0.0f, log2f(item->base_side_px / fmaxf(vertices_side, 1.0f)));
 }
 
-void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px,
-                     struct gpu_scene *gpu)
+void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct gpu_scene *gpu)
 {
     const struct hatch_scene *scene = gpu->scene;
     for (uint32_t i = 0; i < gpu->item_count; i++) {
@@ -177,8 +170,7 @@ void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint
         const float *color = material->base_color;
         item->base_lightness = hatch_color_luminance(color);
         bool outline = gpu->meshes[item->mesh].patches != NULL;
-        if (material->base.texture == HATCH_NONE ||
-            !(as_tone || material->alpha_cutoff > 0 || outline))
+        if (material->base.texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0 || outline))
             continue;
         const struct gpu_item *other = lender(gpu, i, material, outline);
         if (other) {

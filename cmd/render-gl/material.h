@@ -24,8 +24,8 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
 /* Uploads the alpha of an image as the outline of patches; without alpha it is 1. Outside of the image it
  * is 0. No level coarser than the third is read: those would thin the outline's opaque middle, and what
  * lies below would show between patches. */
-enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch,
-                                   GLuint *texture, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 void material_free(struct gpu_scene *gpu);
 

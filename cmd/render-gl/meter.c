@@ -53,9 +53,8 @@ static void add_vertex(struct meter *meter, const double point[3], const float n
     meter->lit++;
 }
 
-static enum hatch_status add_item(struct meter *meter, const struct gpu_scene *scene,
-                                  const struct gpu_item *item, struct hatch_arena *scratch,
-                                  struct hatch_err *err)
+static enum hatch_status add_item(struct meter *meter, const struct gpu_scene *scene, const struct gpu_item *item,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_mesh *surface = scene->meshes[item->mesh].surface;
     size_t count = surface->vertex_count;
@@ -85,8 +84,7 @@ static double white_point(const struct meter *meter)
 }
 
 enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct hatch_view *view,
-                                 struct hatch_arena *scratch, double *exposure,
-                                 struct hatch_err *err)
+                                 struct hatch_arena *scratch, double *exposure, struct hatch_err *err)
 {
     static const struct own_light none;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

@@ -9,7 +9,6 @@
  * the brightest twentieth of the lit ones is white. Lamps inside of things, beyond their range or behind
  * their cones count for what they light, not for their strength. 1 where nothing is lit. */
 enum hatch_status meter_exposure(const struct gpu_scene *scene, const struct hatch_view *view,
-                                 struct hatch_arena *scratch, double *exposure,
-                                 struct hatch_err *err) HATCH_MUST_USE;
+                                 struct hatch_arena *scratch, double *exposure, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

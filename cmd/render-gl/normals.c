@@ -60,8 +60,8 @@ static void bind(GLuint vertex_array, GLuint tangents)
 }
 
 enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item,
-                              const struct hatch_normal_map *normals, GLuint texture,
-                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_err *err)
+                              const struct hatch_normal_map *normals, GLuint texture, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &gpu->scene->meshes[item->mesh].mesh;
     struct tangent *tangents;
@@ -70,8 +70,7 @@ enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item
     item->normals = texture;
     item->normals_strength = normals->strength;
     glCreateBuffers(1, &item->tangents);
-    glNamedBufferData(item->tangents, (GLsizeiptr)(sizeof *tangents * mesh->vertex_count), tangents,
-                      GL_DYNAMIC_DRAW);
+    glNamedBufferData(item->tangents, (GLsizeiptr)(sizeof *tangents * mesh->vertex_count), tangents, GL_DYNAMIC_DRAW);
     bind(item->vertex_array, item->tangents);
     if (item->surface_array)
         bind(item->surface_array, item->tangents);
@@ -91,8 +90,8 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
     }
 }
 
-enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_item *item,
-                               const double *positions, struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_item *item, const double *positions,
+                               struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_pose pose = gpu->pose;
     struct hatch_mesh ahead = gpu->scene->meshes[item->mesh].mesh;

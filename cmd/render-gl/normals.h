@@ -19,14 +19,12 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
 /* The same for one item that has the texture coordinates, and with a texture that is uploaded:
  * from now on it is the item's. The arena keeps the frames. */
 enum hatch_status normals_set(const struct gpu_scene *gpu, struct gpu_item *item,
-                              const struct hatch_normal_map *normals, GLuint texture,
-                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_err *err)
-    HATCH_MUST_USE;
+                              const struct hatch_normal_map *normals, GLuint texture, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Poses the tangents of a skinned item, whose posed positions are given: three numbers of the world a vertex. */
-enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_item *item,
-                               const double *positions, struct hatch_arena *scratch, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status normals_pose(const struct gpu_scene *gpu, const struct gpu_item *item, const double *positions,
+                               struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
 void normals_free(struct gpu_item *item);
 

@@ -8,7 +8,7 @@
 
 #define RADIANS (3.14159265358979324 / 180)
 #define LAYER_TURN 25 /* degrees between layers of strokes that have one direction */
-#define AMBIENT 0.05 /* light from everywhere, so that shadows hold some form */
+#define AMBIENT 0.05  /* light from everywhere, so that shadows hold some form */
 
 /* What the table fills; options_read turns it into struct options. */
 static int technique, show;
@@ -39,20 +39,20 @@ static const char *const fades_by[] = {"opacity", "size", NULL};
 static const char *const seed_loops[] = {"coverage", "brute", NULL};
 
 static struct cmd_option table[] = {
-    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)",
-     &technique, NULL, &technique_given},
+    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default tam)", &technique, NULL,
+     &technique_given},
     {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it",
      &map_path, NULL, NULL},
-    {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)",
-     &seeds, NULL, &of_seeds},
+    {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: seed sets, as seedgen writes them (default: 4 of 64)", &seeds, NULL,
+     &of_seeds},
     {0, "layers", CMD_TEXT, 0, 0, "FILE", "+rptam: strokes and tones of each layer, a line each", &layers_path, NULL,
      &of_seeds},
-    {0, "style", CMD_TEXT, 0, 0, "STYLE", "rptam: the drawing style of the strokes (default ink)", &drawing,
-     NULL, &of_seeds},
-    {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "+rptam: length and width in pixels (default: the style's)",
-     stroke, NULL, &of_seeds},
-    {0, "stroke-ink", CMD_REAL, 0.01, 1, "X", "+rptam: how dark a stroke is (default: the style's)", &stroke_ink,
-     NULL, &of_seeds},
+    {0, "style", CMD_TEXT, 0, 0, "STYLE", "rptam: the drawing style of the strokes (default ink)", &drawing, NULL,
+     &of_seeds},
+    {0, "stroke", CMD_PAIR, 0.5, 4096, "LxW", "+rptam: length and width in pixels (default: the style's)", stroke, NULL,
+     &of_seeds},
+    {0, "stroke-ink", CMD_REAL, 0.01, 1, "X", "+rptam: how dark a stroke is (default: the style's)", &stroke_ink, NULL,
+     &of_seeds},
     {0, "stroke-turn", CMD_REAL, -360, 360, "DEGREES", "+rptam: turn the strokes about their middles (default 0)",
      &stroke_turn, NULL, &of_seeds},
     {0, "seed-tile", CMD_REAL, 8, 8192, "PX", "+rptam: side of a set's tile (default: to suit the strokes)", &seed_tile,
@@ -62,86 +62,68 @@ static struct cmd_option table[] = {
     {0, "fade", CMD_CHOICE, 0, 0, "LAW", "+rptam: even (default) or weighted, which keep the tone, or paper", &fade,
      fades, &of_seeds},
     {0, "fade-by", CMD_CHOICE, 0, 0, "WHAT", "+rptam: opacity (default) or size", &fade_by, fades_by, &of_seeds},
-    {0, "overlap", CMD_REAL, 0, 1, "X", "+rptam: strokes fade together, 1, or one by one, 0 (default 0.3)",
-     &overlap, NULL, &of_seeds},
-    {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "+rptam: coverage (default), or brute: every seed everywhere",
-     &seed_loop, seed_loops, &of_seeds},
-    {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size,
-     NULL, NULL},
-    {0, "samples", CMD_INT, 1, 64, "N",
-     "shaded samples a pixel, a square number (default 4; tam-threshold 16)", &samples, NULL,
-     &samples_given},
-    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
-     "darkness of the lit and of the unlit (default 0: the map's darkest)", range, NULL,
-     &range_given},
-    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)",
-     &gamma_exponent, NULL, NULL},
+    {0, "overlap", CMD_REAL, 0, 1, "X", "+rptam: strokes fade together, 1, or one by one, 0 (default 0.3)", &overlap,
+     NULL, &of_seeds},
+    {0, "seed-loop", CMD_CHOICE, 0, 0, "HOW", "+rptam: coverage (default), or brute: every seed everywhere", &seed_loop,
+     seed_loops, &of_seeds},
+    {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size, NULL, NULL},
+    {0, "samples", CMD_INT, 1, 64, "N", "shaded samples a pixel, a square number (default 4; tam-threshold 16)",
+     &samples, NULL, &samples_given},
+    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI", "darkness of the lit and of the unlit (default 0: the map's darkest)",
+     range, NULL, &range_given},
+    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)", &gamma_exponent, NULL, NULL},
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
      "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
     {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, shown,
      &show_given},
-    {0, "lines", CMD_TEXT, 0, 0, "WHAT",
-     "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)", &lines, NULL,
-     NULL},
+    {0, "lines", CMD_TEXT, 0, 0, "WHAT", "none, all, or of silhouettes,creases,boundaries (default all; gouraud none)",
+     &lines, NULL, NULL},
     {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+paper beside what passes before something farther", &halo, NULL, NULL},
     {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+of lines (default 2)", &line_width, NULL, NULL},
-    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL,
+    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL, NULL},
+    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges that turn by more are creases (default 40)", &crease, NULL,
      NULL},
-    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges that turn by more are creases (default 40)",
-     &crease, NULL, NULL},
-    {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
-     "one light, degrees from the camera, for the scene's (default -40:40)", light, NULL,
-     &light_given},
-    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)",
-     specular, NULL, &specular_given},
+    {0, "light", CMD_PAIR, -180, 180, "AZ:EL", "one light, degrees from the camera, for the scene's (default -40:40)",
+     light, NULL, &light_given},
+    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)", specular, NULL,
+     &specular_given},
     {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH", "+cast shadows; their edges' width in the scene's radius",
      &shadow_edge, NULL, &shadows_given},
     {0, "ground", CMD_REAL, 0.1, 100, "R", "+a plane under the scene, R of its radii to each side", &ground, NULL,
      NULL},
-    {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)",
-     &exposure, NULL, NULL},
-    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone",
-     &base_tone, NULL, NULL},
+    {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)", &exposure, NULL,
+     NULL},
+    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone", &base_tone, NULL,
+     NULL},
     {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+the same of an image over the texture coordinates", &modulate, NULL,
      NULL},
-    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel, not every vertex", &pixel_light, NULL,
-     NULL},
-    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)",
-     &uv_scale, NULL, NULL},
-    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
-     &hatch_turn, NULL, NULL},
-    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &hatch_scale,
+    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel, not every vertex", &pixel_light, NULL, NULL},
+    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)", &uv_scale, NULL, NULL},
+    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)", &hatch_turn,
      NULL, NULL},
-    {0, "anisotropy", CMD_REAL, 1, 16, "N", "+hardware anisotropic filtering (default 1: none)", &anisotropy,
+    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &hatch_scale, NULL, NULL},
+    {0, "anisotropy", CMD_REAL, 1, 16, "N", "+hardware anisotropic filtering (default 1: none)", &anisotropy, NULL,
+     NULL},
+    {0, "camera", CMD_TEXT, 0, 0, "WHICH", "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what",
+     &camera, NULL, NULL},
+    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)", from, NULL,
+     &from_given},
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)", &fov,
+     NULL, &fov_given},
+    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+X times nearer to what the picture's middle shows", &zoom, NULL, NULL},
+    {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL, &frames_given},
+    {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &turntable, NULL, NULL},
+    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "an option's number changes over the frames; repeatable", &changes,
      NULL, NULL},
-    {0, "camera", CMD_TEXT, 0, 0, "WHICH",
-     "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what", &camera, NULL, NULL},
-    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)",
-     from, NULL, &from_given},
-    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)",
-     &fov, NULL, &fov_given},
-    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+X times nearer to what the picture's middle shows", &zoom, NULL,
-     NULL},
-    {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL,
-     &frames_given},
-    {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &turntable, NULL,
-     NULL},
-    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "an option's number changes over the frames; repeatable",
-     &changes, NULL, NULL},
-    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N (default 0 with --frames)",
-     &animation, NULL, &animation_given},
-    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+the animation's time at the first frame", &time_s,
-     NULL, &time_given},
+    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N (default 0 with --frames)", &animation, NULL,
+     &animation_given},
+    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+the animation's time at the first frame", &time_s, NULL, &time_given},
     {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "+frames a second (default 24)", &rate, NULL, NULL},
-    {0, "time", CMD_INT, 1, 10000, "N", "draw N frames and print their times", &timed_frames, NULL,
-     NULL},
-    {0, "probe", CMD_FLAG, 0, 0, NULL, "print what the picture uses of map and scene", &probe,
-     NULL, NULL},
-    {'w', "window", CMD_FLAG, 0, 0, NULL, "show it in a window; ? there lists the keys", &window,
-     NULL, NULL},
-    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from there", &shader_folder, NULL,
-     NULL},
+    {0, "time", CMD_INT, 1, 10000, "N", "draw N frames and print their times", &timed_frames, NULL, NULL},
+    {0, "probe", CMD_FLAG, 0, 0, NULL, "print what the picture uses of map and scene", &probe, NULL, NULL},
+    {'w', "window", CMD_FLAG, 0, 0, NULL, "show it in a window; ? there lists the keys", &window, NULL, NULL},
+    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from there", &shader_folder, NULL, NULL},
     {0},
 };
 
@@ -170,14 +152,13 @@ const struct cmd_option *options_table(void)
 static void read_view(struct hatch_view_choice *view)
 {
     *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA,
-                                 .azimuth_rad = from[0] * RADIANS,
-                                 .elevation_rad = from[1] * RADIANS,
-                                 .fov_rad = fov * RADIANS,
-                                 .turns = turntable};
+                                       .azimuth_rad = from[0] * RADIANS,
+                                       .elevation_rad = from[1] * RADIANS,
+                                       .fov_rad = fov * RADIANS,
+                                       .turns = turntable};
     bool frame = camera && strcmp(camera, "frame") == 0;
     if (camera && !frame && (from_given || !(words_whole(camera, 65535, &view->index) || words_place(camera, view))))
-        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from",
-                  camera);
+        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from", camera);
     if (frame || from_given || (fov_given && !camera))
         view->kind = HATCH_VIEW_FRAMED;
     else if (camera && view->kind != HATCH_VIEW_EYE)
@@ -186,31 +167,29 @@ static void read_view(struct hatch_view_choice *view)
 
 static void read_style(struct style *style)
 {
-    *style = (struct style){.inks = {.two = strchr(ink, ',') != NULL},
-                            .curve = {.low = range[0],
-                                      .high = range[1],
-                                      .gamma = gamma_exponent,
-                                      .ambient = AMBIENT,
-                                      .specular = specular[0],
-                                      .shininess = specular[1],
-                                      .exposure = exposure},
-                            .light = {.wanted = light_given,
-                                      .azimuth_rad = light[0] * RADIANS,
-                                      .elevation_rad = light[1] * RADIANS},
-                            .anisotropy = (float)anisotropy,
-                            .hatch_turn_rad = hatch_turn * RADIANS,
-                            .hatch_scale = hatch_scale,
-                            .base_tone = base_tone || modulate,
-                            .pixel_light = pixel_light,
-                            .shadows = shadows_given,
-                            .shadow_edge = shadow_edge,
-                            .halo_px = halo};
+    *style = (struct style){
+        .inks = {.two = strchr(ink, ',') != NULL},
+        .curve = {.low = range[0],
+                  .high = range[1],
+                  .gamma = gamma_exponent,
+                  .ambient = AMBIENT,
+                  .specular = specular[0],
+                  .shininess = specular[1],
+                  .exposure = exposure},
+        .light = {.wanted = light_given, .azimuth_rad = light[0] * RADIANS, .elevation_rad = light[1] * RADIANS},
+        .anisotropy = (float)anisotropy,
+        .hatch_turn_rad = hatch_turn * RADIANS,
+        .hatch_scale = hatch_scale,
+        .base_tone = base_tone || modulate,
+        .pixel_light = pixel_light,
+        .shadows = shadows_given,
+        .shadow_edge = shadow_edge,
+        .halo_px = halo};
     size_t first = strcspn(ink, ",");
     words_color("paper", (struct hatch_text){paper, strlen(paper)}, style->inks.paper);
     words_color("ink", (struct hatch_text){ink, first}, style->inks.ink);
     if (style->inks.two)
-        words_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)},
-                   style->inks.light_ink);
+        words_color("ink", (struct hatch_text){ink + first + 1, strlen(ink + first + 1)}, style->inks.light_ink);
     if (!style->inks.two && memcmp(style->inks.paper, style->inks.ink, sizeof style->inks.ink) == 0)
         cmd_warn(NULL, "ink and paper have the same colour: strokes will not be seen");
     if (specular_given && specular[0] > 10)
@@ -254,8 +233,7 @@ static double read_uv_scale(void)
     if (strcmp(uv_scale, "auto") == 0)
         return 0;
     double value;
-    if (!hatch_text_number((struct hatch_text){uv_scale, strlen(uv_scale)}, &value) ||
-        !(value > 0 && value <= 65536))
+    if (!hatch_text_number((struct hatch_text){uv_scale, strlen(uv_scale)}, &value) || !(value > 0 && value <= 65536))
         cmd_usage("--uv-scale %s: want auto or a number over 0 and up to 65536", uv_scale);
     return value;
 }
@@ -304,7 +282,8 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                   techniques[technique]->name);
     if (of_seeds && !techniques[technique]->seeds && !window)
         cmd_usage("--seeds, --style, --stroke and what else is for strokes at seeds go with --technique rptam, "
-                  "not with %s", techniques[technique]->name);
+                  "not with %s",
+                  techniques[technique]->name);
     if (modulate && base_tone)
         cmd_usage("--modulate takes the place of --texture-tone");
     if (probe && !map_path)
@@ -326,8 +305,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
                                 .turntable = turntable,
                                 .time_s = time_s,
                                 .rate = rate,
-                                .animated = animation_given || time_given ||
-                                            (frames_given && !turntable) || window,
+                                .animated = animation_given || time_given || (frames_given && !turntable) || window,
                                 .animation = (uint32_t)animation,
                                 .animation_given = animation_given,
                                 .timed_frames = (uint32_t)timed_frames,

@@ -13,8 +13,8 @@ struct job;
 
 /* What it is of. */
 enum param_use {
-    PARAM_TONE,    /* of every picture */
-    PARAM_CAMERA,  /* the same; in a window the hand moves it */
+    PARAM_TONE,   /* of every picture */
+    PARAM_CAMERA, /* the same; in a window the hand moves it */
     PARAM_LINES,
     PARAM_STROKES, /* of every technique that draws strokes */
     PARAM_SEEDS    /* of strokes at seeds, whose model is made anew */
@@ -23,10 +23,10 @@ enum param_use {
 struct param {
     const char *name; /* of its option */
     enum param_use use;
-    bool scale;       /* changes by factors, else evenly */
-    double step;      /* of a key: a factor or a difference */
-    double unit;      /* one of the option's, as struct job counts */
-    size_t at[2];     /* its numbers in struct job; the second is 0 where it has one */
+    bool scale;   /* changes by factors, else evenly */
+    double step;  /* of a key: a factor or a difference */
+    double unit;  /* one of the option's, as struct job counts */
+    size_t at[2]; /* its numbers in struct job; the second is 0 where it has one */
 };
 
 extern const struct param params[];

@@ -12,9 +12,8 @@ static bool wants_exr(const char *path)
     return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
 }
 
-static enum hatch_status encode(const char *path, const struct hatch_image *image,
-                                struct hatch_arena *scratch, struct hatch_buffer *file,
-                                struct hatch_err *err)
+static enum hatch_status encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
+                                struct hatch_buffer *file, struct hatch_err *err)
 {
     struct hatch_image level = *image;
     const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
@@ -38,16 +37,13 @@ void pictures_write(struct job *job)
     struct target target;
     struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL,
-              &err);
+    cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
     job_make_target(job, &target);
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
-        cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image,
-                               &err),
-                  NULL, &err);
+        cmd_check(picture_draw(&job->renderer, (uint32_t)options->technique, &view, &target, &image, &err), NULL, &err);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);

@@ -59,11 +59,10 @@ static void measure(struct job *job, struct probe *probe)
     float *rgba = HATCH_NEW(scratch, float, 4 * count, &err);
     cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < job->options.frames; frame++) {
-        struct hatch_tile tile = {0, 0, target.width, target.height, job->options.width,
-                            job->options.height};
+        struct hatch_tile tile = {0, 0, target.width, target.height, job->options.width, job->options.height};
         job_set_frame(job, frame, &view);
-        cmd_check(renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target, &err),
-                  NULL, &err);
+        cmd_check(renderer_draw_over(&job->renderer, TECHNIQUE_PROBE, nothing, &view, &tile, &target, &err), NULL,
+                  &err);
         target_read_samples(&target, rgba);
         for (size_t i = 0; i < count; i++)
             count_pixel(&job->map, rgba + 4 * i, probe);
@@ -72,8 +71,7 @@ static void measure(struct job *job, struct probe *probe)
     target_free(&target);
 }
 
-static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value,
-                       const char *unit)
+static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value, const char *unit)
 {
     cmd_report_text(report, thing);
     cmd_report_whole(report, index);
@@ -84,8 +82,7 @@ static void report_row(struct cmd_report *report, const char *thing, uint32_t in
     cmd_report_text(report, unit);
 }
 
-static void report_map(struct cmd_report *report, const struct hatch_tam *map,
-                       const struct probe *probe)
+static void report_map(struct cmd_report *report, const struct hatch_tam *map, const struct probe *probe)
 {
     double drawn = probe->drawn ? (double)probe->drawn : 1.0, used = 0, whole = 0;
     uint32_t tones = 0;

@@ -13,14 +13,13 @@
 static enum hatch_status compile_below(const struct renderer *renderer, bool geometry, const char *defines,
                                        GLuint *program, struct hatch_err *err)
 {
-    const struct shader_stages stages = {.vertex = "surface.vert",
-                                         .geometry = geometry ? "surface.geom" : NULL,
-                                         .fragment = "paper.frag"};
+    const struct shader_stages stages = {
+        .vertex = "surface.vert", .geometry = geometry ? "surface.geom" : NULL, .fragment = "paper.frag"};
     return shader_program(&renderer->shaders, &stages, defines, program, err);
 }
 
-static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique,
-                                 uint32_t variant, GLuint *program, struct hatch_err *err)
+static enum hatch_status compile(const struct renderer *renderer, const struct technique *technique, uint32_t variant,
+                                 GLuint *program, struct hatch_err *err)
 {
     char defines[512];
     const struct gpu_columns *columns = &renderer->columns[technique->columns]; /* all unset for COLUMNS_NONE */
@@ -30,18 +29,14 @@ static enum hatch_status compile(const struct renderer *renderer, const struct t
              renderer->style.shadows ? "#define SHADOWS 1\n" : "",
              frame_has_lone_sun(renderer->scene->scene, &renderer->style.light) ? "#define SUN 1\n" : "",
              renderer->style.curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "",
-             columns->layered ? "#define LAYERED 1\n" : "",
-             columns->exact ? "#define EXACT 1\n" : "",
+             columns->layered ? "#define LAYERED 1\n" : "", columns->exact ? "#define EXACT 1\n" : "",
              renderer->style.anisotropy > 1 && !columns->exact ? "#define ANISOTROPIC 1\n" : "",
              renderer->style.inks.two ? "#define TWO_INKS 1\n" : "",
              technique->seeds && renderer->seeds.vary ? "#define STROKES_VARY 1\n" : "",
              technique->seeds && renderer->seeds.shrink ? "#define STROKES_SHRINK 1\n" : "",
-             variant & DRAW_PIECES ? PIECES : "",
-             variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",
-             variant & DRAW_NORMALS ? "#define NORMAL_MAP 1\n" : "",
-             variant & DRAW_TONE ? "#define BASE_TONE 1\n" : "",
-             variant & DRAW_HOLES ? "#define BASE_HOLES 1\n" : "",
-             variant & DRAW_OUTLINE ? "#define OUTLINE 1\n" : "");
+             variant & DRAW_PIECES ? PIECES : "", variant & (DRAW_PIECES - 1u) ? "#define BASE_TEXTURE 1\n" : "",
+             variant & DRAW_NORMALS ? "#define NORMAL_MAP 1\n" : "", variant & DRAW_TONE ? "#define BASE_TONE 1\n" : "",
+             variant & DRAW_HOLES ? "#define BASE_HOLES 1\n" : "", variant & DRAW_OUTLINE ? "#define OUTLINE 1\n" : "");
     return shader_program(&renderer->shaders, &technique->stages, defines, program, err);
 }
 
@@ -58,8 +53,8 @@ bool renderer_can(const struct renderer *renderer, uint32_t technique)
     return renderer->map || form == COLUMNS_NONE;
 }
 
-static enum hatch_status upload_columns(struct renderer *renderer, enum columns_form form,
-                                        struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status upload_columns(struct renderer *renderer, enum columns_form form, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
 {
     struct gpu_columns *columns = &renderer->columns[form];
     float anisotropy = renderer->style.anisotropy;
@@ -68,16 +63,15 @@ static enum hatch_status upload_columns(struct renderer *renderer, enum columns_
     return columns_upload(renderer->map, form, anisotropy, renderer->size_max_px, scratch, columns, err);
 }
 
-enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique,
-                                   struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique, struct hatch_arena *scratch,
+                                   struct hatch_err *err)
 {
     const struct technique *chosen = techniques[technique];
     assert(technique < TECHNIQUE_COUNT && renderer_can(renderer, technique));
     assert(renderer->rptam || !chosen->seeds);
     if (!renderer->block_buffer) {
         glCreateBuffers(1, &renderer->block_buffer);
-        glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL,
-                             GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferStorage(renderer->block_buffer, sizeof renderer->block, NULL, GL_DYNAMIC_STORAGE_BIT);
     }
     if (chosen->columns != COLUMNS_NONE && columns_of(renderer, chosen)->form == COLUMNS_NONE)
         HATCH_TRY(upload_columns(renderer, chosen->columns, scratch, err));
@@ -103,8 +97,7 @@ enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique
     return HATCH_OK;
 }
 
-enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_arena *scratch,
-                                        struct hatch_err *err)
+enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct gpu_seeds fresh;
     if (!renderer->seeds.layers)
@@ -140,8 +133,7 @@ static enum hatch_status find_near(struct renderer *renderer, uint32_t technique
     const struct near_wish wish = {.pieces = techniques[technique]->seeds && !renderer->floats_alone,
                                    .hatch = {(double)hatch[0], (double)hatch[1]},
                                    .tile = tile};
-    HATCH_TRY(near_begin(&renderer->near, renderer->scene, &wish, view, renderer->shaders.scratch->limit_bytes,
-                         err));
+    HATCH_TRY(near_begin(&renderer->near, renderer->scene, &wish, view, renderer->shaders.scratch->limit_bytes, err));
     return prepare_pieces(renderer, technique, err);
 }
 
@@ -165,10 +157,9 @@ uint32_t renderer_reach_px(const struct renderer *renderer, uint32_t technique)
     return (uint32_t)fmax(lines, haloes);
 }
 
-static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t technique,
-                                       const float background[3], struct hatch_view *view,
-                                       const struct hatch_tile *tile, const struct target *target,
-                                       struct hatch_err *err)
+static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t technique, const float background[3],
+                                       struct hatch_view *view, const struct hatch_tile *tile,
+                                       const struct target *target, struct hatch_err *err)
 {
     const struct gpu_columns *columns = columns_of(renderer, techniques[technique]);
     const struct style *style = &renderer->style;
@@ -178,8 +169,8 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
     frame_set_hatch(&renderer->block, style->hatch_turn_rad, style->hatch_scale);
     HATCH_TRY(find_near(renderer, technique, view, tile, err));
     frame_set_view(&renderer->block, view, tile, target->side);
-    frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view,
-                     &style->light, style->curve.exposure);
+    frame_set_lights(&renderer->block, &renderer->scene->pose, &renderer->scene->bounds, view, &style->light,
+                     style->curve.exposure);
     glNamedBufferSubData(renderer->block_buffer, 0, sizeof renderer->block, &renderer->block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->block_buffer);
     if (style->shadows) {
@@ -212,10 +203,9 @@ static enum hatch_status draw_surfaces(struct renderer *renderer, uint32_t techn
     return HATCH_OK;
 }
 
-enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
-                                     const float background[3], const struct hatch_view *view,
-                                     const struct hatch_tile *tile, const struct target *target,
-                                     struct hatch_err *err)
+enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
+                                     const struct hatch_view *view, const struct hatch_tile *tile,
+                                     const struct target *target, struct hatch_err *err)
 {
     struct hatch_view shown = *view;
     HATCH_TRY(draw_surfaces(renderer, technique, background, &shown, tile, target, err));
@@ -224,9 +214,8 @@ enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t techniq
     return HATCH_OK;
 }
 
-enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
-                                const struct hatch_view *view, const struct hatch_tile *tile,
-                                const struct target *target, struct hatch_err *err)
+enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique, const struct hatch_view *view,
+                                const struct hatch_tile *tile, const struct target *target, struct hatch_err *err)
 {
     struct hatch_view shown = *view;
     HATCH_TRY(draw_surfaces(renderer, technique, renderer->style.inks.paper, &shown, tile, target, err));

@@ -22,20 +22,20 @@ struct style {
     struct inks inks;
     struct tone_curve curve;
     struct own_light light;
-    float anisotropy; /* 1 .. 16 */
+    float anisotropy;                   /* 1 .. 16 */
     double hatch_turn_rad, hatch_scale; /* of the strokes on their surface; scale over 0 */
-    bool base_tone;   /* the materials' colours and textures count as tone */
-    bool pixel_light; /* techniques that can light pixels, not vertices */
-    bool shadows;     /* lights cast some; then the same */
-    double shadow_edge; /* their edges' width in the unit scene; over 0 */
-    double halo_px;   /* of haloes beside lines; 0: none */
+    bool base_tone;                     /* the materials' colours and textures count as tone */
+    bool pixel_light;                   /* techniques that can light pixels, not vertices */
+    bool shadows;                       /* lights cast some; then the same */
+    double shadow_edge;                 /* their edges' width in the unit scene; over 0 */
+    double halo_px;                     /* of haloes beside lines; 0: none */
 };
 
 struct renderer {
     struct shader_source shaders;
     struct style style;
-    const struct hatch_tam *map; /* NULL: no technique that draws with a map */
-    const struct fine *fine;     /* NULL: none that draws with a texture of fine tone */
+    const struct hatch_tam *map;     /* NULL: no technique that draws with a map */
+    const struct fine *fine;         /* NULL: none that draws with a texture of fine tone */
     const struct hatch_rptam *rptam; /* NULL: no technique that draws at seeds */
     bool all_seeds;                  /* looks at every seed at every place */
     struct gpu_seeds seeds;          /* made when a technique first wants them */
@@ -64,9 +64,8 @@ uint32_t renderer_reach_px(const struct renderer *renderer, uint32_t technique);
 
 /* Makes a technique ready to draw: uploads columns and compiles what its items need. Calling it again
  * is cheap. technique: index into techniques. */
-enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique,
-                                   struct hatch_arena *scratch, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status renderer_prepare(struct renderer *renderer, uint32_t technique, struct hatch_arena *scratch,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* After the model of strokes at seeds has changed. */
 enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_arena *scratch,
@@ -74,16 +73,15 @@ enum hatch_status renderer_take_strokes(struct renderer *renderer, struct hatch_
 
 /* Draws a tile of a frame into the target and averages its samples; then its lines, where there are
  * some. The scene is posed. HATCH_LIMIT when memory does not suffice for lines. */
-enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique,
-                                const struct hatch_view *view, const struct hatch_tile *tile,
-                                const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status renderer_draw(struct renderer *renderer, uint32_t technique, const struct hatch_view *view,
+                                const struct hatch_tile *tile, const struct target *target,
+                                struct hatch_err *err) HATCH_MUST_USE;
 
 /* The same over another background than paper and without lines; for measurements that are no
  * picture. */
-enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique,
-                                     const float background[3], const struct hatch_view *view,
-                                     const struct hatch_tile *tile, const struct target *target,
-                                     struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status renderer_draw_over(struct renderer *renderer, uint32_t technique, const float background[3],
+                                     const struct hatch_view *view, const struct hatch_tile *tile,
+                                     const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Compiles anew what has been compiled, when shaders are read from a folder that somebody edits. The
  * old programs stay when the new ones have an error. */

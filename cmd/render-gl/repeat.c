@@ -13,10 +13,10 @@ struct survey {
     const struct gpu_scene *scene;
     const struct hatch_mesh *mesh;
     const float *texcoord;
-    double *positions;     /* in the unit scene */
-    uint32_t *parent;      /* of each vertex, in the forest of charts */
-    struct chart *charts;  /* of each vertex; those of roots count */
-    float *repeats;        /* two for each vertex */
+    double *positions;            /* in the unit scene */
+    uint32_t *parent;             /* of each vertex, in the forest of charts */
+    struct chart *charts;         /* of each vertex; those of roots count */
+    float *repeats;               /* two for each vertex */
     double seen_weight, seen_log; /* of pixels per unit, where the picture shows the surface */
     double all_weight, all_log;   /* everywhere */
 };
@@ -52,8 +52,7 @@ static int compare_places(const void *a, const void *b)
 }
 
 /* Vertices that differ in nothing but their normal are one to the texture. */
-static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch,
-                                     struct hatch_err *err)
+static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = survey->mesh;
     uint32_t point_count;
@@ -64,8 +63,7 @@ static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, points, &point_count, err));
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         survey->parent[v] = v;
-        places[v] = (struct place){points[v], v, survey->texcoord[2 * (size_t)v],
-                                   survey->texcoord[2 * (size_t)v + 1]};
+        places[v] = (struct place){points[v], v, survey->texcoord[2 * (size_t)v], survey->texcoord[2 * (size_t)v + 1]};
     }
     qsort(places, mesh->vertex_count, sizeof *places, compare_places);
     for (uint32_t i = 1; i < mesh->vertex_count; i++)
@@ -80,8 +78,7 @@ static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *
 
 /* How long the steps of u and of v are on a face, by the inverse of its map from edges. false where
  * its texture coordinates or its corners are on a line. */
-static bool measure_face(const double *const p[3], const float *const t[3], double step[2],
-                         double *area)
+static bool measure_face(const double *const p[3], const float *const t[3], double step[2], double *area)
 {
     double e[2][3], d[2][2], normal = 0;
     for (int i = 0; i < 2; i++) {
@@ -104,8 +101,7 @@ static bool measure_face(const double *const p[3], const float *const t[3], doub
     for (int axis = 0; axis < 2; axis++)
         step[axis] = sqrt(step[axis]) / det;
     *area = 0.5 * sqrt(normal);
-    return *area > 0 && step[0] > 0 && step[1] > 0 && isfinite(step[0]) && isfinite(step[1]) &&
-           isfinite(*area);
+    return *area > 0 && step[0] > 0 && step[1] > 0 && isfinite(step[0]) && isfinite(step[1]) && isfinite(*area);
 }
 
 static void add_face(struct survey *survey, size_t face, const struct hatch_view *view, double height_px)
@@ -122,8 +118,7 @@ static void add_face(struct survey *survey, size_t face, const struct hatch_view
     }
     if (!measure_face(p, t, step, &area))
         return;
-    struct chart *chart =
-        &survey->charts[root_of(survey->parent, survey->mesh->indices[3 * face])];
+    struct chart *chart = &survey->charts[root_of(survey->parent, survey->mesh->indices[3 * face])];
     chart->area += area;
     chart->log_u += area * log2(step[0]);
     chart->log_v += area * log2(step[1]);
@@ -157,14 +152,12 @@ static void choose(const double want[2], uint32_t levels, float repeat[2])
 /* The mean logarithm of the pixels that a unit is long. */
 static double pixels_of(const struct survey *survey)
 {
-    return survey->seen_weight > 0 ? survey->seen_log / survey->seen_weight
-                                   : survey->all_log / survey->all_weight;
+    return survey->seen_weight > 0 ? survey->seen_log / survey->seen_weight : survey->all_log / survey->all_weight;
 }
 
 /* All charts of an item go by one scale, so that equal charts repeat equally, near or far. What the
  * picture shows decides it; a surface that comes into it later goes by its distance. */
-static void choose_all(struct survey *survey, struct gpu_item *item, uint32_t size_px,
-                       uint32_t levels)
+static void choose_all(struct survey *survey, struct gpu_item *item, uint32_t size_px, uint32_t levels)
 {
     double pixels = pixels_of(survey), largest = 0;
     item->chart_count = 0;
@@ -192,15 +185,12 @@ static void choose_all(struct survey *survey, struct gpu_item *item, uint32_t si
     }
 }
 
-static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_item *item,
-                                     struct hatch_arena *scratch, struct survey *survey,
-                                     struct hatch_err *err)
+static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_item *item, struct hatch_arena *scratch,
+                                     struct survey *survey, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &scene->scene->meshes[item->mesh].mesh;
     size_t count = mesh->vertex_count;
-    *survey = (struct survey){.scene = scene,
-                              .mesh = mesh,
-                              .texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
+    *survey = (struct survey){.scene = scene, .mesh = mesh, .texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
     survey->positions = HATCH_NEW(scratch, double, 3 * count, err);
     survey->parent = HATCH_NEW(scratch, uint32_t, count, err);
     survey->charts = HATCH_NEW(scratch, struct chart, count, err);
@@ -209,14 +199,12 @@ static enum hatch_status make_survey(struct gpu_scene *scene, const struct gpu_i
         return HATCH_LIMIT;
     hatch_pose_vertices(&scene->pose, item->node, item->mesh, survey->positions, NULL);
     for (size_t i = 0; i < 3 * count; i++)
-        survey->positions[i] =
-            (survey->positions[i] - scene->bounds.center[i % 3]) / scene->bounds.radius;
+        survey->positions[i] = (survey->positions[i] - scene->bounds.center[i % 3]) / scene->bounds.radius;
     return HATCH_OK;
 }
 
-static enum hatch_status set_item(struct gpu_scene *scene, struct gpu_item *item,
-                                  const struct hatch_view *view, double height_px, uint32_t size_px,
-                                  uint32_t levels, struct hatch_arena *scratch,
+static enum hatch_status set_item(struct gpu_scene *scene, struct gpu_item *item, const struct hatch_view *view,
+                                  double height_px, uint32_t size_px, uint32_t levels, struct hatch_arena *scratch,
                                   struct hatch_err *err)
 {
     struct survey survey;
@@ -241,9 +229,8 @@ static double step_of(const struct chart *chart)
 
 /* The same size of strokes on all surfaces that patches cover, whatever their nodes' scales: what the
  * picture shows of them decides it. */
-static enum hatch_status set_patches(struct gpu_scene *scene, const struct hatch_view *view,
-                                     double height_px, uint32_t size_px, struct hatch_arena *scratch,
-                                     struct hatch_err *err)
+static enum hatch_status set_patches(struct gpu_scene *scene, const struct hatch_view *view, double height_px,
+                                     uint32_t size_px, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct survey all = {.scene = scene};
     double *steps = HATCH_NEW(scratch, double, scene->item_count, err); /* 0: no patches */
@@ -276,9 +263,8 @@ static enum hatch_status set_patches(struct gpu_scene *scene, const struct hatch
     return HATCH_OK;
 }
 
-enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct hatch_view *view,
-                             double height_px, uint32_t size_px, uint32_t levels,
-                             struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct hatch_view *view, double height_px,
+                             uint32_t size_px, uint32_t levels, struct hatch_arena *scratch, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < scene->item_count; i++) {
         struct gpu_item *item = &scene->items[i];
@@ -287,8 +273,7 @@ enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struc
         if (repeat > 0 || scene->meshes[item->mesh].patches)
             continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        enum hatch_status status =
-            set_item(scene, item, view, height_px, size_px, levels, scratch, err);
+        enum hatch_status status = set_item(scene, item, view, height_px, size_px, levels, scratch, err);
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);
     }

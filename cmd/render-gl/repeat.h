@@ -11,8 +11,8 @@
  * not passed. A chart is what hangs together in the texture's plane; artists give charts different
  * scales. Patches have one scale for all of the scene's, at which a texel is a pixel, and which need be no
  * power of two: they have no seams to close. size_px, levels: of the map. The scene is posed. */
-enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct hatch_view *view,
-                             double height_px, uint32_t size_px, uint32_t levels,
-                             struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status repeat_set(struct gpu_scene *scene, double repeat, const struct hatch_view *view, double height_px,
+                             uint32_t size_px, uint32_t levels, struct hatch_arena *scratch,
+                             struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

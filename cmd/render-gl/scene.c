@@ -33,14 +33,12 @@ const float *scene_texcoords(const struct hatch_mesh *mesh, uint32_t set)
     return hatch_mesh_find(mesh, name, 2);
 }
 
-static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index,
-                                    const double origin[3], struct hatch_arena *arena,
-                                    struct hatch_err *err)
+static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t index, const double origin[3],
+                                    struct hatch_arena *arena, struct hatch_err *err)
 {
     const struct hatch_scene_mesh *from = &scene->meshes[index];
     const struct hatch_mesh *mesh = &from->mesh;
-    const struct hatch_material *material =
-        from->material != HATCH_NONE ? &scene->materials[from->material] : NULL;
+    const struct hatch_material *material = from->material != HATCH_NONE ? &scene->materials[from->material] : NULL;
     uint32_t set = !material ? 0 : material->outline ? 1 : material->base.texcoord;
     const float *position = hatch_mesh_find(mesh, "POSITION", 3);
     const float *normal = hatch_mesh_find(mesh, "NORMAL", 3);
@@ -64,8 +62,7 @@ static struct vertex *make_vertices(const struct hatch_scene *scene, uint32_t in
 }
 
 /* The surface below patches shares their vertices. */
-static enum hatch_status upload_surface(struct gpu_mesh *gpu, struct hatch_arena *scratch,
-                                        struct hatch_err *err)
+static enum hatch_status upload_surface(struct gpu_mesh *gpu, struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t count = 3 * (size_t)gpu->surface->face_count;
     uint32_t *indices = HATCH_NEW(scratch, uint32_t, count, err);
@@ -80,9 +77,8 @@ static enum hatch_status upload_surface(struct gpu_mesh *gpu, struct hatch_arena
     return HATCH_OK;
 }
 
-static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t index,
-                                     struct hatch_arena *scratch, struct gpu_mesh *gpu,
-                                     struct hatch_err *err)
+static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t index, struct hatch_arena *scratch,
+                                     struct gpu_mesh *gpu, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &scene->meshes[index].mesh;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -93,14 +89,12 @@ static enum hatch_status upload_mesh(const struct hatch_scene *scene, uint32_t i
     gpu->index_count = 3 * mesh->face_count;
     glCreateBuffers(1, &gpu->vertices);
     glCreateBuffers(1, &gpu->indices);
-    glNamedBufferStorage(gpu->vertices, (GLsizeiptr)(sizeof *vertices * (mesh->vertex_count + 1u)),
-                         NULL, GL_DYNAMIC_STORAGE_BIT);
-    glNamedBufferSubData(gpu->vertices, 0, (GLsizeiptr)(sizeof *vertices * mesh->vertex_count),
-                         vertices);
-    glNamedBufferStorage(gpu->indices, (GLsizeiptr)(sizeof(uint32_t) * (gpu->index_count + 1u)),
-                         NULL, GL_DYNAMIC_STORAGE_BIT);
-    glNamedBufferSubData(gpu->indices, 0, (GLsizeiptr)(sizeof(uint32_t) * gpu->index_count),
-                         mesh->indices);
+    glNamedBufferStorage(gpu->vertices, (GLsizeiptr)(sizeof *vertices * (mesh->vertex_count + 1u)), NULL,
+                         GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(gpu->vertices, 0, (GLsizeiptr)(sizeof *vertices * mesh->vertex_count), vertices);
+    glNamedBufferStorage(gpu->indices, (GLsizeiptr)(sizeof(uint32_t) * (gpu->index_count + 1u)), NULL,
+                         GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(gpu->indices, 0, (GLsizeiptr)(sizeof(uint32_t) * gpu->index_count), mesh->indices);
     if (gpu->patches)
         HATCH_TRY(upload_surface(gpu, scratch, err));
     hatch_arena_rewind(scratch, mark);
@@ -124,23 +118,18 @@ static GLuint make_vertex_array(GLuint vertices, GLuint indices)
     glVertexArrayElementBuffer(array, indices);
     for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++) {
         glEnableVertexArrayAttrib(array, i);
-        glVertexArrayAttribFormat(array, i, attributes[i].size, GL_FLOAT, GL_FALSE,
-                                  attributes[i].offset);
+        glVertexArrayAttribFormat(array, i, attributes[i].size, GL_FLOAT, GL_FALSE, attributes[i].offset);
         glVertexArrayAttribBinding(array, i, 0);
     }
     return array;
 }
 
-static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
-                      struct gpu_item *item)
+static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh, struct gpu_item *item)
 {
     const struct hatch_scene *scene = gpu->scene;
     const struct hatch_scene_mesh *from = &scene->meshes[mesh];
-    *item = (struct gpu_item){.mesh = mesh,
-                              .node = node,
-                              .repeat = {1.0f, 1.0f},
-                              .double_sided = true,
-                              .base_lightness = 1.0f};
+    *item = (struct gpu_item){
+        .mesh = mesh, .node = node, .repeat = {1.0f, 1.0f}, .double_sided = true, .base_lightness = 1.0f};
     if (from->material != HATCH_NONE) {
         const struct hatch_material *material = &scene->materials[from->material];
         item->double_sided = material->double_sided;
@@ -149,8 +138,7 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
     }
     if (hatch_pose_shapes(scene, node, &from->mesh)) {
         glCreateBuffers(1, &item->posed);
-        glNamedBufferData(item->posed,
-                          (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
+        glNamedBufferData(item->posed, (GLsizeiptr)(sizeof(struct vertex) * (from->mesh.vertex_count + 1u)), NULL,
                           GL_DYNAMIC_DRAW);
     }
     const struct gpu_mesh *shape = &gpu->meshes[mesh];
@@ -162,8 +150,7 @@ static void make_item(const struct gpu_scene *gpu, uint32_t node, uint32_t mesh,
 
 enum hatch_status scene_upload(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                const struct hatch_bounds *bounds, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct gpu_scene *gpu,
-                               struct hatch_err *err)
+                               struct hatch_arena *scratch, struct gpu_scene *gpu, struct hatch_err *err)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < scene->node_count; i++)
@@ -182,8 +169,7 @@ enum hatch_status scene_upload(const struct hatch_scene *scene, const struct hat
     }
     for (uint32_t node = 0; node < scene->node_count; node++)
         for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
-            make_item(&made, node, scene->nodes[node].first_mesh + i,
-                      &made.items[made.item_count++]);
+            make_item(&made, node, scene->nodes[node].first_mesh + i, &made.items[made.item_count++]);
     *gpu = made;
     return HATCH_OK;
 }
@@ -227,8 +213,8 @@ static void place_item(const struct gpu_scene *gpu, struct gpu_item *item)
     box_item(gpu, item);
 }
 
-static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
-                                   struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item, struct hatch_arena *scratch,
+                                   struct hatch_err *err)
 {
     static const float unit[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     static const float straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -259,8 +245,8 @@ static enum hatch_status pose_item(struct gpu_scene *gpu, struct gpu_item *item,
     return item->tangents ? normals_pose(gpu, item, positions, scratch, err) : HATCH_OK;
 }
 
-enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s,
-                                 struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status scene_set_pose(struct gpu_scene *gpu, uint32_t animation, double time_s, struct hatch_arena *scratch,
+                                 struct hatch_err *err)
 {
     if (!gpu->pose_number || animation != gpu->animation || time_s < gpu->time_s || time_s > gpu->time_s)
         gpu->pose_number++;
@@ -294,8 +280,7 @@ void scene_set_spans(struct gpu_item *item, const float *spans, uint32_t count)
     }
 }
 
-static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_arena *scratch,
-                                          struct hatch_err *err)
+static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_patch_mesh *patches = mesh->patches;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -312,8 +297,7 @@ static enum hatch_status make_patch_tones(struct gpu_mesh *mesh, struct hatch_ar
     return HATCH_OK;
 }
 
-enum hatch_status scene_tell_patches(struct gpu_scene *gpu, struct hatch_arena *scratch,
-                                     struct hatch_err *err)
+enum hatch_status scene_tell_patches(struct gpu_scene *gpu, struct hatch_arena *scratch, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < gpu->item_count; i++) {
         GLuint array = gpu->items[i].vertex_array;

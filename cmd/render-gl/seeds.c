@@ -26,10 +26,10 @@ struct seeds_block {
  * last; a seed is there once for each list that it is in, so that one read finds it. */
 struct packed {
     struct seeds_block block;
-    uint32_t *seeds;  /* four each: u, v, lives, lives in the next level */
+    uint32_t *seeds;     /* four each: u, v, lives, lives in the next level */
     struct lives *lives; /* of one layer's seeds: make_lives */
     int32_t *lists;
-    uint8_t *strokes; /* four a texel: alpha there, to the right, below, and both */
+    uint8_t *strokes;  /* four a texel: alpha there, to the right, below, and both */
     uint16_t *numbers; /* of seeds in their set; NULL where all strokes of a layer look the same */
     float ways[2 * HATCH_RPTAM_STEPS];
     size_t seed_count, list_count, stroke_count;
@@ -80,8 +80,7 @@ static void put_seed(const struct hatch_rptam_layer *layer, const struct lives *
 {
     const float at[2] = {(float)(layer->at[copy->seed][0] + copy->tile_u),
                          (float)(layer->at[copy->seed][1] + copy->tile_v)};
-    const struct lives *own =
-        &lives[16 * copy->seed + 4 * ((uint32_t)copy->tile_v & 3) + ((uint32_t)copy->tile_u & 3)];
+    const struct lives *own = &lives[16 * copy->seed + 4 * ((uint32_t)copy->tile_v & 3) + ((uint32_t)copy->tile_u & 3)];
     memcpy(to, at, sizeof at);
     to[2] = own->here;
     to[3] = own->later;
@@ -141,8 +140,7 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
     uint32_t other;
     bool drawn = has_stroke(rptam, index, &other);
     packed->block.layers[index] = (struct layer_block){
-        .turn = {(float)layer->cosine, (float)layer->sine, (float)(style->tile_px * style->tile_px),
-                 (float)style->ink},
+        .turn = {(float)layer->cosine, (float)layer->sine, (float)(style->tile_px * style->tile_px), (float)style->ink},
         .tone = {(float)(1 / stretch), (float)(-style->low / stretch), (float)style->low,
                  all ? 0 : HATCH_RPTAM_SIZES - 1},
         .stroke = {(float)((image->width - 2) / style->length_px), (float)((image->height - 2) / style->width_px),
@@ -222,8 +220,8 @@ static enum hatch_status list_all(const struct hatch_rptam *rptam, struct hatch_
         const struct hatch_rptam_layer *layer = &rptam->layers[i];
         const struct hatch_rptam_layer_style *style = &layer->style;
         const struct hatch_coverage_stroke largest = {2 * (style->length_px + 1) / style->tile_px,
-                                                      2 * (style->width_px + 1) / style->tile_px,
-                                                      layer->cosine, layer->sine};
+                                                      2 * (style->width_px + 1) / style->tile_px, layer->cosine,
+                                                      layer->sine};
         HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &largest, 1, scratch, &(*all)[i], err));
     }
     return HATCH_OK;
@@ -234,8 +232,8 @@ static void make_texels(const void *data, size_t size_bytes, GLenum format, GLui
 {
     static const float nothing[4];
     glCreateBuffers(1, buffer);
-    glNamedBufferStorage(*buffer, (GLsizeiptr)(size_bytes ? size_bytes : sizeof nothing),
-                         size_bytes ? data : nothing, 0);
+    glNamedBufferStorage(*buffer, (GLsizeiptr)(size_bytes ? size_bytes : sizeof nothing), size_bytes ? data : nothing,
+                         0);
     glCreateTextures(GL_TEXTURE_BUFFER, 1, texture);
     glTextureBuffer(*texture, format, *buffer);
 }
@@ -268,8 +266,8 @@ enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct
     if (status == HATCH_OK) {
         size_t texels = packed.seed_count > packed.list_count ? packed.seed_count : packed.list_count;
         if (texels > (size_t)most)
-            status = hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d",
-                                texels, most);
+            status =
+                hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d", texels, most);
         else {
             upload(&packed, seeds);
             seeds->vary = packed.numbers != NULL;

@@ -11,7 +11,7 @@
 #define SEEDS_VIEWS 5
 
 struct gpu_seeds {
-    GLuint layers; /* a buffer */
+    GLuint layers;                                   /* a buffer */
     GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, seeds' numbers; they as
                                                        textures */
     bool vary, shrink; /* what programs are compiled for: strokes differ, and they fade by size */

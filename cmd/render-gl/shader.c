@@ -18,8 +18,8 @@ struct stage_text {
     char files[INCLUDES_MAX][NAME_MAX_BYTES];
 };
 
-static enum hatch_status find_text(const struct shader_source *source, const char *name,
-                                   struct hatch_bytes *text, struct hatch_err *err)
+static enum hatch_status find_text(const struct shader_source *source, const char *name, struct hatch_bytes *text,
+                                   struct hatch_err *err)
 {
     if (source->folder) {
         char path[4096];
@@ -60,8 +60,7 @@ static bool is_taken(const struct stage_text *stage, const char *name)
     return false;
 }
 
-static enum hatch_status take_file(struct stage_text *stage, const char *name,
-                                   struct hatch_err *err)
+static enum hatch_status take_file(struct stage_text *stage, const char *name, struct hatch_err *err)
 {
     struct hatch_bytes text;
     if (is_taken(stage, name))
@@ -101,8 +100,8 @@ static enum hatch_status complain(const struct stage_text *stage, const char *wh
     return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: %.*s", name, length, log);
 }
 
-static enum hatch_status compile(const struct shader_source *source, GLenum kind, const char *name,
-                                 const char *defines, GLuint program, struct hatch_err *err)
+static enum hatch_status compile(const struct shader_source *source, GLenum kind, const char *name, const char *defines,
+                                 GLuint program, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(source->scratch);
     struct stage_text stage = {.source = source, .text = {.arena = source->scratch}};
@@ -129,9 +128,8 @@ static enum hatch_status compile(const struct shader_source *source, GLenum kind
     return status;
 }
 
-static enum hatch_status build(const struct shader_source *source,
-                               const struct shader_stages *stages, const char *defines,
-                               GLuint program, struct hatch_err *err)
+static enum hatch_status build(const struct shader_source *source, const struct shader_stages *stages,
+                               const char *defines, GLuint program, struct hatch_err *err)
 {
     HATCH_TRY(compile(source, GL_VERTEX_SHADER, stages->vertex, defines, program, err));
     if (stages->geometry)
@@ -147,9 +145,8 @@ static enum hatch_status build(const struct shader_source *source,
     return complain(NULL, stages->fragment, log, err);
 }
 
-enum hatch_status shader_program(const struct shader_source *source,
-                                 const struct shader_stages *stages, const char *defines,
-                                 GLuint *program, struct hatch_err *err)
+enum hatch_status shader_program(const struct shader_source *source, const struct shader_stages *stages,
+                                 const char *defines, GLuint *program, struct hatch_err *err)
 {
     GLuint made = glCreateProgram();
     enum hatch_status status = build(source, stages, defines, made, err);

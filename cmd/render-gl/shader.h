@@ -23,8 +23,7 @@ struct shader_source {
 /* Compiles and links. defines: lines put before every stage ("#define COLOR 1\n"), "" for none.
  * *program is the caller's to delete. HATCH_IO for a file of the folder that cannot be read,
  * HATCH_BAD_INPUT with the compiler's first complaint, which names the file and the line. */
-enum hatch_status shader_program(const struct shader_source *source,
-                                 const struct shader_stages *stages, const char *defines,
-                                 GLuint *program, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status shader_program(const struct shader_source *source, const struct shader_stages *stages,
+                                 const char *defines, GLuint *program, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -5,18 +5,17 @@
 
 #include "math/vector.h"
 
-#define MARGIN 1.05        /* around the scene, for the edges' width */
-#define CUBE_TANGENT 1.15  /* a cube's faces overlap, so that edges are soft over its borders */
-#define SPOT_COSINE 0.4    /* spots that are wider take a cube */
-#define NEAREST 1e-3       /* that casts a shadow in a lamp's light */
+#define MARGIN 1.05       /* around the scene, for the edges' width */
+#define CUBE_TANGENT 1.15 /* a cube's faces overlap, so that edges are soft over its borders */
+#define SPOT_COSINE 0.4   /* spots that are wider take a cube */
+#define NEAREST 1e-3      /* that casts a shadow in a lamp's light */
 #define SIZE_MIN_PX 512u
 #define SIZE_MAX_PX 2048u
-#define EDGE_PX 13.0       /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
+#define EDGE_PX 13.0 /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
 
 static const GLuint units[2] = {SHADOW_UNIT, SHADOW_UNIT_TEXELS};
 
-enum hatch_status shadow_compile(const struct shader_source *shaders, struct shadow *shadow,
-                                 struct hatch_err *err)
+enum hatch_status shadow_compile(const struct shader_source *shaders, struct shadow *shadow, struct hatch_err *err)
 {
     static const struct shader_stages stages = {.vertex = "shadow.vert", .fragment = "shadow.frag"};
     static const char *const defines[2] = {"", "#define BASE_TEXTURE 1\n#define BASE_HOLES 1\n"};
@@ -192,9 +191,9 @@ enum hatch_status shadow_begin(const struct frame_block *frame, const struct gpu
         shadow->block.maps[i][0] = -1;
         add_light(&frame->lights[i], (uint32_t)i, scene, shadow);
     }
-    shadow->drawn = shadow->drawn && layers == shadow->layers && shadow->pose_number == scene->pose_number &&
-                    memcmp(before.map_from_unit, shadow->block.map_from_unit,
-                           layers * sizeof before.map_from_unit[0]) == 0;
+    shadow->drawn =
+        shadow->drawn && layers == shadow->layers && shadow->pose_number == scene->pose_number &&
+        memcmp(before.map_from_unit, shadow->block.map_from_unit, layers * sizeof before.map_from_unit[0]) == 0;
     shadow->pose_number = scene->pose_number;
     HATCH_TRY(make_maps(size_px, shadow, err));
     shadow->block.edge[0] = (float)(0.5 * width);

@@ -7,7 +7,7 @@
 #include "render-gl/scene.h"
 #include "render-gl/shader.h"
 
-#define SHADOW_LAYERS 24u /* a sun and a spot take one, a lamp that shines all around takes six */
+#define SHADOW_LAYERS 24u     /* a sun and a spot take one, a lamp that shines all around takes six */
 #define SHADOW_UNIT 13u       /* filtered */
 #define SHADOW_UNIT_TEXELS 2u /* texel by texel */
 #define SHADOW_BINDING 2u
@@ -21,8 +21,8 @@ struct shadow_block {
 
 struct shadow {
     GLuint maps, framebuffer, buffer;
-    GLuint samplers[2]; /* for these */
-    GLuint programs[2]; /* draw whole faces; those with holes */
+    GLuint samplers[2];       /* for these */
+    GLuint programs[2];       /* draw whole faces; those with holes */
     uint32_t size_px, layers; /* of maps */
     uint32_t pose_number;     /* of the scene that they show */
     bool drawn;               /* they hold what they are to show */

@@ -52,14 +52,13 @@ static double reach_of(const struct hatch_mesh *mesh, const float *position, con
         }
         hatch_vec_triangle(p[0], p[1], p[2], normal);
         area += hatch_vec_length(normal);
-        uv_area += fabs((uv[1][0] - uv[0][0]) * (uv[2][1] - uv[0][1]) -
-                        (uv[2][0] - uv[0][0]) * (uv[1][1] - uv[0][1]));
+        uv_area += fabs((uv[1][0] - uv[0][0]) * (uv[2][1] - uv[0][1]) - (uv[2][0] - uv[0][0]) * (uv[1][1] - uv[0][1]));
     }
     return uv_area > 0 ? most * sqrt(area / uv_area) : 0;
 }
 
-static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item *item,
-                                  struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status set_item(const struct hatch_mesh *mesh, struct gpu_item *item, struct hatch_arena *scratch,
+                                  struct hatch_err *err)
 {
     const float *position = hatch_mesh_find(mesh, "POSITION", 3);
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
@@ -90,8 +89,7 @@ enum hatch_status seeds_set_spans(struct gpu_scene *scene, struct hatch_arena *s
     for (uint32_t i = 0; i < scene->item_count; i++) {
         struct gpu_item *item = &scene->items[i];
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        enum hatch_status status =
-            set_item(&scene->scene->meshes[item->mesh].mesh, item, scratch, err);
+        enum hatch_status status = set_item(&scene->scene->meshes[item->mesh].mesh, item, scratch, err);
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);
     }

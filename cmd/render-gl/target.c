@@ -21,20 +21,17 @@ static enum hatch_status make_buffers(struct target *target, struct hatch_err *e
         glCreateTextures(GL_TEXTURE_2D, 1, &target->resolved);
         glTextureStorage2D(target->resolved, 1, GL_RGBA16F, width, height);
         glCreateFramebuffers(1, &target->resolved_framebuffer);
-        glNamedFramebufferTexture(target->resolved_framebuffer, GL_COLOR_ATTACHMENT0,
-                                  target->resolved, 0);
+        glNamedFramebufferTexture(target->resolved_framebuffer, GL_COLOR_ATTACHMENT0, target->resolved, 0);
     }
     if (glGetError() == GL_OUT_OF_MEMORY ||
-        glCheckNamedFramebufferStatus(target->framebuffer, GL_FRAMEBUFFER) !=
-            GL_FRAMEBUFFER_COMPLETE)
+        glCheckNamedFramebufferStatus(target->framebuffer, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for a picture of %u by %u samples",
                           target->side * target->width, target->side * target->height);
     return HATCH_OK;
 }
 
-enum hatch_status target_make(uint32_t width, uint32_t height, uint32_t side,
-                              const struct shader_source *shaders, struct target *target,
-                              struct hatch_err *err)
+enum hatch_status target_make(uint32_t width, uint32_t height, uint32_t side, const struct shader_source *shaders,
+                              struct target *target, struct hatch_err *err)
 {
     static const struct shader_stages average = {.vertex = "screen.vert", .fragment = "average.frag"};
     static const struct shader_stages present = {.vertex = "screen.vert", .fragment = "present.frag"};
@@ -58,8 +55,7 @@ void target_begin(const struct target *target, const float rgb[3])
 {
     const GLfloat clear[4] = {rgb[0], rgb[1], rgb[2], 0.0f}, far = 0.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-    glViewport(0, 0, (GLsizei)(target->side * target->width),
-               (GLsizei)(target->side * target->height));
+    glViewport(0, 0, (GLsizei)(target->side * target->width), (GLsizei)(target->side * target->height));
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -94,13 +90,12 @@ void target_present(const struct target *target)
     draw_screen(target, target->present, target->resolved, 0);
 }
 
-void target_read(const struct target *target, uint32_t left, uint32_t below, uint32_t width,
-                 uint32_t height, struct hatch_image *image, uint32_t x, uint32_t y)
+void target_read(const struct target *target, uint32_t left, uint32_t below, uint32_t width, uint32_t height,
+                 struct hatch_image *image, uint32_t x, uint32_t y)
 {
     assert(image->channel_count == 3 && x + width <= image->width && y + height <= image->height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target->resolved_framebuffer);
-    float *corner = image->pixels +
-                    3 * ((size_t)(image->height - y - height) * image->width + x);
+    float *corner = image->pixels + 3 * ((size_t)(image->height - y - height) * image->width + x);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)image->width);
     glReadPixels((GLint)left, (GLint)below, (GLsizei)width, (GLsizei)height, GL_RGB, GL_FLOAT, corner);
@@ -119,8 +114,8 @@ void target_read_samples(const struct target *target, float *rgba)
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, (GLsizei)(target->side * target->width),
-                 (GLsizei)(target->side * target->height), GL_RGBA, GL_FLOAT, rgba);
+    glReadPixels(0, 0, (GLsizei)(target->side * target->width), (GLsizei)(target->side * target->height), GL_RGBA,
+                 GL_FLOAT, rgba);
 }
 
 float target_middle_depth(const struct target *target)

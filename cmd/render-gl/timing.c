@@ -47,8 +47,8 @@ static uint32_t measure(struct job *job, const struct target *target, struct ser
 {
     const struct options *options = &job->options;
     const struct clock *clock = job->renderer.clock;
-    const uint32_t techniques_drawn[3] = {(uint32_t)options->technique,
-                                          (uint32_t)options->technique, TECHNIQUE_GOURAUD};
+    const uint32_t techniques_drawn[3] = {(uint32_t)options->technique, (uint32_t)options->technique,
+                                          TECHNIQUE_GOURAUD};
     struct hatch_view view;
     job_set_frame(job, 0, &view);
     uint32_t last = 0;
@@ -92,9 +92,9 @@ static void report_span(struct cmd_report *report, const struct job *job, const 
 
 void timing_report(struct job *job)
 {
-    static const char *const columns[] = {
-        "technique", "span",        "frames",       "gpu_ms", "gpu_low_ms", "gpu_high_ms",
-        "wall_ms",   "wall_low_ms", "wall_high_ms", "device", NULL};
+    static const char *const columns[] = {"technique",    "span",        "frames",  "gpu_ms",
+                                          "gpu_low_ms",   "gpu_high_ms", "wall_ms", "wall_low_ms",
+                                          "wall_high_ms", "device",      NULL};
     struct hatch_arena *keep = &job->args.keep;
     struct cmd_report report;
     struct hatch_err err;
@@ -108,10 +108,8 @@ void timing_report(struct job *job)
     }
     job_make_target(job, &target);
     if (target.width < job->options.width || target.height < job->options.height)
-        cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", target.width,
-                 target.height);
-    cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_GOURAUD, &job->args.scratch, &err), NULL,
-              &err);
+        cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", target.width, target.height);
+    cmd_check(renderer_prepare(&job->renderer, TECHNIQUE_GOURAUD, &job->args.scratch, &err), NULL, &err);
     /* The reference differs from the technique in its strokes alone. */
     if (job->renderer.lines && technique_draws_strokes(techniques[job->options.technique]))
         job->renderer.lines->style.asked = true;

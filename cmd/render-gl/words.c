@@ -8,8 +8,8 @@
 void words_color(const char *option, struct hatch_text text, float rgb[3])
 {
     if (!hatch_color_parse(text, rgb))
-        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option,
-                  (int)text.length, text.at);
+        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option, (int)text.length,
+                  text.at);
 }
 
 bool words_whole(const char *text, uint32_t most, uint32_t *value)
@@ -31,8 +31,7 @@ bool words_place(const char *text, struct hatch_view_choice *view)
     view->has_target = text[length] == ':';
     const char *target = text + length + 1;
     return hatch_text_vector((struct hatch_text){text, length}, view->eye) &&
-           (!view->has_target ||
-            hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
+           (!view->has_target || hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
 }
 
 uint32_t words_line_kinds(const char *list)
@@ -48,8 +47,7 @@ uint32_t words_line_kinds(const char *list)
     uint32_t kinds = HATCH_LINES_NONE;
     for (const char *at = list; *at; at += *at == ',') {
         size_t size_bytes = strcspn(at, ","), i = 0;
-        while (i < 5 && (strlen(words[i].name) != size_bytes ||
-                         strncmp(at, words[i].name, size_bytes) != 0))
+        while (i < 5 && (strlen(words[i].name) != size_bytes || strncmp(at, words[i].name, size_bytes) != 0))
             i++;
         if (i == 5 || strcmp(at + size_bytes, ",") == 0)
             break;
@@ -58,8 +56,7 @@ uint32_t words_line_kinds(const char *list)
         if (!*at)
             return kinds;
     }
-    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between",
-              list);
+    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between", list);
 }
 
 static const char *find_place(const char *pattern, int *width)

@@ -22,8 +22,7 @@ static void begin(struct hatch_buffer *svg, uint32_t panels)
 static void circle(struct hatch_buffer *svg, double u, double v, double radius, const char *class)
 {
     struct hatch_err err;
-    cmd_check(hatch_buffer_print(svg, &err,
-                                 "<circle class=\"%s\" cx=\"%.4f\" cy=\"%.4f\" r=\"%.3f\"/>\n", class,
+    cmd_check(hatch_buffer_print(svg, &err, "<circle class=\"%s\" cx=\"%.4f\" cy=\"%.4f\" r=\"%.3f\"/>\n", class,
                                  u * SIDE, v * SIDE, radius),
               NULL, &err);
 }
@@ -37,9 +36,8 @@ static void panel(struct hatch_buffer *svg, const struct hatch_seed_set *set, ui
                                  "<g transform=\"translate(%g %g)\" fill=\"none\" stroke=\"black\">\n"
                                  "<title>layer %u: %u seeds</title>\n"
                                  "<path stroke=\"#bbb\" d=\"M0 0H%gV%gH0ZM%g 0V%gM0 %gH%g\"/>\n",
-                                 GAP + number % ACROSS * (SIDE + GAP),
-                                 GAP + number / ACROSS * (SIDE + GAP), number + 1, set->count, SIDE,
-                                 SIDE, SIDE / 2, SIDE, SIDE / 2, SIDE),
+                                 GAP + number % ACROSS * (SIDE + GAP), GAP + number / ACROSS * (SIDE + GAP), number + 1,
+                                 set->count, SIDE, SIDE, SIDE / 2, SIDE, SIDE / 2, SIDE),
               NULL, &err);
     for (uint32_t i = 0; i < set->count; i++) {
         double u = (double)places[i].u * 0x1p-64, v = (double)places[i].v * 0x1p-64;
@@ -58,8 +56,7 @@ struct hatch_bytes plot_seeds(struct cmd_args *args, const struct hatch_seeds *s
     for (uint32_t i = 0; i < seeds->layer_count; i++) {
         const struct hatch_seed_set *set = &seeds->layers[i];
         struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-        struct hatch_seed_place *places =
-            HATCH_NEW(&args->scratch, struct hatch_seed_place, set->count, &err);
+        struct hatch_seed_place *places = HATCH_NEW(&args->scratch, struct hatch_seed_place, set->count, &err);
         cmd_check(places ? HATCH_OK : HATCH_LIMIT, NULL, &err);
         hatch_seed_places(set, places);
         panel(&svg, set, i, places);

@@ -80,8 +80,8 @@ static void say(const char *file, const char *kind, const char *sentence)
 {
     char line[PATH_MAX + 2 * HATCH_ERR_TEXT_MAX];
     cmd_clear_progress();
-    int length = snprintf(line, sizeof line - 1, "%s: %s%s%s%s", cmd_current_program->name,
-                          file ? file : "", file ? ": " : "", kind, sentence);
+    int length = snprintf(line, sizeof line - 1, "%s: %s%s%s%s", cmd_current_program->name, file ? file : "",
+                          file ? ": " : "", kind, sentence);
     size_t size = length < (int)sizeof line - 1 ? (size_t)length : sizeof line - 2;
     for (size_t i = 0; i < size; i++)
         if ((unsigned char)line[i] < 0x20 || line[i] == 0x7f)
@@ -169,8 +169,7 @@ void cmd_progress(const char *what, double share)
         return;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    if (seconds_between(begun, now) < 1 ||
-        (progress_shown && seconds_between(last_progress, now) < 0.1))
+    if (seconds_between(begun, now) < 1 || (progress_shown && seconds_between(last_progress, now) < 0.1))
         return;
     fprintf(stderr, "\r%s: %s %d %%", cmd_current_program->name, what, (int)(100 * share));
     last_progress = now;

@@ -41,41 +41,41 @@ struct cmd_texts {
 /* Terminated by an entry without a name. A value outside minimum .. maximum is refused, never
  * clamped, and the ranges are written so that NaN fails. */
 struct cmd_option {
-    char letter;              /* 0: long form only */
-    const char *name;         /* without dashes */
+    char letter;      /* 0: long form only */
+    const char *name; /* without dashes */
     enum cmd_type type;
-    double minimum, maximum;  /* INT, REAL, SIZE, PAIR */
-    const char *metavariable; /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
-    const char *help;         /* one line, with the default; where it begins with '+', --help only names the
-                                 option, after the others: it is to fit a screen */
-    void *value;              /* holds the default on entry; see enum cmd_type */
+    double minimum, maximum;    /* INT, REAL, SIZE, PAIR */
+    const char *metavariable;   /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
+    const char *help;           /* one line, with the default; where it begins with '+', --help only names the
+                                   option, after the others: it is to fit a screen */
+    void *value;                /* holds the default on entry; see enum cmd_type */
     const char *const *choices; /* CHOICE: NULL-terminated */
-    bool *given;              /* may be NULL: set when the option stood on the command line */
+    bool *given;                /* may be NULL: set when the option stood on the command line */
 };
 
 struct cmd_program {
-    const char *name;        /* "tamgen" */
-    const char *operands;    /* "[FILE]", "A B", "" */
-    const char *summary;     /* one line: what it does */
+    const char *name;            /* "tamgen" */
+    const char *operands;        /* "[FILE]", "A B", "" */
+    const char *summary;         /* one line: what it does */
     const char *const *examples; /* NULL-terminated shell lines, two or so */
     const struct cmd_option *options;
     int operands_min, operands_max; /* max -1: any number */
-    bool seeded;             /* takes -s --seed */
-    bool reports;            /* takes --json */
-    bool binary;             /* its output is binary: never written to a terminal */
+    bool seeded;                    /* takes -s --seed */
+    bool reports;                   /* takes --json */
+    bool binary;                    /* its output is binary: never written to a terminal */
 };
 
 /* What the common options said, and the operands. */
 struct cmd_args {
-    const char *output;      /* NULL or "-": standard output */
-    uint32_t threads;        /* 1 .. 256; default: the processors at hand */
-    uint64_t max_memory;     /* bytes, for each of keep and scratch; default 4 GiB */
-    uint64_t seed;           /* default 1 */
+    const char *output;  /* NULL or "-": standard output */
+    uint32_t threads;    /* 1 .. 256; default: the processors at hand */
+    uint64_t max_memory; /* bytes, for each of keep and scratch; default 4 GiB */
+    uint64_t seed;       /* default 1 */
     bool json, verbose, quiet;
     int operand_count;
     char **operands;
     struct hatch_arena keep, scratch; /* initialised with max_memory */
-    struct hatch_pool *pool; /* made on the first cmd_pool() */
+    struct hatch_pool *pool;          /* made on the first cmd_pool() */
 };
 
 /* Parses; prints help or version and exits 0, or two lines and exits 2. Installs the handlers that
@@ -93,8 +93,8 @@ struct hatch_pool *cmd_pool(struct cmd_args *args);
 struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
 
 /* The same, failing by status; for companions of a file (a glTF's .bin). */
-enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
-                               struct hatch_bytes *bytes, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path, struct hatch_bytes *bytes,
+                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* The path of a file that comes with the commands, in args->keep: "share/hatch/styles/ink.style",
  * "lib/hatch/hatch-oiio.so". It is looked for beside the folder that holds the executable, which is the

@@ -26,8 +26,8 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     struct hatch_err err;
     struct hatch_mesh made;
     uint32_t *vertex_point;
-    cmd_check(hatch_surface_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err),
-              name, &err);
+    cmd_check(hatch_surface_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err), name,
+              &err);
     float *directions = hatch_mesh_find(&made, "_HATCH_DIR", 4);
     if (!directions)
         cmd_check(hatch_mesh_add(&args->keep, &made, "_HATCH_DIR", 4, &directions, &err), name, &err);
@@ -41,8 +41,8 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     mesh->had_normals = true;
 }
 
-static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface,
-                               struct hatch_arena *work, struct hatch_field *field, struct hatch_err *err)
+static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface, struct hatch_arena *work,
+                               struct hatch_field *field, struct hatch_err *err)
 {
     static const struct hatch_curvature_options as_noise_asks = {0};
     static const struct hatch_field_options options = {.method = HATCH_FIELD_LINEAR,
@@ -63,8 +63,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     hatch_field_follow_folds(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction, curvature.confidence);
     hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
     const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL, true};
-    HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field,
-                                err));
+    HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field, err));
     hatch_field_own_up(surface, made_up, field);
     return HATCH_OK;
 }

@@ -23,16 +23,15 @@ const char *cmd_input_name(const char *path)
 
 /* Reads to the end. A regular file's size is only a first guess: it may grow, and files of /proc
  * say 0. */
-static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena,
-                                     struct hatch_bytes *bytes, struct hatch_err *err)
+static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                                     struct hatch_err *err)
 {
     size_t capacity = guess ? guess : FIRST_PIECE, size = 0;
     uint8_t *data = HATCH_NEW(arena, uint8_t, capacity, err);
     while (data) {
         uint8_t beyond;
         bool full = size == capacity;
-        ssize_t got =
-            full ? read(descriptor, &beyond, 1) : read(descriptor, data + size, capacity - size);
+        ssize_t got = full ? read(descriptor, &beyond, 1) : read(descriptor, data + size, capacity - size);
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)
@@ -55,8 +54,8 @@ static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_
     return HATCH_LIMIT;
 }
 
-enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
-                               struct hatch_bytes *bytes, struct hatch_err *err)
+enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path, struct hatch_bytes *bytes,
+                               struct hatch_err *err)
 {
     bool standard = is_standard_input(path);
     int descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
@@ -69,8 +68,7 @@ enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path,
     else if (S_ISDIR(info.st_mode))
         status = hatch_fail(err, HATCH_BAD_INPUT, "is a directory, not a file");
     else
-        status = read_to_end(descriptor, S_ISREG(info.st_mode) ? (size_t)info.st_size : 0, arena,
-                             bytes, err);
+        status = read_to_end(descriptor, S_ISREG(info.st_mode) ? (size_t)info.st_size : 0, arena, bytes, err);
     if (!standard)
         close(descriptor);
     return status;

@@ -43,33 +43,26 @@ static void make_table(const struct cmd_program *program, struct table *table)
         add(table, *own);
     table->own = table->count;
     add(table, (struct cmd_option){'o', "output", CMD_TEXT, 0, 0, "FILE",
-                                   "where the result goes (default: standard output)",
-                                   &common.output, NULL, NULL});
+                                   "where the result goes (default: standard output)", &common.output, NULL, NULL});
     if (program->seeded)
-        add(table, (struct cmd_option){'s', "seed", CMD_INT, 0, 0x1p53, "N",
-                                       "what the random numbers follow from (1)", &common.seed,
-                                       NULL, NULL});
+        add(table, (struct cmd_option){'s', "seed", CMD_INT, 0, 0x1p53, "N", "what the random numbers follow from (1)",
+                                       &common.seed, NULL, NULL});
     if (program->reports)
-        add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON",
-                                       &common.json, NULL, NULL});
-    add(table,
-        (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N",
-                            "threads (default: one per processor)", &common.threads, NULL, NULL});
+        add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON", &common.json, NULL, NULL});
+    add(table, (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N", "threads (default: one per processor)",
+                                   &common.threads, NULL, NULL});
     add(table, (struct cmd_option){0, "max-memory", CMD_SIZE, 1 << 20, 0x1p53, "BYTES",
-                                   "refuse to use more; K, M or G may follow (4G)",
-                                   &common.max_memory, NULL, NULL});
-    add(table, (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "no warnings, no progress",
-                                   &common.quiet, NULL, NULL});
-    add(table, (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "say what is done",
-                                   &common.verbose, NULL, NULL});
-    add(table, (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print this and exit",
-                                   &common.help, NULL, NULL});
-    add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL,
-                                   "print the version and exit", &common.version, NULL, NULL});
+                                   "refuse to use more; K, M or G may follow (4G)", &common.max_memory, NULL, NULL});
+    add(table,
+        (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "no warnings, no progress", &common.quiet, NULL, NULL});
+    add(table,
+        (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "say what is done", &common.verbose, NULL, NULL});
+    add(table, (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print this and exit", &common.help, NULL, NULL});
+    add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL, "print the version and exit", &common.version,
+                                   NULL, NULL});
     /* For scripts: not in --help, which is for people. */
-    add(table, (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL,
-                                   "print all options as TSV and exit", &common.options_table, NULL,
-                                   NULL});
+    add(table, (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL, "print all options as TSV and exit",
+                                   &common.options_table, NULL, NULL});
 }
 
 static noreturn void refuse(const struct cmd_option *option, const char *text, const char *want)
@@ -85,8 +78,8 @@ static void describe_range(const struct cmd_option *option, char *text, size_t s
                        : option->type == CMD_SIZE ? "a size in bytes"
                                                   : "two numbers";
     bool is_pair = option->type == CMD_PAIR;
-    snprintf(text, size, "%s%s%s from %.16g to %.16g", kind, is_pair ? " " : "",
-             is_pair ? option->metavariable : "", option->minimum, option->maximum);
+    snprintf(text, size, "%s%s%s from %.16g to %.16g", kind, is_pair ? " " : "", is_pair ? option->metavariable : "",
+             option->minimum, option->maximum);
 }
 
 static noreturn void refuse_range(const struct cmd_option *option, const char *text)
@@ -120,8 +113,7 @@ static bool parse_size(const char *text, int64_t *value)
     const char *suffixes = "KMG";
     const char *suffix = length ? strchr(suffixes, text[length - 1]) : NULL;
     int shift = suffix ? 10 * (int)(suffix - suffixes + 1) : 0;
-    if (!parse_whole(text, length - (suffix ? 1 : 0), value) || *value < 0 ||
-        *value > INT64_MAX >> shift)
+    if (!parse_whole(text, length - (suffix ? 1 : 0), value) || *value < 0 || *value > INT64_MAX >> shift)
         return false;
     *value <<= shift;
     return true;
@@ -135,8 +127,8 @@ static bool parse_pair(const struct cmd_option *option, const char *text)
     const char *second = text + first_length + 1;
     double pair[2];
     if (!hatch_text_number((struct hatch_text){text, first_length}, &pair[0]) ||
-        !hatch_text_number((struct hatch_text){second, strlen(second)}, &pair[1]) ||
-        !in_range(option, pair[0]) || !in_range(option, pair[1]))
+        !hatch_text_number((struct hatch_text){second, strlen(second)}, &pair[1]) || !in_range(option, pair[0]) ||
+        !in_range(option, pair[1]))
         return false;
     memcpy(option->value, pair, sizeof pair);
     return true;
@@ -306,8 +298,8 @@ static noreturn void print_table(const struct table *table)
     for (size_t i = 0; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
         char letter[2] = {option->letter, 0};
-        printf("%s\t%s\t%s\t%.17g\t%.17g\t%s\t", letter, option->name, types[option->type],
-               option->minimum, option->maximum, option->metavariable ? option->metavariable : "");
+        printf("%s\t%s\t%s\t%.17g\t%.17g\t%s\t", letter, option->name, types[option->type], option->minimum,
+               option->maximum, option->metavariable ? option->metavariable : "");
         for (int c = 0; option->type == CMD_CHOICE && option->choices[c]; c++)
             printf("%s%s", c ? "," : "", option->choices[c]);
         printf("\t%s\t%s\n", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));

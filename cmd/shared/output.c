@@ -69,7 +69,7 @@ static void clean_up_and_end(int signal_number)
 }
 
 /* Unless the caller ignores it, or a sanitizer reports on it. */
-static void catch(int signal_number)
+static void catch (int signal_number)
 {
     struct sigaction action = {.sa_handler = clean_up_and_end}, before;
     sigemptyset(&action.sa_mask);
@@ -81,9 +81,9 @@ static void catch(int signal_number)
 void cmd_catch_signals(void)
 {
     for (size_t i = 0; i < ENDING_SIGNALS; i++)
-        catch(ending_signals[i]);
+        catch (ending_signals[i]);
     for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
-        catch(crashes[i]);
+        catch (crashes[i]);
     signal(SIGXFSZ, SIG_IGN); /* a write past ulimit -f then fails like any other */
 }
 
@@ -163,8 +163,8 @@ static struct place place_of(const char *target)
 static void refuse_second(const struct place *place, const char *name)
 {
     for (size_t i = 0; i < CMD_OUTPUTS_MAX && *place->name; i++)
-        if (unfinished[i] && places[i].folder == place->folder &&
-            places[i].device == place->device && strcmp(places[i].name, place->name) == 0)
+        if (unfinished[i] && places[i].folder == place->folder && places[i].device == place->device &&
+            strcmp(places[i].name, place->name) == 0)
             cmd_usage("two outputs go to %s", name);
 }
 
@@ -176,8 +176,7 @@ static void make_hidden(struct cmd_output *output, const struct stat *existing)
     refuse_second(&place, output->name);
     size_t size = (size_t)folder_length + strlen(cmd_current_program->name) + 16;
     char *hidden = obtain(size);
-    snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target,
-             cmd_current_program->name);
+    snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target, cmd_current_program->name);
     size_t slot = 0;
     while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
         slot++;

@@ -29,6 +29,6 @@ void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, s
     cmd_check(hatch_image_read_any(file, path, plugin, arena, &args->scratch, image, &err), name, &err);
     size_t replaced = replace_non_finite(image, fallback);
     if (replaced)
-        cmd_warn(name, "%zu %s finite: taken for %g", replaced,
-                 cmd_noun(replaced, "number is not", "numbers are not"), (double)fallback);
+        cmd_warn(name, "%zu %s finite: taken for %g", replaced, cmd_noun(replaced, "number is not", "numbers are not"),
+                 (double)fallback);
 }

@@ -23,8 +23,7 @@ static void put_escaped(struct cmd_report *report, const char *text)
 
 void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns)
 {
-    *report =
-        (struct cmd_report){.columns = columns, .text = {.arena = &args->keep}, .json = args->json};
+    *report = (struct cmd_report){.columns = columns, .text = {.arena = &args->keep}, .json = args->json};
     while (columns[report->column_count])
         report->column_count++;
     assert(report->column_count > 0 && report->column_count <= CMD_REPORT_COLUMNS_MAX);
@@ -85,8 +84,7 @@ void cmd_report_whole(struct cmd_report *report, uint64_t number)
 {
     struct hatch_err err;
     begin_cell(report);
-    cmd_check(hatch_buffer_print(&report->text, &err, "%llu", (unsigned long long)number), NULL,
-              &err);
+    cmd_check(hatch_buffer_print(&report->text, &err, "%llu", (unsigned long long)number), NULL, &err);
     end_cell(report);
 }
 

@@ -12,8 +12,7 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
 {
     const char *path = context, *slash = strrchr(path, '/');
     char joined[4096];
-    int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path,
-                          uri);
+    int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, uri);
     if (length < 0 || (size_t)length >= sizeof joined)
         return hatch_fail(err, HATCH_BAD_INPUT, "companion file: name too long");
     enum hatch_status status = cmd_try_read(arena, joined, bytes, err);
@@ -60,8 +59,8 @@ static bool is_file(const char *path)
     return path && strcmp(path, "-") != 0;
 }
 
-void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care,
-                          struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene,
+                          struct hatch_mesh_notes *notes)
 {
     const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
@@ -69,13 +68,12 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
     struct hatch_err err;
     enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
     if (format == HATCH_MESH_GLTF) {
-        cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path,
-                                  &args->keep, &args->scratch, scene, notes, &err),
+        cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path, &args->keep,
+                                  &args->scratch, scene, notes, &err),
                   name, &err);
     } else {
         double origin[3];
-        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, origin, notes, &err),
-                  name, &err);
+        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, origin, notes, &err), name, &err);
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
@@ -87,8 +85,7 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
     }
 }
 
-void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
-                    struct hatch_scene *scene)
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene)
 {
     struct hatch_mesh_notes notes = {0};
     cmd_read_scene_noted(args, path, care, scene, &notes);

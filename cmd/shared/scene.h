@@ -13,13 +13,12 @@ enum cmd_scene_care {
 /* Reads a scene: glTF with its companions (those of standard input cannot be found), or a mesh file as
  * a scene of one node. Normals are those of the file, or glTF's flat ones. Memory: args->keep. Dies on
  * failure. */
-void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care,
-                    struct hatch_scene *scene);
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene);
 
 /* The same without a word: what there is to warn of is added to notes, for commands that may have to end
  * with an error after all. */
-void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care,
-                          struct hatch_scene *scene, struct hatch_mesh_notes *notes);
+void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene,
+                          struct hatch_mesh_notes *notes);
 
 /* Where a file has no normals, edges that turn by more than 60 degrees stay sharp. */
 #define CMD_CREASE_RAD 1.0471975511965976f

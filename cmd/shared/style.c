@@ -16,8 +16,7 @@ static const char *own_file(struct cmd_args *args, const char *name, const char 
 {
     struct hatch_err err;
     struct hatch_buffer relative = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.%s%c", name, kind, '\0'),
-              NULL, &err);
+    cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.%s%c", name, kind, '\0'), NULL, &err);
     const char *path = cmd_own_file(args, (const char *)relative.data);
     return access(path, F_OK) == 0 ? path : NULL;
 }
@@ -70,8 +69,7 @@ const char *cmd_beside(struct cmd_args *args, const char *path, const char *name
     if (name[0] == '/' || !slash)
         return name;
     struct hatch_buffer joined = {.arena = &args->keep};
-    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, name, '\0'),
-              NULL, &err);
+    cmd_check(hatch_buffer_print(&joined, &err, "%.*s/%s%c", (int)(slash - path), path, name, '\0'), NULL, &err);
     return (const char *)joined.data;
 }
 
@@ -83,8 +81,8 @@ void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush 
     cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), cmd_input_name(path), &err);
 }
 
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
-                    const char *brush_path, struct hatch_style *style, struct hatch_brush *brush)
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
+                    struct hatch_style *style, struct hatch_brush *brush)
 {
     struct hatch_err err;
     const char *path = find_file(args, name, "style");

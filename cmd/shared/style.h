@@ -11,8 +11,8 @@
  * ends of lines, or NULL. brush_path: an image that replaces the style's brush, or NULL. The style
  * is called after its file where it does not say its name. The brush lives in args->keep. Dies on
  * failure; a style that is nowhere and settings that are wrong are wrong usage. */
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings,
-                    const char *brush_path, struct hatch_style *style, struct hatch_brush *brush);
+void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
+                    struct hatch_style *style, struct hatch_brush *brush);
 
 /* The colours of a palette, by name or file as a style is, in place of the style's own: a file of "color"
  * lines, or any style that has some. */

@@ -57,31 +57,26 @@ static void warn(const char *name, const struct hatch_surface_notes *notes, uint
         const char *one, *many;
     } done[] = {
         {empty, "mesh without an area left out", "meshes without an area left out"},
-        {notes->unreferenced, "vertex that no face uses left out",
-         "vertices that no face uses left out"},
+        {notes->unreferenced, "vertex that no face uses left out", "vertices that no face uses left out"},
         {notes->degenerate, "face without an area left out", "faces without an area left out"},
         {notes->duplicate, "face given twice left out", "faces given twice left out"},
         {notes->welded, "vertex welded", "vertices welded"},
         {notes->flipped, "face turned to agree", "faces turned to agree"},
         {notes->edges_cut, "edge of more than two faces cut", "edges of more than two faces cut"},
-        {notes->points_split, "point split where faces share no edge",
-         "points split where faces share no edge"},
-        {notes->contrary, "edge where a one-sided surface turns over",
-         "edges where a one-sided surface turns over"},
+        {notes->points_split, "point split where faces share no edge", "points split where faces share no edge"},
+        {notes->contrary, "edge where a one-sided surface turns over", "edges where a one-sided surface turns over"},
     };
     char line[HATCH_ERR_TEXT_MAX * 2] = "";
     size_t length = 0;
     for (size_t i = 0; i < sizeof done / sizeof *done; i++)
         if (done[i].count)
-            length += (size_t)snprintf(line + length, sizeof line - length, "%s%u %s",
-                                       length ? ", " : "", done[i].count,
-                                       done[i].count == 1 ? done[i].one : done[i].many);
+            length += (size_t)snprintf(line + length, sizeof line - length, "%s%u %s", length ? ", " : "",
+                                       done[i].count, done[i].count == 1 ? done[i].one : done[i].many);
     if (length)
         cmd_warn(name, "%s", line);
 }
 
-struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
-                                        struct hatch_scene *scene)
+struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path, struct hatch_scene *scene)
 {
     const char *name = cmd_input_name(path);
     struct hatch_surface_notes sum = {0}, notes;
@@ -94,9 +89,7 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
         cmd_die(name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct hatch_scene_mesh *from = &scene->meshes[i];
-        cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes,
-                                     &err),
-                  name, &err);
+        cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);
         /* Vertices of one place are no fault where they may differ in what they carry. */
         if (from->loose || from->mesh.attribute_count > 1)
             notes.welded = 0;

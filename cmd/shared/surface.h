@@ -10,7 +10,6 @@
  * none where nothing was, or where dirfield, before in the pipe, has said it. Meshes without any area are
  * taken out of the scene. path: the file, for messages. Memory: args->keep. Dies on failure, and when no
  * mesh is left. */
-struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
-                                        struct hatch_scene *scene);
+struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path, struct hatch_scene *scene);
 
 #endif

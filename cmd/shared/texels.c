@@ -14,7 +14,7 @@ struct parts {
     struct result {
         enum hatch_status status;
         struct hatch_err err;
-    } *results;
+    } * results;
 };
 
 bool cmd_wants_exr(const char *path)
@@ -23,8 +23,7 @@ bool cmd_wants_exr(const char *path)
     return length >= 4 && strcmp(path + length - 4, ".exr") == 0;
 }
 
-static void unpack_slice(const struct hatch_texels *texels, uint32_t level, uint32_t slice,
-                         struct hatch_image *image)
+static void unpack_slice(const struct hatch_texels *texels, uint32_t level, uint32_t slice, struct hatch_image *image)
 {
     size_t count = (size_t)image->width * image->height * image->channel_count;
     const uint8_t *from = texels->texels[level] + slice * count;
@@ -34,8 +33,7 @@ static void unpack_slice(const struct hatch_texels *texels, uint32_t level, uint
 
 /* Names and sizes; pixels only with an arena. */
 static enum hatch_status make_part(const struct parts *parts, uint32_t part, struct hatch_arena *arena,
-                                   struct hatch_image *levels, struct hatch_mipmap *mipmap,
-                                   struct hatch_err *err)
+                                   struct hatch_image *levels, struct hatch_mipmap *mipmap, struct hatch_err *err)
 {
     static const char *const letters[] = {"", "Y", "RG", "RGB", "RGBA"};
     const struct cmd_texture *texture = parts->texture;
@@ -48,9 +46,8 @@ static enum hatch_status make_part(const struct parts *parts, uint32_t part, str
     for (const char *const *pair = texture->key_values; pair[0]; pair += 2)
         hatch_mipmap_set_text(mipmap, pair[0], pair[1]);
     for (uint32_t level = 0; level < parts->level_count; level++) {
-        HATCH_TRY(hatch_image_make(arena, hatch_mip_size(texels->width, level),
-                                   hatch_mip_size(texels->height, level), letters[texels->channels],
-                                   &levels[level], err));
+        HATCH_TRY(hatch_image_make(arena, hatch_mip_size(texels->width, level), hatch_mip_size(texels->height, level),
+                                   letters[texels->channels], &levels[level], err));
         uint32_t last = texels->depth ? hatch_mip_size(texels->depth, level) - 1 : part;
         uint32_t slice = texels->depth ? part >> level : part;
         unpack_slice(texels, level, slice < last ? slice : last, &levels[level]);
@@ -72,14 +69,15 @@ static void add_part(void *context, uint32_t part)
     hatch_arena_free(&arena);
 }
 
-static enum hatch_status encode_exr(struct cmd_args *args, const struct cmd_texture *texture,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+static enum hatch_status encode_exr(struct cmd_args *args, const struct cmd_texture *texture, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     const struct hatch_texels *texels = texture->texels;
     uint32_t count = texels->depth ? texels->depth : texels->layers ? texels->layers : 1;
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX];
     struct hatch_mipmap base;
-    struct parts parts = {.texture = texture, .max_memory = args->max_memory,
+    struct parts parts = {.texture = texture,
+                          .max_memory = args->max_memory,
                           .level_count = hatch_mip_chain_length(texels->width, texels->height)};
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     HATCH_TRY(make_part(&parts, 0, &args->scratch, levels, &base, err));
@@ -104,8 +102,7 @@ void cmd_encode_texture(struct cmd_args *args, const struct cmd_texture *texture
                         struct hatch_buffer *file)
 {
     struct hatch_err err;
-    enum hatch_status status = cmd_wants_exr(path)
-                                   ? encode_exr(args, texture, file, &err)
-                                   : hatch_ktx2_write(texture->texels, texture->key_values, file, &err);
+    enum hatch_status status = cmd_wants_exr(path) ? encode_exr(args, texture, file, &err)
+                                                   : hatch_ktx2_write(texture->texels, texture->key_values, file, &err);
     cmd_check(status, path, &err);
 }

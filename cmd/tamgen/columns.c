@@ -30,8 +30,7 @@ static void compress(void *context, uint32_t index)
     atomic_store(&copy->busy, false);
 }
 
-static enum hatch_status begin(struct columns *columns, const struct hatch_mipmap *column,
-                               struct hatch_err *err)
+static enum hatch_status begin(struct columns *columns, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     HATCH_TRY(hatch_exr_begin(column, columns->tones, columns->arena, &columns->writer, err));
     uint32_t threads = hatch_pool_threads(columns->pool), most = columns->tones / COPIES_DIVISOR;
@@ -70,15 +69,13 @@ static void fill_copy(struct column_copy *copy, uint32_t tone, const struct hatc
     for (uint32_t level = 0; level < column->level_count; level++) {
         const struct hatch_image *image = &column->levels[level];
         float *pixels = copy->levels[level].pixels;
-        memcpy(pixels, image->pixels,
-               (size_t)image->width * image->height * image->channel_count * sizeof *pixels);
+        memcpy(pixels, image->pixels, (size_t)image->width * image->height * image->channel_count * sizeof *pixels);
         copy->levels[level] = *image;
         copy->levels[level].pixels = pixels;
     }
 }
 
-enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column,
-                               struct hatch_err *err)
+enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     struct columns *columns = context;
     if (!columns->writer)

@@ -17,7 +17,7 @@ struct columns {
     struct hatch_exr_writer *writer; /* made for the first column */
     struct column_copy *copies;
     uint32_t copy_count;
-    uint32_t done;                   /* columns received */
+    uint32_t done; /* columns received */
 };
 
 /* Takes one column: a hatch_tam_sink; context is a struct columns. */

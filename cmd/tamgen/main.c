@@ -16,37 +16,29 @@ static bool ids;
 static const char *const methods[] = {"field", "exhaustive", NULL};
 
 static const struct cmd_option options[] = {
-    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default ink)", &style_name, NULL,
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default ink)", &style_name, NULL, NULL},
+    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL, NULL},
+    {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by darkness: a palette's name, or a file", &palette, NULL,
      NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL,
+    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "a grey image of one stroke, dark on white", &brush_path, NULL, NULL},
+    {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "columns, lightest first (default 6)", &tones, NULL, NULL},
+    {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX", "finest level, a power of two (default 256)",
+     &size_px, NULL, NULL},
+    {'l', "levels", CMD_INT, 1, 8, "N", "levels that hold strokes (default: down to 32 px)", &levels, NULL, NULL},
+    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "strokes tried per stroke, light to dark columns", candidates, NULL,
+     &candidates_given},
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the paper's loop", &method, methods,
+     &method_given},
+    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes begin that much smaller and grow (default 0)", &growth, NULL,
+     &growth_given},
+    {'R', "replay", CMD_TEXT, 0, 0, "FILE", "strokes of a script or an SVG drawing, in their order", &replay.path, NULL,
      NULL},
-    {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by darkness: a palette's name, or a file", &palette,
-     NULL, NULL},
-    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "a grey image of one stroke, dark on white", &brush_path, NULL,
-     NULL},
-    {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "columns, lightest first (default 6)", &tones, NULL,
-     NULL},
-    {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX",
-     "finest level, a power of two (default 256)", &size_px, NULL, NULL},
-    {'l', "levels", CMD_INT, 1, 8, "N", "levels that hold strokes (default: down to 32 px)", &levels, NULL,
-     NULL},
-    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "strokes tried per stroke, light to dark columns",
-     candidates, NULL, &candidates_given},
-    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the paper's loop", &method,
-     methods, &method_given},
-    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes begin that much smaller and grow (default 0)",
-     &growth, NULL, &growth_given},
-    {'R', "replay", CMD_TEXT, 0, 0, "FILE", "strokes of a script or an SVG drawing, in their order",
-     &replay.path, NULL, NULL},
-    {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "of a drawing's strokes, from level to level (default 1)",
-     &replay.keep, NULL, &keep_given},
-    {'f', "fit", CMD_FLAG, 0, 0, NULL, "find that share for each image; says the errors left", &replay.fit, NULL,
-     NULL},
+    {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "of a drawing's strokes, from level to level (default 1)", &replay.keep,
+     NULL, &keep_given},
+    {'f', "fit", CMD_FLAG, 0, 0, NULL, "find that share for each image; says the errors left", &replay.fit, NULL, NULL},
     {'i', "ids", CMD_FLAG, 0, 0, NULL, "store which stroke each pixel belongs to", &ids, NULL, NULL},
-    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL,
-     NULL},
-    {'x', "contact-sheet", CMD_TEXT, 0, 0, "PNG", "draw the grid of tones and levels", &sheet_path, NULL,
-     NULL},
+    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL, NULL},
+    {'x', "contact-sheet", CMD_TEXT, 0, 0, "PNG", "draw the grid of tones and levels", &sheet_path, NULL, NULL},
     {0},
 };
 
@@ -77,8 +69,8 @@ static void check_sizes(void)
     while (size_px >> deepest >= SMALLEST_LEVEL_PX)
         deepest++;
     if (levels > deepest)
-        cmd_usage("--levels %d: the coarsest would be under %u pixels; %d at most", (int)levels,
-                  SMALLEST_LEVEL_PX, (int)deepest);
+        cmd_usage("--levels %d: the coarsest would be under %u pixels; %d at most", (int)levels, SMALLEST_LEVEL_PX,
+                  (int)deepest);
     if (levels == 0)
         levels = deepest;
 }

@@ -22,8 +22,8 @@ void begin_columns(struct job *job)
                                     .sheet = job->sheet_path ? &job->sheet : NULL};
     uint32_t shown = job->tones < SHEET_COLUMNS_MAX ? job->tones : SHEET_COLUMNS_MAX;
     if (job->sheet_path)
-        cmd_check(hatch_tam_sheet_make(job->size_px, job->levels, job->tones, job->color, shown,
-                                       &job->args.keep, &job->sheet, &err),
+        cmd_check(hatch_tam_sheet_make(job->size_px, job->levels, job->tones, job->color, shown, &job->args.keep,
+                                       &job->sheet, &err),
                   job->sheet_path, &err);
 }
 
@@ -37,8 +37,7 @@ void write_outputs(struct job *job, const struct outputs *outputs)
         cmd_check(hatch_script_print(job->strokes.items, job->strokes.count, job->size_px, NULL, &script, &err),
                   job->strokes_path, &err);
     if (job->sheet_path)
-        cmd_check(hatch_png_write(&job->sheet.picture, HATCH_PNG_SRGB, 8, NULL, &job->args.scratch, &picture,
-                                  &err),
+        cmd_check(hatch_png_write(&job->sheet.picture, HATCH_PNG_SRGB, 8, NULL, &job->args.scratch, &picture, &err),
                   job->sheet_path, &err);
     struct cmd_file files[3] = {{outputs->map, map.data, map.size, pieces, job->tones}};
     size_t count = 1;

@@ -17,8 +17,7 @@ static void tell_of_rest(const struct job *job, const char *file, const struct h
     if (sum)
         cmd_warn(file, "only plain strokes are replayed, passed over: %s", err.text);
     if (notes->outside)
-        cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside,
-                 notes->outside + notes->strokes);
+        cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside, notes->outside + notes->strokes);
 }
 
 static bool is_colored(const struct hatch_stroke_list *strokes)
@@ -37,8 +36,7 @@ void read_drawing(struct job *job, const struct replay_job *replay)
     struct hatch_svg_notes notes = {0};
     cmd_check(replay->is_svg ? hatch_svg_read(replay->file, job->size_px, &job->args.keep, &job->args.scratch,
                                               &job->strokes, &notes, &err)
-                             : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes,
-                                                  &err),
+                             : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes, &err),
               name, &err);
     tell_of_rest(job, name, &notes);
     job->color = job->style.color_count > 0 || is_colored(&job->strokes);
@@ -47,8 +45,7 @@ void read_drawing(struct job *job, const struct replay_job *replay)
 static void warn_of_range(const struct job *job, const char *name, const struct hatch_replay_result *result)
 {
     if (result->short_columns)
-        cmd_warn(name,
-                 "the drawing reaches a darkness of %.3f: %u of %u columns are to be darker, and hold all of it",
+        cmd_warn(name, "the drawing reaches a darkness of %.3f: %u of %u columns are to be darker, and hold all of it",
                  (double)result->darkest, result->short_columns, job->tones);
     if (result->exhausted)
         cmd_warn(name, "%u %s lighter than wanted, by up to %.4f: the finer ones have no more strokes",
@@ -57,12 +54,10 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
 }
 
 /* --fit is asked for its figures; of the others they are worth knowing. */
-static void say_errors(const struct job *job, const struct replay_job *replay,
-                       const struct hatch_replay_result *result)
+static void say_errors(const struct job *job, const struct replay_job *replay, const struct hatch_replay_result *result)
 {
     void (*say)(const char *, ...) = replay->fit && !job->args.quiet ? cmd_say : cmd_note;
-    say("tone within %.4f (bound %.4f) on every level", (double)result->tone_error,
-        (double)result->tone_bound);
+    say("tone within %.4f (bound %.4f) on every level", (double)result->tone_error, (double)result->tone_bound);
     if (job->color)
         say("chroma within %.4f, hue within %.1f degrees of the finest level's", (double)result->chroma_error,
             (double)result->hue_error_deg);
@@ -85,8 +80,8 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
     uint32_t drawn = job->strokes.count;
     hatch_style_targets(&job->style, job->tones, targets);
     cmd_check(hatch_tam_replay(&job->style, &job->brush, &options, job->style.tone_max_given ? targets : NULL,
-                               &job->strokes, &job->args.keep, &job->args.scratch, columns_take, &job->columns,
-                               &result, &err),
+                               &job->strokes, &job->args.keep, &job->args.scratch, columns_take, &job->columns, &result,
+                               &err),
               name, &err);
     warn_of_range(job, name, &result);
     cmd_note("%u of %u strokes, darkness up to %.3f", job->strokes.count, drawn, (double)result.darkest);

@@ -53,8 +53,7 @@ static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, 
     char tones[HATCH_TAM_TONES_MAX * NUMBER_BYTES] = "", levels[NUMBER_BYTES];
     int at = 0;
     for (uint32_t tone = first; tone < first + count && tone < job->tam.tones; tone++)
-        at += snprintf(tones + at, sizeof tones - (size_t)at, "%s%.6g", at ? " " : "",
-                       (double)job->tam.target[tone]);
+        at += snprintf(tones + at, sizeof tones - (size_t)at, "%s%.6g", at ? " " : "", (double)job->tam.target[tone]);
     snprintf(levels, sizeof levels, "%u", job->tam.levels);
     const char *seed = cmd_map_seed(&job->tam);
     const char *const pairs[] = {HATCH_TAM_ATTR_TONE,
@@ -69,9 +68,8 @@ static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, 
     return hatch_ktx2_write(texture, pairs, file, err);
 }
 
-static enum hatch_status encode_rgb(const struct pack_job *job, uint32_t index,
-                                    struct hatch_arena *scratch, struct hatch_buffer *file,
-                                    struct hatch_err *err)
+static enum hatch_status encode_rgb(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                    struct hatch_buffer *file, struct hatch_err *err)
 {
     const uint32_t tones = HATCH_PACK_TONES_PER_TEXTURE;
     struct hatch_texels texture;
@@ -79,9 +77,8 @@ static enum hatch_status encode_rgb(const struct pack_job *job, uint32_t index,
     return write_ktx2(job, index * tones, tones, &texture, file, err);
 }
 
-static enum hatch_status encode_array(const struct pack_job *job, uint32_t index,
-                                      struct hatch_arena *scratch, struct hatch_buffer *file,
-                                      struct hatch_err *err)
+static enum hatch_status encode_array(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                      struct hatch_buffer *file, struct hatch_err *err)
 {
     (void)index;
     struct hatch_texels texture;
@@ -89,9 +86,8 @@ static enum hatch_status encode_array(const struct pack_job *job, uint32_t index
     return write_ktx2(job, 0, job->tam.tones, &texture, file, err);
 }
 
-static enum hatch_status encode_dds(const struct pack_job *job, uint32_t index,
-                                    struct hatch_arena *scratch, struct hatch_buffer *file,
-                                    struct hatch_err *err)
+static enum hatch_status encode_dds(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                    struct hatch_buffer *file, struct hatch_err *err)
 {
     (void)index;
     struct hatch_texels texture;
@@ -99,28 +95,24 @@ static enum hatch_status encode_dds(const struct pack_job *job, uint32_t index,
     return hatch_dds_write(&texture, file, err);
 }
 
-static enum hatch_status encode_png(const struct pack_job *job, uint32_t index,
-                                    struct hatch_arena *scratch, struct hatch_buffer *file,
-                                    struct hatch_err *err)
+static enum hatch_status encode_png(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                    struct hatch_buffer *file, struct hatch_err *err)
 {
     uint32_t levels = job->tam.columns[0].level_count;
     struct hatch_image picture = job->tam.columns[index / levels].levels[index % levels];
     struct hatch_image shown;
-    HATCH_TRY(hatch_image_make(scratch, picture.width, picture.height, job->tam.color ? "RGB" : "Y",
-                               &shown, err));
+    HATCH_TRY(hatch_image_make(scratch, picture.width, picture.height, job->tam.color ? "RGB" : "Y", &shown, err));
     size_t texels = (size_t)picture.width * picture.height;
     for (size_t i = 0; i < texels; i++)
         for (uint32_t c = 0; c < shown.channel_count; c++) {
             float reflectance = picture.pixels[i * picture.channel_count + c];
-            shown.pixels[i * shown.channel_count + c] =
-                job->ink_is_one ? 1 - reflectance : reflectance;
+            shown.pixels[i * shown.channel_count + c] = job->ink_is_one ? 1 - reflectance : reflectance;
         }
     return hatch_png_write(&shown, HATCH_PNG_SRGB, 8, job->comment, scratch, file, err);
 }
 
-static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index,
-                                    struct hatch_arena *scratch, struct hatch_buffer *file,
-                                    struct hatch_err *err)
+static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                    struct hatch_buffer *file, struct hatch_err *err)
 {
     return hatch_exr_write(&job->tam.columns[index], scratch, file, err);
 }
@@ -132,10 +124,8 @@ const struct pack_layout pack_layouts[] = {
      "dds",
      false, true, true, count_one, suffix_index, encode_array},
     {"dds", ".dds", NULL, false, true, true, count_one, suffix_index, encode_dds},
-    {"png", ".png",
-     "importers make mip levels of their own, which thins the strokes: see --layout rgb", false,
-     true, false, count_pictures, suffix_picture, encode_png},
-    {"exr", ".exr",
-     "three.js and most importers take the finest level alone and make mip levels of their own",
-     true, false, false, count_tones, suffix_tone, encode_exr},
+    {"png", ".png", "importers make mip levels of their own, which thins the strokes: see --layout rgb", false, true,
+     false, count_pictures, suffix_picture, encode_png},
+    {"exr", ".exr", "three.js and most importers take the finest level alone and make mip levels of their own", true,
+     false, false, count_tones, suffix_tone, encode_exr},
 };

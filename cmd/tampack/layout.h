@@ -24,9 +24,8 @@ struct pack_layout {
     void (*suffix)(const struct hatch_tam *tam, uint32_t index, char *suffix, size_t size);
 
     /* One file; several are encoded at once. What scratch holds afterwards is freed. */
-    enum hatch_status (*encode)(const struct pack_job *job, uint32_t index,
-                                struct hatch_arena *scratch, struct hatch_buffer *file,
-                                struct hatch_err *err);
+    enum hatch_status (*encode)(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
+                                struct hatch_buffer *file, struct hatch_err *err);
 };
 
 /* In the order of the option's choices. */
@@ -34,7 +33,7 @@ extern const struct pack_layout pack_layouts[];
 
 /* The name of the file with that suffix, in args->keep: path is what -o says, a name or an existing
  * folder; input is where the map came from. */
-const char *pack_file_name(struct cmd_args *args, const char *path, const char *input,
-                           const char *suffix, const char *ending);
+const char *pack_file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
+                           const char *ending);
 
 #endif

@@ -11,10 +11,10 @@ static bool ink_given;
 static const char *const layout_choices[] = {"rgb", "array", "dds", "png", "exr", NULL};
 
 static const struct cmd_option options[] = {
-    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT",
-     "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout, layout_choices, NULL},
-    {'i', "ink", CMD_INT, 0, 1, "N",
-     "the number that stands for ink; paper is the other (default 0)", &ink, NULL, &ink_given},
+    {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout,
+     layout_choices, NULL},
+    {'i', "ink", CMD_INT, 0, 1, "N", "the number that stands for ink; paper is the other (default 0)", &ink, NULL,
+     &ink_given},
     {0},
 };
 
@@ -40,8 +40,7 @@ static void warn(const struct pack_layout *how, const struct hatch_tam *tam, con
     if (how->warning)
         cmd_warn(cmd_input_name(input), "%s", how->warning);
     if (tam->ids && !how->keeps_ids)
-        cmd_warn(cmd_input_name(input),
-                 "the strokes' ids are left out: only --layout exr holds them");
+        cmd_warn(cmd_input_name(input), "the strokes' ids are left out: only --layout exr holds them");
 }
 
 /* One file on its way; arena holds its bytes. */
@@ -66,17 +65,15 @@ static void encode(void *context, uint32_t index)
     hatch_arena_free(&scratch);
 }
 
-static struct cmd_output *open_file(const struct pack_job *job, const struct pack_layout *how,
-                                    const char *input, uint32_t index)
+static struct cmd_output *open_file(const struct pack_job *job, const struct pack_layout *how, const char *input,
+                                    uint32_t index)
 {
     char suffix[64];
     how->suffix(&job->tam, index, suffix, sizeof suffix);
-    return cmd_open_output(pack_file_name(job->args, job->args->output, input, suffix, how->ending),
-                           true);
+    return cmd_open_output(pack_file_name(job->args, job->args->output, input, suffix, how->ending), true);
 }
 
-static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how,
-                            const char *input)
+static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how, const char *input)
 {
     struct hatch_err err;
     uint32_t count = how->count(&job->tam);
@@ -110,8 +107,8 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     struct cmd_file *written = HATCH_NEW(&job->args->keep, struct cmd_file, count, &err);
     cmd_check(written ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++)
-        written[i] = (struct cmd_file){
-            .output = files[i].output, .data = files[i].bytes.data, .size = files[i].bytes.size};
+        written[i] =
+            (struct cmd_file){.output = files[i].output, .data = files[i].bytes.data, .size = files[i].bytes.size};
     cmd_write_all(written, count);
     for (uint32_t i = 0; i < count; i++)
         hatch_arena_free(&files[i].arena);
@@ -127,8 +124,7 @@ int main(int argc, char **argv)
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
     if (ink_given && !how->takes_ink)
-        cmd_usage("--ink does not go with --layout %s, which is 0 for ink by its format",
-                  how->name);
+        cmd_usage("--ink does not go with --layout %s, which is 0 for ink by its format", how->name);
     cmd_check_ending(args.output, how->ending + 1);
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 

@@ -30,8 +30,8 @@ static const char *input_stem(const char *input)
     return is_standard ? "tam" : after_last_slash(input);
 }
 
-const char *pack_file_name(struct cmd_args *args, const char *path, const char *input,
-                           const char *suffix, const char *ending)
+const char *pack_file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
+                           const char *ending)
 {
     struct hatch_buffer name = {.arena = &args->keep};
     struct hatch_err err;
@@ -42,9 +42,8 @@ const char *pack_file_name(struct cmd_args *args, const char *path, const char *
     bool has_ending = !folder && stem[stem_size];
     int before = folder ? (int)strlen(path) : (int)(file - path);
     bool needs_slash = folder && path[strlen(path) - 1] != '/';
-    cmd_check(hatch_buffer_print(&name, &err, "%.*s%s%.*s%s%s", before, path,
-                                 needs_slash ? "/" : "", (int)stem_size, stem, suffix,
-                                 has_ending ? stem + stem_size : ending),
+    cmd_check(hatch_buffer_print(&name, &err, "%.*s%s%.*s%s%s", before, path, needs_slash ? "/" : "", (int)stem_size,
+                                 stem, suffix, has_ending ? stem + stem_size : ending),
               NULL, &err);
     return (const char *)name.data;
 }

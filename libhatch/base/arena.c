@@ -114,13 +114,12 @@ void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, st
     if (count <= SIZE_MAX / size)
         at = take(arena, count * size);
     if (!at)
-        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes beside %zu bytes in use, limit %zu",
-                   count, size, arena->used_bytes, arena->limit_bytes);
+        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes beside %zu bytes in use, limit %zu", count,
+                   size, arena->used_bytes, arena->limit_bytes);
     return at;
 }
 
-char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length,
-                       struct hatch_err *err)
+char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length, struct hatch_err *err)
 {
     char *copy = HATCH_NEW(arena, char, length + 1, err);
     if (copy)

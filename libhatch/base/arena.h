@@ -46,16 +46,13 @@ void *hatch_arena_array(struct hatch_arena *arena, size_t count, size_t size, st
 /* The same without the zeros, for what is large and filled at once: its pages are then touched first by
  * the threads that fill them. */
 void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
-#define HATCH_NEW_UNSET(arena, type, count, err)                                                   \
-    ((type *)hatch_arena_unset((arena), (count), sizeof(type), (err)))
+#define HATCH_NEW_UNSET(arena, type, count, err) ((type *)hatch_arena_unset((arena), (count), sizeof(type), (err)))
 
 /* HATCH_NEW(arena, float, n, err): n zeroed floats, or NULL with err filled. */
-#define HATCH_NEW(arena, type, count, err)                                                         \
-    ((type *)hatch_arena_array((arena), (count), sizeof(type), (err)))
+#define HATCH_NEW(arena, type, count, err) ((type *)hatch_arena_array((arena), (count), sizeof(type), (err)))
 
 /* A zero-terminated copy of length bytes of text, or NULL with err filled. */
-char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length,
-                       struct hatch_err *err);
+char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length, struct hatch_err *err);
 
 /* Everything allocated after a mark is freed by the rewind to it. Marks nest. */
 struct hatch_arena_mark hatch_arena_mark(const struct hatch_arena *arena);

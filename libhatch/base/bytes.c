@@ -73,8 +73,7 @@ double hatch_read_f64(struct hatch_reader *reader)
     return value;
 }
 
-enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
-                                       struct hatch_err *err)
+enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more, struct hatch_err *err)
 {
     if (more <= buffer->capacity - buffer->size)
         return HATCH_OK;
@@ -96,8 +95,7 @@ enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
     return HATCH_OK;
 }
 
-enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size,
-                                   struct hatch_err *err)
+enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size, struct hatch_err *err)
 {
     HATCH_TRY(hatch_buffer_reserve(buffer, size, err));
     if (bytes && size)
@@ -117,20 +115,17 @@ static enum hatch_status add_little_endian(struct hatch_buffer *buffer, uint64_t
     return hatch_buffer_add(buffer, bytes, size, err);
 }
 
-enum hatch_status hatch_buffer_add_u32le(struct hatch_buffer *buffer, uint32_t value,
-                                         struct hatch_err *err)
+enum hatch_status hatch_buffer_add_u32le(struct hatch_buffer *buffer, uint32_t value, struct hatch_err *err)
 {
     return add_little_endian(buffer, value, 4, err);
 }
 
-enum hatch_status hatch_buffer_add_u64le(struct hatch_buffer *buffer, uint64_t value,
-                                         struct hatch_err *err)
+enum hatch_status hatch_buffer_add_u64le(struct hatch_buffer *buffer, uint64_t value, struct hatch_err *err)
 {
     return add_little_endian(buffer, value, 8, err);
 }
 
-enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_err *err,
-                                     const char *format, ...)
+enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_err *err, const char *format, ...)
 {
     va_list args, again;
     va_start(args, format);
@@ -150,8 +145,7 @@ enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_e
     return status;
 }
 
-enum hatch_status hatch_buffer_pad(struct hatch_buffer *buffer, size_t alignment,
-                                   struct hatch_err *err)
+enum hatch_status hatch_buffer_pad(struct hatch_buffer *buffer, size_t alignment, struct hatch_err *err)
 {
     size_t over = buffer->size % alignment;
     return over ? hatch_buffer_add(buffer, NULL, alignment - over, err) : HATCH_OK;

@@ -50,8 +50,7 @@ struct hatch_buffer {
 };
 
 /* Makes room for more bytes at once, for a writer that knows what is coming. */
-enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more, struct hatch_err *err) HATCH_MUST_USE;
 /* Appends size bytes; bytes may be NULL for zeros. */
 enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size,
                                    struct hatch_err *err) HATCH_MUST_USE;
@@ -60,10 +59,9 @@ enum hatch_status hatch_buffer_add_u32le(struct hatch_buffer *buffer, uint32_t v
 enum hatch_status hatch_buffer_add_u64le(struct hatch_buffer *buffer, uint64_t value,
                                          struct hatch_err *err) HATCH_MUST_USE;
 /* Appends formatted text without its terminating zero; numbers are always written in the C locale. */
-enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_err *err,
-                                     const char *format, ...) HATCH_MUST_USE HATCH_PRINTF(3, 4);
+enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_err *err, const char *format,
+                                     ...) HATCH_MUST_USE HATCH_PRINTF(3, 4);
 /* Appends zeros until size is a multiple of alignment. */
-enum hatch_status hatch_buffer_pad(struct hatch_buffer *buffer, size_t alignment,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_buffer_pad(struct hatch_buffer *buffer, size_t alignment, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -29,8 +29,7 @@ static enum hatch_status grow(struct hatch_keys *keys, uint32_t capacity, struct
     return HATCH_OK;
 }
 
-enum hatch_status hatch_keys_make(struct hatch_arena *arena, struct hatch_keys *keys,
-                                 struct hatch_err *err)
+enum hatch_status hatch_keys_make(struct hatch_arena *arena, struct hatch_keys *keys, struct hatch_err *err)
 {
     struct hatch_keys made = {.arena = arena};
     HATCH_TRY(grow(&made, FIRST_CAPACITY, err));
@@ -38,8 +37,7 @@ enum hatch_status hatch_keys_make(struct hatch_arena *arena, struct hatch_keys *
     return HATCH_OK;
 }
 
-enum hatch_status hatch_keys_number(struct hatch_keys *keys, uint64_t key, uint32_t *number,
-                                   struct hatch_err *err)
+enum hatch_status hatch_keys_number(struct hatch_keys *keys, uint64_t key, uint32_t *number, struct hatch_err *err)
 {
     uint32_t slot = slot_of(keys, key);
     if (!keys->slots[slot]) {

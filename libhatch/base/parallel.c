@@ -56,8 +56,8 @@ static void *work(void *context)
     return NULL;
 }
 
-enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena,
-                                  struct hatch_pool **pool, struct hatch_err *err)
+enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena, struct hatch_pool **pool,
+                                  struct hatch_err *err)
 {
     struct hatch_pool *made = HATCH_NEW(arena, struct hatch_pool, 1, err);
     if (!made)

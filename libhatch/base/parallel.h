@@ -16,8 +16,8 @@ typedef void (*hatch_task)(void *context, uint32_t index);
 
 /* threads: 1 .. 256, the caller's thread counted. When the system gives fewer threads, the pool has
  * fewer: that is no error. The pool lives in arena; free it before the arena. */
-enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena,
-                                  struct hatch_pool **pool, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena, struct hatch_pool **pool,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* Waits for all tasks, ends the threads. NULL is allowed. */
 void hatch_pool_free(struct hatch_pool *pool);

@@ -45,11 +45,11 @@ enum hatch_status hatch_fail(struct hatch_err *err, enum hatch_status status, co
 enum hatch_status hatch_fail_at(struct hatch_err *err, const char *format, ...) HATCH_PRINTF(2, 3);
 
 /* Returns from the calling function when expr is not HATCH_OK. For functions without clean-up. */
-#define HATCH_TRY(expr)                                                                            \
-    do {                                                                                           \
-        enum hatch_status hatch_try_status_ = (expr);                                              \
-        if (hatch_try_status_ != HATCH_OK)                                                         \
-            return hatch_try_status_;                                                              \
+#define HATCH_TRY(expr)                                                                                                \
+    do {                                                                                                               \
+        enum hatch_status hatch_try_status_ = (expr);                                                                  \
+        if (hatch_try_status_ != HATCH_OK)                                                                             \
+            return hatch_try_status_;                                                                                  \
     } while (0)
 
 #endif

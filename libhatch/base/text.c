@@ -85,8 +85,8 @@ bool hatch_text_is_near(struct hatch_text text, const char *word)
     size_t same = 0;
     while (same < text.length && word[same] && word[same] == text.at[same])
         same++;
-    bool swapped = text.length - same >= 2 && word[same] && text.at[same] == word[same + 1] &&
-                   text.at[same + 1] == word[same];
+    bool swapped =
+        text.length - same >= 2 && word[same] && text.at[same] == word[same + 1] && text.at[same + 1] == word[same];
     return same_tails(text, same, word, same) || same_tails(text, same + 1, word, same) ||
            same_tails(text, same, word, same + 1) || same_tails(text, same + 1, word, same + 1) ||
            (swapped && same_tails(text, same + 2, word, same + 2));
@@ -140,12 +140,10 @@ static const char *read_exponent(const char *at, const char *end, int *exponent)
 /* One rounding of two exact doubles is right; all else is left to the C library. */
 static double value_of(const struct digits *d)
 {
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     if (d->mantissa >> 53 == 0 && abs(d->exponent) <= 22)
-        return d->exponent < 0 ? (double)d->mantissa / powers[-d->exponent]
-                               : (double)d->mantissa * powers[d->exponent];
+        return d->exponent < 0 ? (double)d->mantissa / powers[-d->exponent] : (double)d->mantissa * powers[d->exponent];
     char plain[48];
     snprintf(plain, sizeof plain, "%" PRIu64 "e%d", d->mantissa, d->exponent);
     return strtod(plain, NULL);

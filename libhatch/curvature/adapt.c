@@ -16,19 +16,19 @@
 
 #define RADIUS_STEP 1.7
 #define RADIUS_MAX 24.0
-#define SPACING 0.36       /* between fits, in radii */
+#define SPACING 0.36 /* between fits, in radii */
 #define SPACING_FIRST 0.5
-#define SERVED 0.5         /* how far a fit reaches, in radii */
-#define LEVEL_THINNED 3u   /* the first whose supports hold means of points */
-#define LEAN_COSINE 0.5    /* from the second level on: a polynomial over a plane cannot follow steeper slopes */
+#define SERVED 0.5       /* how far a fit reaches, in radii */
+#define LEVEL_THINNED 3u /* the first whose supports hold means of points */
+#define LEAN_COSINE 0.5  /* from the second level on: a polynomial over a plane cannot follow steeper slopes */
 #define POINTS_LEAST 16u
 #define NOISE_ROUNDS 3     /* of averaging with neighbours: one fit's residual has few degrees of freedom */
 #define CERTAIN_RAD 0.0017 /* no larger support is tried */
 #define NEARLY_RAD 0.01    /* a fit of its own is worth it */
 #define WORSE 2.0          /* than the least expected error so far: no larger support is tried */
 #define DEGREE_LEAST 3u
-#define SIGNIFICANT 16.0   /* differences of degrees, in variances */
-#define STIFFNESS 0.1      /* squared bias of a quartic, as a share of the largest that its residual allows */
+#define SIGNIFICANT 16.0 /* differences of degrees, in variances */
+#define STIFFNESS 0.1    /* squared bias of a quartic, as a share of the largest that its residual allows */
 
 struct fit {
     struct hatch_jet_frame frame;
@@ -47,9 +47,9 @@ struct work {
     const struct hatch_curvature_run *run;
     const struct hatch_curvature_terrain *terrain; /* the level's: the run's, or a thinned one */
     struct hatch_place *places;
-    double *squares, *freedom;    /* per point: residuals around; squares is then the noise's variance */
-    uint32_t *centers;            /* the terrain's points that a fit stands on */
-    uint32_t *first_served;       /* per center, and one more: where in served what it serves begins */
+    double *squares, *freedom; /* per point: residuals around; squares is then the noise's variance */
+    uint32_t *centers;         /* the terrain's points that a fit stands on */
+    uint32_t *first_served;    /* per center, and one more: where in served what it serves begins */
     struct served *served;
     uint32_t served_room;
     struct fit *fits;
@@ -132,8 +132,7 @@ static double bias(double squared, double by_noise)
 /* The expected error of each degree is its variance and its bias. Least squares of nested degrees differ by the
  * bias and by a variance that is the difference of their variances. The highest degree's bias shows in a residual
  * that is beyond the noise and its own scatter. */
-static void choose_degree(const struct work *w, const struct hatch_jet_system *system, double noise,
-                          struct fit *fit)
+static void choose_degree(const struct work *w, const struct hatch_jet_system *system, double noise, struct fit *fit)
 {
     uint32_t asked = w->run->options->degree, top = system->degree;
     double unit = 1 / (fit->frame.radius * fit->frame.radius), highest[HATCH_JET_TERMS];
@@ -314,8 +313,7 @@ static void fit_itself(void *context, uint32_t p, struct hatch_support *support)
     if (!hatch_place_known(place, NEARLY_RAD))
         return;
     hatch_curvature_fit(support, p, &w->run->terrain.normals[(size_t)p * 3], w->radius,
-                        w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame,
-                        &system);
+                        w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame, &system);
     if (system.degree == 0)
         return;
     struct hatch_bend bend;
@@ -378,8 +376,8 @@ static enum hatch_status run_level(struct work *w, uint32_t level, uint32_t *cov
     return HATCH_OK;
 }
 
-static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, uint32_t **covered,
-                                  double **pool, struct hatch_err *err)
+static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, uint32_t **covered, double **pool,
+                                  struct hatch_err *err)
 {
     uint32_t points = w->run->terrain.surface.point_count;
     w->places = HATCH_NEW_UNSET(scratch, struct hatch_place, points, err);
@@ -405,8 +403,8 @@ static enum hatch_status thin(struct work *w, struct hatch_arena *scratch, struc
     return HATCH_OK;
 }
 
-enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
-                                        struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
 {
     struct work w = {.run = run, .terrain = &run->terrain, .radius = HATCH_CURVATURE_RADIUS, .first = true};
     uint32_t points = run->terrain.surface.point_count, *covered;

@@ -33,8 +33,8 @@ static inline void find_place(const double c[HATCH_JET_TERMS], uint32_t degree, 
     lanes xx = x * x, xy = x * y, yy = y * y;
     if (degree >= 4)
         add_terms(x, y, 12 * c[10] * xx + 6 * c[11] * xy + 2 * c[12] * yy,
-                  3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy,
-                  2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy, 1.0 / 3, at);
+                  3 * c[11] * xx + 4 * c[12] * xy + 3 * c[13] * yy, 2 * c[12] * xx + 6 * c[13] * xy + 12 * c[14] * yy,
+                  1.0 / 3, at);
 }
 
 /* The second fundamental form h_ij as a matrix in space: Σ h_ij g_i g_j, with the g_i of the tangents' dual basis. A
@@ -100,8 +100,8 @@ struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_fra
     return (struct hatch_bend_variance){unit * (variance->skew + variance->mixed) / 2, unit * variance->mean};
 }
 
-void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatch_jet_system *system,
-                          uint32_t degree, struct hatch_bend *bend, struct hatch_bend_variance *variance)
+void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatch_jet_system *system, uint32_t degree,
+                          struct hatch_bend *bend, struct hatch_bend_variance *variance)
 {
     double coefficients[HATCH_JET_TERMS];
     struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
@@ -121,8 +121,7 @@ static double axes_error(const struct hatch_principal *principal, const struct h
     return spread > 0 ? variance->across / (spread * spread) : INFINITY;
 }
 
-double hatch_bend_deviation(const struct hatch_principal *principal,
-                            const struct hatch_bend_variance *variance)
+double hatch_bend_deviation(const struct hatch_principal *principal, const struct hatch_bend_variance *variance)
 {
     double mean = fabs(principal->value[0] + principal->value[1]) / 2;
     double wrong = variance->mean > 0 ? erfc(mean / sqrt(2 * variance->mean)) / 2 : 0;
@@ -136,8 +135,7 @@ double hatch_bend_deviation(const struct hatch_principal *principal,
 
 /* That the axes may be swapped is no doubt here: beside the line on which a saddle's curvatures are equal and opposite,
  * neighbours on both sides say opposite things and know no better. */
-double hatch_bend_confidence(const struct hatch_principal *principal,
-                             const struct hatch_bend_variance *variance)
+double hatch_bend_confidence(const struct hatch_principal *principal, const struct hatch_bend_variance *variance)
 {
     double deviation_rad = sqrt(axes_error(principal, variance));
     double first = fabs(principal->value[0]), second = fabs(principal->value[1]);

@@ -35,16 +35,14 @@ struct hatch_bend_variance hatch_bend_variance_of_jet(const struct hatch_jet_fra
 
 /* The fit of a system by one of its degrees (2 or more), at its middle: its bend, and what that varies by for
  * points whose heights have variance 1 / their weight. */
-void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatch_jet_system *system,
-                          uint32_t degree, struct hatch_bend *bend, struct hatch_bend_variance *variance);
+void hatch_bend_of_system(const struct hatch_jet_frame *frame, const struct hatch_jet_system *system, uint32_t degree,
+                          struct hatch_bend *bend, struct hatch_bend_variance *variance);
 
 /* The standard error of the direction, 0 .. π/4: the axes' own, and that of taking the second for the
  * first. */
-double hatch_bend_deviation(const struct hatch_principal *principal,
-                            const struct hatch_bend_variance *variance);
+double hatch_bend_deviation(const struct hatch_principal *principal, const struct hatch_bend_variance *variance);
 
 /* 0 .. 1: see hatch_curvature. */
-double hatch_bend_confidence(const struct hatch_principal *principal,
-                             const struct hatch_bend_variance *variance);
+double hatch_bend_confidence(const struct hatch_principal *principal, const struct hatch_bend_variance *variance);
 
 #endif

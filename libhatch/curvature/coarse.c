@@ -15,7 +15,7 @@ struct sample {
 struct grid {
     uint32_t *head, *next; /* HATCH_NO_SIDE ends a list */
     uint32_t mask;
-    double edge;           /* of a cube */
+    double edge; /* of a cube */
 };
 
 #define REACH_MAX 4
@@ -58,8 +58,7 @@ static uint32_t sum_face(const struct hatch_surface *coarse, uint32_t face, stru
     hatch_vec_any_orthogonal(frame->axes[2], frame->axes[0]);
     hatch_vec_cross(frame->axes[2], frame->axes[0], frame->axes[1]);
     for (uint32_t k = 0; k < count; k++)
-        frame->radius = fmax(frame->radius,
-                             hatch_vec_distance(&coarse->points[(size_t)points[k] * 3], frame->origin));
+        frame->radius = fmax(frame->radius, hatch_vec_distance(&coarse->points[(size_t)points[k] * 3], frame->origin));
     for (uint32_t k = 0; k < count; k++) {
         hatch_vec_sub(&coarse->points[(size_t)points[k] * 3], frame->origin, offset);
         for (int i = 0; i < 3; i++)
@@ -179,8 +178,8 @@ static const struct sample *nearest(struct search *search)
 }
 
 /* Every point takes what its nearest face says, in its own plane and units. */
-static void carry(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                  struct search *search, struct hatch_curvature *curvature)
+static void carry(const struct hatch_surface *surface, const struct hatch_frames *frames, struct search *search,
+                  struct hatch_curvature *curvature)
 {
     for (uint32_t p = 0; p < surface->point_count; p++) {
         double scale = surface->components[surface->point_component[p]].scale;
@@ -204,8 +203,8 @@ static void carry(const struct hatch_surface *surface, const struct hatch_frames
 }
 
 static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct sample **samples,
-                                      uint32_t *count, double *edge, struct hatch_err *err)
+                                      struct hatch_arena *scratch, struct sample **samples, uint32_t *count,
+                                      double *edge, struct hatch_err *err)
 {
     struct hatch_surface coarse;
     struct hatch_surface_notes notes;
@@ -222,10 +221,10 @@ static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatc
     return HATCH_OK;
 }
 
-enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface,
-                                         const struct hatch_frames *frames, const struct hatch_mesh *coarse,
-                                         struct hatch_arena *arena, struct hatch_arena *scratch,
-                                         struct hatch_curvature *curvature, struct hatch_err *err)
+enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                         const struct hatch_mesh *coarse, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, struct hatch_curvature *curvature,
+                                         struct hatch_err *err)
 {
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));

@@ -15,14 +15,12 @@ double hatch_curvature_grain(const struct hatch_surface *surface, uint32_t point
     const struct hatch_component *component = &surface->components[surface->point_component[point]];
     double largest = 0;
     for (uint32_t k = 0; k < 3; k++)
-        largest = fmax(largest, fabs(surface->points[(size_t)point * 3 + k] +
-                                     component->center[k] / component->scale));
+        largest = fmax(largest, fabs(surface->points[(size_t)point * 3 + k] + component->center[k] / component->scale));
     return largest * 0x1p-25;
 }
 
-void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3],
-                         double radius, uint32_t degree, struct hatch_jet_frame *frame,
-                         struct hatch_jet_system *system)
+void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3], double radius,
+                         uint32_t degree, struct hatch_jet_frame *frame, struct hatch_jet_system *system)
 {
     double wanted = POINTS_PER_TERM * hatch_jet_terms(degree);
     uint32_t before = 0;
@@ -42,9 +40,8 @@ void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const do
     }
 }
 
-void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point,
-                           const struct hatch_bend *bend, const struct hatch_bend_variance *variance,
-                           double radius)
+void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point, const struct hatch_bend *bend,
+                           const struct hatch_bend_variance *variance, double radius)
 {
     struct hatch_curvature *out = run->curvature;
     size_t at = run->terrain.order[point];
@@ -82,8 +79,8 @@ static void run_share(void *context, uint32_t worker)
             share->task(share->context, i, &share->run->supports[worker]);
 }
 
-void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count,
-                          hatch_curvature_task task, void *context)
+void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count, hatch_curvature_task task,
+                          void *context)
 {
     struct share share = {run, count, task, context};
     hatch_parallel_for(run->pool, run->workers, run_share, &share);
@@ -96,8 +93,8 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
     uint32_t degree = run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
     struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, p, &run->terrain.normals[(size_t)p * 3], run->options->radius, degree,
-                        &frame, &system);
+    hatch_curvature_fit(support, p, &run->terrain.normals[(size_t)p * 3], run->options->radius, degree, &frame,
+                        &system);
     uint32_t terms = hatch_jet_terms(system.degree);
     if (system.degree == 0 || system.count <= terms) {
         hatch_curvature_store(run, p, NULL, NULL, frame.radius);
@@ -145,22 +142,17 @@ static enum hatch_status estimate(const struct hatch_surface *surface, struct ha
     return HATCH_OK;
 }
 
-enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface,
-                                           const struct hatch_frames *frames,
-                                           const struct hatch_curvature_options *options,
-                                           struct hatch_pool *pool, struct hatch_arena *arena,
-                                           struct hatch_arena *scratch,
+enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                           const struct hatch_curvature_options *options, struct hatch_pool *pool,
+                                           struct hatch_arena *arena, struct hatch_arena *scratch,
                                            struct hatch_curvature *curvature, struct hatch_err *err)
 {
     assert(!(options->radius < 0) && options->radius <= 100);
     assert(options->degree == 0 || (options->degree >= 2 && options->degree <= HATCH_JET_DEGREE_MAX));
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
-    struct hatch_curvature_run run = {.frames = frames,
-                                      .options = options,
-                                      .pool = pool,
-                                      .workers = hatch_pool_threads(pool),
-                                      .curvature = &made};
+    struct hatch_curvature_run run = {
+        .frames = frames, .options = options, .pool = pool, .workers = hatch_pool_threads(pool), .curvature = &made};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = estimate(surface, &run, scratch, err);
     hatch_arena_rewind(scratch, mark);

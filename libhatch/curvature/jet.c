@@ -27,7 +27,7 @@ typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
 
 struct block {
     lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK]; /* x: times the weight */
-    uint32_t count; /* of lanes */
+    uint32_t count;                                     /* of lanes */
 };
 
 /* sums[k] = Σ a y^k for k = 0 .. most: with `most` known where this is inlined, all sums stay in registers. */
@@ -65,8 +65,8 @@ static void fill_block(struct block *block, uint32_t count, const double *x, con
     }
 }
 
-static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                      const double *z, const double *weight)
+static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y, const double *z,
+                      const double *weight)
 {
     struct block block;
     lanes square = {0}, scaled[HATCH_JET_DEGREE_MAX + 1][BLOCK];
@@ -94,8 +94,8 @@ static void add_block(struct hatch_jet_sums *sums, uint32_t count, const double 
     sums->count += count;
 }
 
-void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                   const double *z, const double *weight)
+void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y, const double *z,
+                   const double *weight)
 {
     for (uint32_t n = 0; n < count; n += LANES * BLOCK)
         add_block(sums, count - n < LANES * BLOCK ? count - n : LANES * BLOCK, &x[n], &y[n], &z[n],
@@ -109,7 +109,7 @@ static const uint32_t power_of[HATCH_JET_TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3,
 /* The normal equations, in lanes. */
 struct normal {
     lanes line[HATCH_JET_TERMS][(HATCH_JET_TERMS + 1) / LANES]; /* up to the diagonal; one beyond it may be anything */
-    double whole[HATCH_JET_TERMS]; /* the diagonal as it was */
+    double whole[HATCH_JET_TERMS];                              /* the diagonal as it was */
 };
 
 static double *entry_of(struct normal *normal, uint32_t row, uint32_t column)
@@ -140,8 +140,7 @@ static void subtract_column(struct normal *normal, uint32_t terms, uint32_t done
     }
 }
 
-void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
-                         struct hatch_jet_system *system)
+void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree, struct hatch_jet_system *system)
 {
     uint32_t terms = hatch_jet_terms(degree), done = 0;
     struct normal normal;
@@ -171,8 +170,7 @@ void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
     system->squares = sums->squares;
 }
 
-void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree,
-                     double coefficients[HATCH_JET_TERMS])
+void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree, double coefficients[HATCH_JET_TERMS])
 {
     uint32_t terms = hatch_jet_terms(degree);
     memcpy(coefficients, system->reduced, terms * sizeof *coefficients);

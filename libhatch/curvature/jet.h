@@ -36,16 +36,14 @@ struct hatch_jet_system {
 uint32_t hatch_jet_terms(uint32_t degree);
 
 /* Adds points. count: any. weight: the inverse of a z's variance, or NULL: all 1. */
-void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y,
-                   const double *z, const double *weight);
+void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x, const double *y, const double *z,
+                   const double *weight);
 
 /* degree: 2 .. 4, the highest wanted. The system's is lower where the points do not determine it. */
-void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree,
-                         struct hatch_jet_system *system);
+void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree, struct hatch_jet_system *system);
 
 /* The coefficients of the fit of a degree, 2 .. system->degree. */
-void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree,
-                     double coefficients[HATCH_JET_TERMS]);
+void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree, double coefficients[HATCH_JET_TERMS]);
 
 /* The squares of the residuals, summed, in the frame's unit. */
 double hatch_jet_residual(const struct hatch_jet_system *system, uint32_t degree);

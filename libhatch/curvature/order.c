@@ -58,9 +58,9 @@ static void find_normal(const struct hatch_surface *surface, const struct hatch_
         hatch_vec_copy(sum, normal);
 }
 
-enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
-                                        const struct hatch_frames *frames, struct hatch_arena *arena,
-                                        struct hatch_curvature_terrain *terrain, struct hatch_err *err)
+enum hatch_status hatch_curvature_order(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                        struct hatch_arena *arena, struct hatch_curvature_terrain *terrain,
+                                        struct hatch_err *err)
 {
     HATCH_TRY(allocate(surface, arena, terrain, err));
     struct hatch_surface *out = &terrain->surface;

@@ -11,8 +11,7 @@
 #define RING_MAX 256u
 
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
-                                     struct hatch_arena *arena, struct hatch_support *support,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *arena, struct hatch_support *support, struct hatch_err *err)
 {
     size_t points = surface->point_count;
     struct hatch_support made = {.surface = surface, .normals = normals, .lean_cosine = LEAN_COSINE};
@@ -38,8 +37,7 @@ void hatch_support_move(struct hatch_support *support, const struct hatch_surfac
 
 /* Those met wait in the list behind those taken, which are never more than those looked at. What a ring holds is
  * written before it is known whether it was met before: a branch on that would be guessed wrongly too often. */
-bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
-                          double radius)
+bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3], double radius)
 {
     const struct hatch_surface *surface = support->surface;
     const uint32_t *ring_first = surface->ring_first, *ring_point = surface->ring_point;

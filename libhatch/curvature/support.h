@@ -12,11 +12,11 @@ struct hatch_support {
     const double *normals;
     const double *weights; /* per point, or NULL: 1 each */
     double lean_cosine;
-    uint32_t *seen;   /* per point: the number of the last walk that met it */
+    uint32_t *seen; /* per point: the number of the last walk that met it */
     uint32_t walk;
     uint32_t count;
-    uint32_t *points; /* those taken, nearest rings first; the first is the middle */
-    int8_t *sides;    /* 1, or -1 where the point's outside is not that of the middle */
+    uint32_t *points;   /* those taken, nearest rings first; the first is the middle */
+    int8_t *sides;      /* 1, or -1 where the point's outside is not that of the middle */
     double *offsets[3]; /* x, y, z: from the middle */
 };
 
@@ -33,8 +33,7 @@ void hatch_support_move(struct hatch_support *support, const struct hatch_surfac
  * lean away from the given one by more than lean_cosine allows (78° at first): not through the air to the
  * other side of a thin part. True when there are far more of them than even edges would give: then only the
  * nearest rings are taken. */
-bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3],
-                          double radius);
+bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3], double radius);
 
 /* The frame at the middle of the points gathered, and the sums of all of them in it. normal: unit. */
 void hatch_support_sums(const struct hatch_support *support, const double normal[3], double radius,

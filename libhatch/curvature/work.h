@@ -16,16 +16,15 @@ struct hatch_curvature_terrain {
     double *normals;              /* 3 a point: the frames', later the best that is known */
     uint32_t *order;              /* per point: its number in the whole surface; NULL on a thinned one */
     /* Of a thinned one, whose points are nodes that stand for several; NULL on others. */
-    double *weights;              /* per node: how many points it stands for */
-    uint32_t *first, *points;     /* node n: points[first[n]] .. points[first[n + 1] - 1] */
-    int8_t *sides;                /* per entry of points: -1 where the point's outside is not the node's */
+    double *weights;          /* per node: how many points it stands for */
+    uint32_t *first, *points; /* node n: points[first[n]] .. points[first[n + 1] - 1] */
+    int8_t *sides;            /* per entry of points: -1 where the point's outside is not the node's */
 };
 
 /* Memory of the terrain, and a little more: arena. */
-enum hatch_status hatch_curvature_order(const struct hatch_surface *surface,
-                                        const struct hatch_frames *frames, struct hatch_arena *arena,
-                                        struct hatch_curvature_terrain *terrain, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_curvature_order(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                        struct hatch_arena *arena, struct hatch_curvature_terrain *terrain,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* The entries in points of a node; of a point, its own number. */
 struct hatch_curvature_span {
@@ -61,32 +60,28 @@ struct hatch_curvature_run {
 
 /* Zeroed, from arena. */
 enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
-                                           struct hatch_curvature *curvature, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                           struct hatch_curvature *curvature, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Half the last place of a float at a point's largest coordinate, in units of the surface: files hold
  * floats, and no fit is better known than its points. */
 double hatch_curvature_grain(const struct hatch_surface *surface, uint32_t point);
 
 /* A fit over a support of the radius wanted, larger where it holds too few points for the degree. */
-void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3],
-                         double radius, uint32_t degree, struct hatch_jet_frame *frame,
-                         struct hatch_jet_system *system);
+void hatch_curvature_fit(struct hatch_support *support, uint32_t point, const double normal[3], double radius,
+                         uint32_t degree, struct hatch_jet_frame *frame, struct hatch_jet_system *system);
 
 /* Writes what was found for a point. bend: NULL when nothing was. variance: of the curvatures themselves. */
-void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point,
-                           const struct hatch_bend *bend, const struct hatch_bend_variance *variance,
-                           double radius);
+void hatch_curvature_store(const struct hatch_curvature_run *run, uint32_t point, const struct hatch_bend *bend,
+                           const struct hatch_bend_variance *variance, double radius);
 
 /* Runs task(context, item, support) for item = 0 .. count - 1, shared out among the workers. A task writes
  * only what is its item's, so that nothing depends on who runs it. */
 typedef void (*hatch_curvature_task)(void *context, uint32_t item, struct hatch_support *support);
-void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count,
-                          hatch_curvature_task task, void *context);
+void hatch_curvature_each(const struct hatch_curvature_run *run, uint32_t count, hatch_curvature_task task,
+                          void *context);
 
 /* Supports that grow with the noise. */
-enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run,
-                                        struct hatch_arena *scratch, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_curvature_adapt(const struct hatch_curvature_run *run, struct hatch_arena *scratch,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

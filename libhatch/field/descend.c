@@ -3,7 +3,7 @@
 
 #include "field/system.h"
 
-#define MEMORY 8u        /* steps remembered */
+#define MEMORY 8u /* steps remembered */
 #define HALVINGS_MAX 20
 #define ARMIJO 1e-4
 

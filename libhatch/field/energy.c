@@ -4,8 +4,7 @@
 #include "field/system.h"
 
 void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                        const struct hatch_field_data *data, double smooth, const double *direction,
-                        double energy[2])
+                        const struct hatch_field_data *data, double smooth, const double *direction, double energy[2])
 {
     energy[0] = energy[1] = 0;
     for (uint32_t c = 0; c < surface->component_count; c++) {

@@ -70,10 +70,10 @@ static int32_t border_turns(const struct hatch_view *v, const struct hatch_compo
     return (int32_t)lround(sum / PI);
 }
 
-enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
-                                            const struct hatch_frames *frames, const double *direction,
-                                            struct hatch_arena *arena, struct hatch_arena *scratch,
-                                            struct hatch_singularities *found, struct hatch_err *err)
+enum hatch_status hatch_field_singularities(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                            const double *direction, struct hatch_arena *arena,
+                                            struct hatch_arena *scratch, struct hatch_singularities *found,
+                                            struct hatch_err *err)
 {
     struct hatch_view view = {surface, frames, direction, NULL};
     struct hatch_singularities made = {0};
@@ -113,8 +113,8 @@ enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
 
 /* The line at a corner as z in the face's plane, against its axes u and v: the plane of the point is laid down so
  * that the middle of the face's corner falls on the middle of its scaled angle. */
-static void corner_line(const struct hatch_view *v, uint32_t face, uint32_t c, const double u[3],
-                        const double side[3], double z[2])
+static void corner_line(const struct hatch_view *v, uint32_t face, uint32_t c, const double u[3], const double side[3],
+                        double z[2])
 {
     const uint32_t *corner = &v->surface->corners[(size_t)face * 3];
     uint32_t p = corner[c], i = v->frames->entry[(size_t)face * 3 + c];
@@ -138,8 +138,7 @@ static void corner_line(const struct hatch_view *v, uint32_t face, uint32_t c, c
     z[1] = against[0] * turn[1] + against[1] * turn[0];
 }
 
-void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
-                      double *nearest)
+void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3], double *nearest)
 {
     double sum[2] = {0, 0};
     for (int c = 0; c < 3; c++) {
@@ -158,8 +157,8 @@ void hatch_field_mean(const double z[3][2], const double u[3], const double side
         line[k] = cosine * u[k] + sine * side[k];
 }
 
-void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                      const double *direction, uint32_t face, double line[3], double *spread_rad)
+void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *direction,
+                      uint32_t face, double line[3], double *spread_rad)
 {
     const struct hatch_view view = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];

@@ -37,8 +37,8 @@ struct matrix {
 
 /* Columns 2n and 2n + 1, of which real says which: the part above the diagonal and the diagonal. Two points may be
  * joined by several edges: their links are summed. */
-static uint32_t fill_column(const struct hatch_field_system *system, const struct arrivals *arrivals,
-                            uint32_t n, bool real, uint32_t at, struct matrix *matrix)
+static uint32_t fill_column(const struct hatch_field_system *system, const struct arrivals *arrivals, uint32_t n,
+                            bool real, uint32_t at, struct matrix *matrix)
 {
     uint32_t begin = at;
     for (uint32_t k = system->first[n]; k < system->first[n + 1] && arrivals->source[k] < n; k++) {
@@ -57,8 +57,8 @@ static uint32_t fill_column(const struct hatch_field_system *system, const struc
     return at + 1;
 }
 
-static enum hatch_status solve(const struct hatch_field_system *system, size_t limit_bytes,
-                               struct hatch_arena *scratch, double *z, struct hatch_err *err)
+static enum hatch_status solve(const struct hatch_field_system *system, size_t limit_bytes, struct hatch_arena *scratch,
+                               double *z, struct hatch_err *err)
 {
     struct arrivals arrivals;
     struct matrix matrix;

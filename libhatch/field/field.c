@@ -11,7 +11,7 @@
 #define POWER_STEPS_MAX 30
 #define POWER_CHANGE 1e-3
 #define POWER_TOLERANCE 1e-3
-#define POWER_SHIFT 0.1  /* over the component's area: keeps A regular where a field without turning exists */
+#define POWER_SHIFT 0.1 /* over the component's area: keeps A regular where a field without turning exists */
 
 struct work {
     const struct hatch_surface *surface;
@@ -49,8 +49,8 @@ static enum hatch_status solve_linear(struct work *w, const struct hatch_field_s
     if (w->options->solver == HATCH_FIELD_CHOLESKY)
         return hatch_field_factor_solve(system, w->scratch->limit_bytes, w->scratch, z, err);
     HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
-    return hatch_field_iterate(system, levels, system->right, w->options->tolerance,
-                               w->options->iterations_max, w->scratch, z, &w->progress, err);
+    return hatch_field_iterate(system, levels, system->right, w->options->tolerance, w->options->iterations_max,
+                               w->scratch, z, &w->progress, err);
 }
 
 /* Where data has no weight its direction is a start, too. */
@@ -74,8 +74,8 @@ static void start_from_data(const struct work *w, const struct hatch_field_syste
 }
 
 /* Nodes of a component: they follow one another. */
-static uint32_t component_nodes(const struct work *w, const struct hatch_field_system *system,
-                                uint32_t component, uint32_t *first)
+static uint32_t component_nodes(const struct work *w, const struct hatch_field_system *system, uint32_t component,
+                                uint32_t *first)
 {
     const struct hatch_component *of = &w->surface->components[component];
     *first = system->node[of->first_point];
@@ -132,8 +132,8 @@ static enum hatch_status solve_smoothest(struct work *w, struct hatch_field_syst
     HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
     double before = 0;
     for (int i = 0; i < POWER_STEPS_MAX; i++) {
-        HATCH_TRY(hatch_field_iterate(system, levels, system->right, POWER_TOLERANCE,
-                                      w->options->iterations_max, w->scratch, z, &w->progress, err));
+        HATCH_TRY(hatch_field_iterate(system, levels, system->right, POWER_TOLERANCE, w->options->iterations_max,
+                                      w->scratch, z, &w->progress, err));
         double now = next_right(w, system, z);
         if (fabs(now - before) <= POWER_CHANGE * now)
             break;
@@ -156,8 +156,8 @@ static double agreement(const struct work *w, const struct hatch_field_system *s
         return fmin(length_of(&z[2 * (size_t)n]), 1);
     double pull[2];
     for (size_t i = 0; i < 2; i++)
-        pull[i] = system->diagonal[n] * z[2 * (size_t)n + i] - applied[2 * (size_t)n + i] +
-                  system->right[2 * (size_t)n + i];
+        pull[i] =
+            system->diagonal[n] * z[2 * (size_t)n + i] - applied[2 * (size_t)n + i] + system->right[2 * (size_t)n + i];
     return fmin(length_of(pull) / system->diagonal[n], 1);
 }
 
@@ -175,15 +175,13 @@ static void give_out(const struct work *w, const struct hatch_field_system *syst
 }
 
 /* Solves for the components that have data, or for those that have none. */
-static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_field *field,
-                                    struct hatch_err *err)
+static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_field *field, struct hatch_err *err)
 {
     struct hatch_field_system system;
     double energy[2];
     for (uint32_t c = 0; c < w->surface->component_count; c++)
         w->include[c] = w->scales[c].directed == directed;
-    HATCH_TRY(hatch_field_assemble(w->surface, w->frames, w->data, w->scales, w->include, w->scratch,
-                                   &system, err));
+    HATCH_TRY(hatch_field_assemble(w->surface, w->frames, w->data, w->scales, w->include, w->scratch, &system, err));
     double *z = HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err);
     double *applied = z ? HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err) : NULL;
     if (!applied)
@@ -199,8 +197,8 @@ static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_
         if (directed)
             start_from_data(w, &system, z);
         make_unit(z, system.count);
-        HATCH_TRY(hatch_field_descend(&system, w->options->tolerance, w->options->iterations_max, w->scratch,
-                                      z, &w->progress, err));
+        HATCH_TRY(hatch_field_descend(&system, w->options->tolerance, w->options->iterations_max, w->scratch, z,
+                                      &w->progress, err));
         hatch_field_apply(&system, z, applied);
     }
     give_out(w, &system, z, applied, directed, field);
@@ -239,9 +237,8 @@ static enum hatch_status solve(struct work *w, struct hatch_field *field, struct
 }
 
 enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const struct hatch_field_data *data,
-                                    const struct hatch_field_options *options, struct hatch_pool *pool,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    const struct hatch_field_data *data, const struct hatch_field_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_field *field, struct hatch_err *err)
 {
     assert(options->smooth >= 0 && options->smooth <= 1);
@@ -252,8 +249,7 @@ enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const s
     made.confidence = made.direction ? HATCH_NEW(arena, double, surface->point_count, err) : NULL;
     if (!made.confidence)
         return HATCH_LIMIT;
-    struct work work = {.surface = surface, .frames = frames, .data = data, .options = options,
-                        .scratch = scratch};
+    struct work work = {.surface = surface, .frames = frames, .data = data, .options = options, .scratch = scratch};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = solve(&work, &made, err);
     hatch_arena_rewind(scratch, mark);

@@ -43,16 +43,16 @@ struct hatch_field_data {
 struct hatch_field_options {
     enum hatch_field_method method;
     enum hatch_field_solver solver;
-    double smooth;       /* 0 .. 1, no dimension: 0 keeps the data as it is, 1 keeps no more of it than the smoothest
-                            field needs to be turned one way */
-    double tolerance;    /* multigrid, hz: relative residual at which to stop, 1e-12 .. 1e-1 */
+    double smooth;    /* 0 .. 1, no dimension: 0 keeps the data as it is, 1 keeps no more of it than the smoothest
+                         field needs to be turned one way */
+    double tolerance; /* multigrid, hz: relative residual at which to stop, 1e-12 .. 1e-1 */
     uint32_t iterations_max;
 };
 
 struct hatch_field {
-    double *direction;   /* 3 a point: unit, tangent */
-    double *confidence;  /* 0 .. 1: how much of the data around, weighed as the solution weighs it, agrees; 0 on
-                            components without data */
+    double *direction;  /* 3 a point: unit, tangent */
+    double *confidence; /* 0 .. 1: how much of the data around, weighed as the solution weighs it, agrees; 0 on
+                           components without data */
     uint32_t iterations;
     double residual;     /* relative, at the end */
     double energy[2];    /* E of the unit field, its two sums: smoothness, data; with what is said of jumps */
@@ -64,9 +64,8 @@ struct hatch_field {
 /* Solves for the field of least energy (see above) on all components; the arrays of *field live in arena. pool: NULL is
  * one thread; the result is the same. */
 enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const struct hatch_field_data *data,
-                                    const struct hatch_field_options *options, struct hatch_pool *pool,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    const struct hatch_field_data *data, const struct hatch_field_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_field *field, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Gives components without data to speak of that are mostly round, at points on hard edges, the direction across which
@@ -75,8 +74,8 @@ enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const s
  * triangulations and normal cycle", SoCG 2003). What is mostly flat is hatched calmly, whatever its holes and teeth do.
  * crease_rad: what is hard, over 0 and under π/2; hard: as in hatch_field_data. direction, confidence: of the data,
  * changed. Comes before hatch_field_make_up. */
-void hatch_field_follow_folds(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                              double crease_rad, const double *hard, double *direction, double *confidence);
+void hatch_field_follow_folds(const struct hatch_surface *surface, const struct hatch_frames *frames, double crease_rad,
+                              const double *hard, double *direction, double *confidence);
 
 /* Gives components without data to speak of (planes, spheres, boxes) lines across the longest of their sides along
  * the axes, as data: the smoothest field of all could lie any way, and swirls on a box. hard: as in
@@ -89,8 +88,7 @@ void hatch_field_own_up(const struct hatch_surface *surface, const bool *made_up
 
 /* energy[2] of any unit field, as in hatch_field, of data that is not principal. */
 void hatch_field_energy(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                        const struct hatch_field_data *data, double smooth, const double *direction,
-                        double energy[2]);
+                        const struct hatch_field_data *data, double smooth, const double *direction, double energy[2]);
 
 /* The index of a face, in half turns: how often the field turns around its border. A line field's
  * index does not depend on the side that the face is seen from. angle_rad: hatch_frames_angle of the field at each
@@ -107,29 +105,27 @@ bool hatch_field_of_mesh(const struct hatch_surface *surface, const struct hatch
 
 /* The line of a face from its three points, in the face's plane, unit; spread_rad: the largest
  * angle between it and a point's own (0 .. π/2; over π/3 the face is not coherent). */
-void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                      const double *direction, uint32_t face, double line[3], double *spread_rad);
+void hatch_field_face(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *direction,
+                      uint32_t face, double line[3], double *spread_rad);
 
 /* The mean of three lines in the plane of two axes, unit and at right angles: z is a line's direction against them
  * at twice its angle, unit, 0 for none. line: unit, u where they cancel; nearest: the cosine of twice the
  * largest angle between it and one of the three. */
-void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3],
-                      double *nearest);
+void hatch_field_mean(const double z[3][2], const double u[3], const double side[3], double line[3], double *nearest);
 
 /* Faces with an index, and per component the sum of indices (with what borders turn, so that it
  * equals the Euler characteristic, in half turns: twice it). */
 struct hatch_singularities {
     uint32_t count;
-    uint32_t *faces;     /* rising */
-    int8_t *half_turns;  /* index times two */
+    uint32_t *faces;               /* rising */
+    int8_t *half_turns;            /* index times two */
     int32_t *component_half_turns; /* per component, borders included */
 };
 
 /* Finds the singularities of a field of unit directions, 3 a point; the arrays of *found live in arena. */
-enum hatch_status hatch_field_singularities(const struct hatch_surface *surface,
-                                            const struct hatch_frames *frames, const double *direction,
-                                            struct hatch_arena *arena, struct hatch_arena *scratch,
-                                            struct hatch_singularities *found, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_field_singularities(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                            const double *direction, struct hatch_arena *arena,
+                                            struct hatch_arena *scratch, struct hatch_singularities *found,
+                                            struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -56,8 +56,8 @@ static bool is_round(const struct hatch_surface *surface, const struct hatch_com
 }
 
 /* The surface bends across the edge, which runs between faces of these normals. */
-static void add_fold(const struct hatch_frames *frames, uint32_t point, const double edge[3],
-                     double normals[2][3], double crease_rad, struct folds *folds)
+static void add_fold(const struct hatch_frames *frames, uint32_t point, const double edge[3], double normals[2][3],
+                     double crease_rad, struct folds *folds)
 {
     double mean[3], across[3], length = hatch_vec_length(edge);
     double fold_rad = angle_between(normals[0], normals[1]);
@@ -92,8 +92,8 @@ static struct folds folds_at(const struct hatch_surface *surface, const struct h
     return folds;
 }
 
-void hatch_field_follow_folds(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                              double crease_rad, const double *hard, double *direction, double *confidence)
+void hatch_field_follow_folds(const struct hatch_surface *surface, const struct hatch_frames *frames, double crease_rad,
+                              const double *hard, double *direction, double *confidence)
 {
     assert(crease_rad > 0 && crease_rad < 1.5707963267948966);
     const struct hatch_field_data data = {direction, confidence, hard, false};

@@ -8,12 +8,13 @@
  * neighbours become one, whose z turned along the links is theirs. Coarser systems are of the same kind. */
 
 #define LEVELS_MAX 32u
-#define COARSEST 12u        /* nodes: fewer are left to the smoother */
-#define STRONG 0.25         /* of a node's strongest link */
+#define COARSEST 12u /* nodes: fewer are left to the smoother */
+#define STRONG 0.25  /* of a node's strongest link */
 #define SWEEPS_COARSEST 12
-#define CORRECTION 1.5      /* of a coarse correction: what is constant on aggregates is stiffer than the error, which
-                               is not (Braess, "Towards algebraic multigrid for elliptic problems of second order",
-                               Computing 55, 1995) */
+#define CORRECTION                                                                                                     \
+    1.5 /* of a coarse correction: what is constant on aggregates is stiffer than the error, which                     \
+           is not (Braess, "Towards algebraic multigrid for elliptic problems of second order",                        \
+           Computing 55, 1995) */
 
 struct level {
     struct hatch_field_system system; /* of the finest: the caller's arrays */
@@ -58,8 +59,7 @@ static bool take_neighbourhood(const struct level *level, uint32_t node, uint32_
     const struct hatch_field_system *system = &level->system;
     double least = strong_squared(system, node);
     for (uint32_t i = system->first[node]; i < system->first[node + 1]; i++)
-        if (length_squared(&system->link[2 * (size_t)i]) >= least &&
-            level->aggregate[system->to[i]] != HATCH_NO_SIDE)
+        if (length_squared(&system->link[2 * (size_t)i]) >= least && level->aggregate[system->to[i]] != HATCH_NO_SIDE)
             return false;
     level->aggregate[node] = number;
     level->phase[2 * (size_t)node] = 1;
@@ -141,8 +141,8 @@ static enum hatch_status group(const struct level *level, uint32_t count, struct
 
 /* One coarse node's links and diagonal: Σ conj(phase) link phase over its members' links. Returns how many; with
  * coarse NULL it only counts. */
-static uint32_t sum_links(const struct level *level, const struct members *members, uint32_t a,
-                          uint32_t at, struct hatch_field_system *coarse)
+static uint32_t sum_links(const struct level *level, const struct members *members, uint32_t a, uint32_t at,
+                          struct hatch_field_system *coarse)
 {
     const struct hatch_field_system *fine = &level->system;
     uint32_t begin = at;
@@ -176,9 +176,8 @@ static uint32_t sum_links(const struct level *level, const struct members *membe
     return at;
 }
 
-static enum hatch_status make_coarse(const struct level *level, uint32_t count,
-                                     const struct members *members, struct hatch_arena *arena,
-                                     struct level *next, struct hatch_err *err)
+static enum hatch_status make_coarse(const struct level *level, uint32_t count, const struct members *members,
+                                     struct hatch_arena *arena, struct level *next, struct hatch_err *err)
 {
     struct hatch_field_system *coarse = &next->system;
     coarse->count = count;
@@ -227,8 +226,8 @@ static enum hatch_status part_links(struct level *level, struct hatch_arena *are
     return HATCH_OK;
 }
 
-static enum hatch_status add_level(struct hatch_field_levels *levels, struct hatch_arena *arena,
-                                   bool *added, struct hatch_err *err)
+static enum hatch_status add_level(struct hatch_field_levels *levels, struct hatch_arena *arena, bool *added,
+                                   struct hatch_err *err)
 {
     struct level *level = &levels->level[levels->count - 1];
     uint32_t nodes = level->system.count;
@@ -270,8 +269,8 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
 }
 
 /* sum += Σ link z over a part of a row. */
-static inline void add_links(const struct hatch_field_system *system, uint32_t from, uint32_t end,
-                             const double *z, double sum[2])
+static inline void add_links(const struct hatch_field_system *system, uint32_t from, uint32_t end, const double *z,
+                             double sum[2])
 {
     double x = sum[0], y = sum[1];
     for (uint32_t i = from; i < end; i++) {
@@ -372,10 +371,10 @@ static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const
     sweep_backward(fine, right, z);
 }
 
-enum hatch_status hatch_field_iterate(const struct hatch_field_system *system,
-                                      const struct hatch_field_levels *levels, const double *right,
-                                      double tolerance, uint32_t iterations_max, struct hatch_arena *scratch,
-                                      double *z, struct hatch_field_progress *progress, struct hatch_err *err)
+enum hatch_status hatch_field_iterate(const struct hatch_field_system *system, const struct hatch_field_levels *levels,
+                                      const double *right, double tolerance, uint32_t iterations_max,
+                                      struct hatch_arena *scratch, double *z, struct hatch_field_progress *progress,
+                                      struct hatch_err *err)
 {
     size_t size = (size_t)system->count * 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

@@ -5,8 +5,7 @@
 #include "math/vector.h"
 #include "field/system.h"
 
-void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const double direction[3],
-                        double z[2])
+void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const double direction[3], double z[2])
 {
     const double *axis = &frames->axis[(size_t)point * 3];
     double side[3];
@@ -38,10 +37,8 @@ static double edge_sum(const struct hatch_surface *surface, const struct hatch_f
     return sum;
 }
 
-struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surface,
-                                              const struct hatch_frames *frames,
-                                              const struct hatch_field_data *data, double smooth,
-                                              uint32_t component)
+struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                              const struct hatch_field_data *data, double smooth, uint32_t component)
 {
     const struct hatch_component *of = &surface->components[component];
     double area = 0, known = 0;
@@ -57,8 +54,7 @@ struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surfac
 }
 
 double hatch_field_mass(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                        const struct hatch_field_data *data, const struct hatch_field_scale *scale,
-                        uint32_t point)
+                        const struct hatch_field_data *data, const struct hatch_field_scale *scale, uint32_t point)
 {
     double edges = edge_sum(surface, frames, point), confidence = data->confidence[point], z[2];
     if (!scale->directed)
@@ -120,8 +116,8 @@ double hatch_field_dot(const double *a, const double *b, uint32_t count)
 
 /* Numbers the nodes; a component with one side has two a point, one after the other. */
 static enum hatch_status number_nodes(const struct hatch_surface *surface, const bool *include,
-                                      struct hatch_arena *arena, struct hatch_field_system *system,
-                                      uint32_t *links, struct hatch_err *err)
+                                      struct hatch_arena *arena, struct hatch_field_system *system, uint32_t *links,
+                                      struct hatch_err *err)
 {
     system->order = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
     system->node = system->order ? HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err) : NULL;
@@ -164,8 +160,8 @@ static void make_link(const struct hatch_surface *surface, const struct hatch_fr
 }
 
 /* The row of a point seen from its ring's outside (side 0) or its other side. */
-static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                         uint32_t point, uint32_t side, uint32_t at, struct hatch_field_system *system)
+static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+                         uint32_t side, uint32_t at, struct hatch_field_system *system)
 {
     uint32_t n = system->node[point] + side;
     double sum = 0;
@@ -181,10 +177,9 @@ static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch
 }
 
 enum hatch_status hatch_field_assemble(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                       const struct hatch_field_data *data,
-                                       const struct hatch_field_scale *scales, const bool *include,
-                                       struct hatch_arena *arena, struct hatch_field_system *system,
-                                       struct hatch_err *err)
+                                       const struct hatch_field_data *data, const struct hatch_field_scale *scales,
+                                       const bool *include, struct hatch_arena *arena,
+                                       struct hatch_field_system *system, struct hatch_err *err)
 {
     uint32_t links = 0, at = 0;
     HATCH_TRY(number_nodes(surface, include, arena, system, &links, err));

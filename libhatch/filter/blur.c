@@ -8,7 +8,7 @@ enum hatch_status hatch_blur_box(const struct hatch_image *image, uint32_t chann
     uint32_t width = image->width, height = image->height, channels = image->channel_count;
     assert(channel < channels && side >= 1 && side <= width && side <= height);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *rows = HATCH_NEW(scratch, double, (size_t)width * height, err);
+    double *rows = HATCH_NEW(scratch, double, (size_t)width *height, err);
     if (!rows)
         return HATCH_LIMIT;
     for (uint32_t y = 0; y < height; y++) {

@@ -8,7 +8,6 @@
  * left pixel is (x, y), wrapping around. Sums are in doubles, in a fixed order. side: 1 .. width and
  * height. blurred: width * height doubles. */
 enum hatch_status hatch_blur_box(const struct hatch_image *image, uint32_t channel, uint32_t side,
-                                 struct hatch_arena *scratch, double *blurred, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                 struct hatch_arena *scratch, double *blurred, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -46,8 +46,7 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
 }
 
 /* sums[y * (width + 1) + x]: of all numbers of one channel above y and left of x. */
-static void sum_areas(const struct hatch_image *a, const struct hatch_image *b, uint32_t channel,
-                      double *sums)
+static void sum_areas(const struct hatch_image *a, const struct hatch_image *b, uint32_t channel, double *sums)
 {
     size_t pitch = (size_t)a->width + 1;
     for (uint32_t y = 0; y < a->height; y++) {
@@ -74,10 +73,8 @@ static double largest_window(const double *sums, uint32_t width, uint32_t height
     return largest / ((double)across * down);
 }
 
-enum hatch_status hatch_image_low_difference(const struct hatch_image *a,
-                                             const struct hatch_image *b, uint32_t box_px,
-                                             struct hatch_arena *scratch, double *difference,
-                                             struct hatch_err *err)
+enum hatch_status hatch_image_low_difference(const struct hatch_image *a, const struct hatch_image *b, uint32_t box_px,
+                                             struct hatch_arena *scratch, double *difference, struct hatch_err *err)
 {
     assert(box_px > 0);
     if (b)
@@ -106,9 +103,8 @@ double hatch_image_mean(const struct hatch_image *image)
     return sum / (double)count;
 }
 
-double hatch_image_second_difference(const struct hatch_image *before,
-                                     const struct hatch_image *now, const struct hatch_image *after,
-                                     struct hatch_image *change)
+double hatch_image_second_difference(const struct hatch_image *before, const struct hatch_image *now,
+                                     const struct hatch_image *after, struct hatch_image *change)
 {
     assert_alike(before, now);
     assert_alike(now, after);
@@ -116,8 +112,7 @@ double hatch_image_second_difference(const struct hatch_image *before,
     double sum = 0;
     size_t count = number_count(now);
     for (size_t i = 0; i < count; i++) {
-        double value =
-            (double)before->pixels[i] - 2 * (double)now->pixels[i] + (double)after->pixels[i];
+        double value = (double)before->pixels[i] - 2 * (double)now->pixels[i] + (double)after->pixels[i];
         change->pixels[i] = (float)value;
         sum += fabs(value);
     }

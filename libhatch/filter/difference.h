@@ -20,8 +20,7 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
 /* The largest |mean of a - b| over all box_px x box_px windows that lie within the image, of any
  * channel: what is left of a difference when fine structure is averaged away. A window is no larger
  * than the image. b may be NULL: the largest |mean of a|. box_px: at least 1. */
-enum hatch_status hatch_image_low_difference(const struct hatch_image *a,
-                                             const struct hatch_image *b, uint32_t box_px,
+enum hatch_status hatch_image_low_difference(const struct hatch_image *a, const struct hatch_image *b, uint32_t box_px,
                                              struct hatch_arena *scratch, double *difference,
                                              struct hatch_err *err) HATCH_MUST_USE;
 
@@ -31,8 +30,7 @@ double hatch_image_mean(const struct hatch_image *image);
 /* change = before - 2 now + after, pixel by pixel: zero where light changes evenly over three
  * frames, large where something pops. All of the same size; change may be one of them. Returns the
  * mean of |change|. */
-double hatch_image_second_difference(const struct hatch_image *before,
-                                     const struct hatch_image *now, const struct hatch_image *after,
-                                     struct hatch_image *change);
+double hatch_image_second_difference(const struct hatch_image *before, const struct hatch_image *now,
+                                     const struct hatch_image *after, struct hatch_image *change);
 
 #endif

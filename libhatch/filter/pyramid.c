@@ -25,8 +25,7 @@ static void halve_uneven(const struct hatch_image *fine, struct hatch_image *coa
                     for (uint32_t fx = 2 * x; fx < 2 * x + 3 && fx < fine->width; fx++)
                         sum += overlap(fx, x, step_x) * overlap(fy, y, step_y) *
                                fine->pixels[((size_t)fy * fine->width + fx) * channels + c];
-                coarse->pixels[((size_t)y * coarse->width + x) * channels + c] =
-                    sum / (step_x * step_y);
+                coarse->pixels[((size_t)y * coarse->width + x) * channels + c] = sum / (step_x * step_y);
             }
 }
 
@@ -48,14 +47,13 @@ void hatch_image_halve(const struct hatch_image *fine, struct hatch_image *coars
         for (uint32_t x = 0; x < coarse->width; x++)
             for (uint32_t c = 0; c < channels; c++) {
                 size_t left = 2 * (size_t)x * channels + c, right = left + channels;
-                out[x * channels + c] =
-                    ((upper[left] + upper[right]) + (lower[left] + lower[right])) * 0.25f;
+                out[x * channels + c] = ((upper[left] + upper[right]) + (lower[left] + lower[right])) * 0.25f;
             }
     }
 }
 
-enum hatch_status hatch_mipmap_complete(struct hatch_mipmap *mipmap, uint32_t first,
-                                        struct hatch_arena *arena, struct hatch_err *err)
+enum hatch_status hatch_mipmap_complete(struct hatch_mipmap *mipmap, uint32_t first, struct hatch_arena *arena,
+                                        struct hatch_err *err)
 {
     assert(first >= 1);
     const struct hatch_image *finest = &mipmap->levels[0];
@@ -66,8 +64,7 @@ enum hatch_status hatch_mipmap_complete(struct hatch_mipmap *mipmap, uint32_t fi
         *coarse = *fine;
         coarse->width = hatch_mip_size(fine->width, 1);
         coarse->height = hatch_mip_size(fine->height, 1);
-        coarse->pixels = HATCH_NEW(
-            arena, float, (size_t)coarse->width * coarse->height * coarse->channel_count, err);
+        coarse->pixels = HATCH_NEW(arena, float, (size_t)coarse->width * coarse->height * coarse->channel_count, err);
         if (!coarse->pixels)
             return HATCH_LIMIT;
         hatch_image_halve(fine, coarse);

@@ -17,7 +17,7 @@ struct job {
         uint64_t squares;
         uint32_t worst;
         bool unknown;
-    } *rows;
+    } * rows;
 };
 
 static uint32_t planes_of(const struct hatch_texels *texels, uint32_t level)
@@ -60,13 +60,12 @@ static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8
     }
 }
 
-static void compare(const struct job *job, uint8_t before[TEXELS][4], uint8_t after[TEXELS][4],
-                    struct sums *sums)
+static void compare(const struct job *job, uint8_t before[TEXELS][4], uint8_t after[TEXELS][4], struct sums *sums)
 {
     for (uint32_t i = 0; i < TEXELS; i++)
         for (uint32_t c = 0; c < job->plain->channels; c++) {
-            uint32_t apart = (uint32_t)(before[i][c] > after[i][c] ? before[i][c] - after[i][c]
-                                                                   : after[i][c] - before[i][c]);
+            uint32_t apart =
+                (uint32_t)(before[i][c] > after[i][c] ? before[i][c] - after[i][c] : after[i][c] - before[i][c]);
             sums->squares += apart * apart;
             sums->worst = apart > sums->worst ? apart : sums->worst;
         }
@@ -119,8 +118,8 @@ static void unpack_row(void *context, uint32_t row)
     }
 }
 
-static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatch_task task,
-                                  struct hatch_arena *arena, struct sums *sums, struct hatch_err *err)
+static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatch_task task, struct hatch_arena *arena,
+                                  struct sums *sums, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     uint32_t rows = job->down * planes_of(job->plain, job->level);
@@ -138,9 +137,8 @@ static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatc
 }
 
 enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_texels *packed, struct hatch_block_figures *figures,
-                                    struct hatch_err *err)
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
+                                    struct hatch_block_figures *figures, struct hatch_err *err)
 {
     assert(plain->code == HATCH_TEXELS_PLAIN);
     assert(hatch_texels_block_side(code) == SIDE);

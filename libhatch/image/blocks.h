@@ -16,9 +16,8 @@ struct hatch_block_figures {
 /* Packs a plain texture, R8 to BC4, RGB8 or RGBA8 to BC7, whose alpha becomes 254 or 255, or to BC1, which has
  * none. pool: NULL is one thread; the result is the same. figures: may be NULL. */
 enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_texels *packed, struct hatch_block_figures *figures,
-                                    struct hatch_err *err) HATCH_MUST_USE;
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
+                                    struct hatch_block_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Unpacks BC1 to RGB8, BC4 to R8 and BC7 to RGBA8, as a GPU would, rounded to 8 bits; a plain texture is taken as it
  * is (nothing is copied). HATCH_BAD_INPUT names a BC7 block of another mode than 6. */

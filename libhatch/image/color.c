@@ -50,10 +50,9 @@ double hatch_color_hue_between(const double a[2], const double b[2])
 
 bool hatch_color_parse(struct hatch_text text, float rgb[3])
 {
-    static const char *const names[][2] = {{"black", "#000"},     {"white", "#fff"},
-                                           {"grey", "#808080"},   {"gray", "#808080"},
-                                           {"cream", "#f7f0dd"},  {"sepia", "#4b2e18"},
-                                           {"blue", "#1f3a6e"},   {"red", "#8c1c13"}};
+    static const char *const names[][2] = {{"black", "#000"},   {"white", "#fff"},    {"grey", "#808080"},
+                                           {"gray", "#808080"}, {"cream", "#f7f0dd"}, {"sepia", "#4b2e18"},
+                                           {"blue", "#1f3a6e"}, {"red", "#8c1c13"}};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (hatch_text_is(text, names[i][0]))
             text = (struct hatch_text){names[i][1], strlen(names[i][1])};

@@ -45,8 +45,7 @@ static inline float float_of_half(uint16_t half)
     uint32_t sign = (uint32_t)(half & 0x8000u) << 16;
     uint32_t magnitude = (uint32_t)(half & 0x7fffu) << 13;
     uint32_t bits = bits_of(float_of(magnitude) * 0x1p112f);
-    bits |=
-        (uint32_t) - (int32_t)(magnitude >= 0x0f800000u) & 0x7f800000u; /* infinite, or no number */
+    bits |= (uint32_t) - (int32_t)(magnitude >= 0x0f800000u) & 0x7f800000u; /* infinite, or no number */
     return float_of(sign | bits);
 }
 

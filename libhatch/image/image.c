@@ -4,9 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, uint32_t height,
-                                   const char *names, struct hatch_image *image,
-                                   struct hatch_err *err)
+enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, uint32_t height, const char *names,
+                                   struct hatch_image *image, struct hatch_err *err)
 {
     size_t channel_count = strlen(names);
     assert(width > 0 && height > 0);
@@ -17,7 +16,7 @@ enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, ui
     size_t row_floats = (size_t)width * channel_count;
     if (height > SIZE_MAX / sizeof(float) / row_floats)
         return hatch_fail(err, HATCH_LIMIT, "image of %ux%u pixels is too large", width, height);
-    made.pixels = HATCH_NEW(arena, float, row_floats * height, err);
+    made.pixels = HATCH_NEW(arena, float, row_floats *height, err);
     if (!made.pixels)
         return HATCH_LIMIT;
     *image = made;
@@ -47,8 +46,7 @@ uint32_t hatch_mip_size(uint32_t size, uint32_t level)
     return halved ? halved : 1;
 }
 
-const struct hatch_attribute *hatch_mipmap_attribute(const struct hatch_mipmap *mipmap,
-                                                     const char *name)
+const struct hatch_attribute *hatch_mipmap_attribute(const struct hatch_mipmap *mipmap, const char *name)
 {
     for (uint32_t i = 0; i < mipmap->attribute_count; i++)
         if (strcmp(mipmap->attributes[i].name, name) == 0)
@@ -98,4 +96,3 @@ float hatch_linear_to_srgb(float linear)
         return linear * 12.92f;
     return (float)(1.055 * pow((double)linear, 1.0 / 2.4) - 0.055);
 }
-

@@ -27,8 +27,8 @@ struct hatch_channel {
 
 /* pixels[(y * width + x) * channel_count + c], owned by the arena that the image came from. */
 struct hatch_image {
-    uint32_t width, height;  /* 1 .. 2^24 */
-    uint32_t channel_count;  /* 1 .. HATCH_IMAGE_CHANNELS_MAX */
+    uint32_t width, height; /* 1 .. 2^24 */
+    uint32_t channel_count; /* 1 .. HATCH_IMAGE_CHANNELS_MAX */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX];
     float *pixels;
 };
@@ -38,7 +38,7 @@ enum hatch_attribute_type { HATCH_ATTRIBUTE_FLOAT, HATCH_ATTRIBUTE_INT, HATCH_AT
 struct hatch_attribute {
     char name[HATCH_NAME_MAX]; /* "hatch:tone" */
     enum hatch_attribute_type type;
-    double number;   /* FLOAT and INT */
+    double number;    /* FLOAT and INT */
     const char *text; /* TEXT: zero-terminated, owned by the arena or static */
 };
 
@@ -54,9 +54,8 @@ struct hatch_mipmap {
 
 /* Makes a zeroed image whose channels are the letters of names ("Y", "RGB", "RGBA"), all HALF.
  * width, height: at least 1. HATCH_LIMIT when arena is too small. */
-enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, uint32_t height,
-                                   const char *names, struct hatch_image *image,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, uint32_t height, const char *names,
+                                   struct hatch_image *image, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The index of the channel of that name, or -1. */
 int hatch_image_channel(const struct hatch_image *image, const char *name);
@@ -68,8 +67,7 @@ uint32_t hatch_mip_chain_length(uint32_t width, uint32_t height);
 uint32_t hatch_mip_size(uint32_t size, uint32_t level);
 
 /* The attribute of that name, or NULL. */
-const struct hatch_attribute *hatch_mipmap_attribute(const struct hatch_mipmap *mipmap,
-                                                     const char *name);
+const struct hatch_attribute *hatch_mipmap_attribute(const struct hatch_mipmap *mipmap, const char *name);
 
 /* Adds or replaces an attribute; an assert when there is no room. text is not copied. */
 void hatch_mipmap_set_number(struct hatch_mipmap *mipmap, const char *name, double value,

@@ -33,8 +33,7 @@ uint32_t hatch_texels_chain_length(const struct hatch_texels *texture)
     return flat > deep ? flat : deep;
 }
 
-enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texels *texture,
-                                    struct hatch_err *err)
+enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texels *texture, struct hatch_err *err)
 {
     assert(texture->width > 0 && texture->height > 0);
     assert(texture->channels >= 1 && texture->channels <= 4);

@@ -27,9 +27,8 @@ static enum hatch_status build(const struct hatch_surface *surface, const struct
 }
 
 enum hatch_status hatch_lapped_atlas(const struct hatch_surface *surface, const struct hatch_lapped *lapped,
-                                     const struct hatch_outline *outline, double margin,
-                                     struct hatch_arena *scratch, float *texcoords, double *scale,
-                                     struct hatch_err *err)
+                                     const struct hatch_outline *outline, double margin, struct hatch_arena *scratch,
+                                     float *texcoords, double *scale, struct hatch_err *err)
 {
     assert(margin >= 0);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

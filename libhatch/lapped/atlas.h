@@ -18,8 +18,7 @@ enum hatch_status hatch_charts_make(const struct hatch_surface *surface, const s
 
 /* Lays boxes of sizes (2 each) side by side into a square: corners receives their low corners. margin:
  * between them, as a share of the square. Returns in *side the square's side. */
-enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double margin,
-                                     struct hatch_arena *scratch, double *corners, double *side,
-                                     struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double margin, struct hatch_arena *scratch,
+                                     double *corners, double *side, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

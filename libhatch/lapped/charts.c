@@ -24,7 +24,7 @@ struct charting {
     uint32_t *head, head_room;
     struct node {
         uint32_t next, face;
-    } *nodes;
+    } * nodes;
     uint32_t node_count, node_room;
     uint32_t *queue, queue_room;
 };
@@ -41,8 +41,8 @@ static uint32_t count_shown(const struct hatch_lapped *lapped, const struct hatc
         for (int j = 0; i + j < SAMPLES_SIDE; j++, bit++) {
             double a = (i + 1.0 / 3) / SAMPLES_SIDE, b = (j + 1.0 / 3) / SAMPLES_SIDE, place[2];
             for (int k = 0; k < 2; k++)
-                place[k] = a * (double)at[0]->mask[k] + b * (double)at[1]->mask[k] +
-                           (1 - a - b) * (double)at[2]->mask[k];
+                place[k] =
+                    a * (double)at[0]->mask[k] + b * (double)at[1]->mask[k] + (1 - a - b) * (double)at[2]->mask[k];
             if (*left >> bit & 1 && hatch_outline_opacity(outline, place) >= 0.5) {
                 *left = (uint16_t)(*left & ~(1u << bit));
                 shown++;
@@ -53,8 +53,7 @@ static uint32_t count_shown(const struct hatch_lapped *lapped, const struct hatc
 }
 
 /* Finds for every face the patch that shows most of it, from the uppermost down. */
-static enum hatch_status choose_patches(struct charting *of, const struct hatch_outline *outline,
-                                        struct hatch_err *err)
+static enum hatch_status choose_patches(struct charting *of, const struct hatch_outline *outline, struct hatch_err *err)
 {
     const struct hatch_lapped *lapped = of->lapped;
     uint32_t count = of->surface->face_count;
@@ -158,8 +157,8 @@ static enum hatch_status enter(struct charting *of, uint32_t face, uint32_t char
     for (uint32_t y = range[1]; y <= range[3]; y++) {
         for (uint32_t x = range[0]; x <= range[2]; x++) {
             void *nodes = of->nodes;
-            HATCH_TRY(hatch_heap_reserve(of->arena, &nodes, &of->node_room, of->node_count + 1,
-                                         sizeof *of->nodes, err));
+            HATCH_TRY(
+                hatch_heap_reserve(of->arena, &nodes, &of->node_room, of->node_count + 1, sizeof *of->nodes, err));
             of->nodes = nodes;
             uint32_t *head = &of->head[y * of->cells[0] + x];
             of->nodes[of->node_count] = (struct node){*head, face};
@@ -190,8 +189,8 @@ static enum hatch_status grow_chart(struct charting *of, uint32_t first, uint32_
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t c = 0; c < 3; c++) {
             uint32_t side = 3 * queue[i] + c, other = of->surface->opposite[side];
-            if (other == HATCH_NO_SIDE || of->charts.of[other / 3] != UINT32_MAX ||
-                !joined(of, side, other) || collides(of, other / 3, chart))
+            if (other == HATCH_NO_SIDE || of->charts.of[other / 3] != UINT32_MAX || !joined(of, side, other) ||
+                collides(of, other / 3, chart))
                 continue;
             HATCH_TRY(enter(of, other / 3, chart, err));
             queue[count++] = other / 3;
@@ -201,8 +200,7 @@ static enum hatch_status grow_chart(struct charting *of, uint32_t first, uint32_
 }
 
 /* A grid of about as many cells as the patch has faces. */
-static enum hatch_status make_grid(struct charting *of, const struct hatch_lapped_patch *patch,
-                                   struct hatch_err *err)
+static enum hatch_status make_grid(struct charting *of, const struct hatch_lapped_patch *patch, struct hatch_err *err)
 {
     double high[2] = {-HUGE_VAL, -HUGE_VAL};
     of->low[0] = of->low[1] = HUGE_VAL;

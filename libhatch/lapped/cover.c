@@ -8,8 +8,8 @@
 /* And before it counts as shown. */
 #define SHOW_CUTS_MAX 4
 
-enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count,
-                                   struct hatch_arena *arena, struct hatch_cover *cover, struct hatch_err *err)
+enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count, struct hatch_arena *arena,
+                                   struct hatch_cover *cover, struct hatch_err *err)
 {
     struct hatch_cover made = {.outline = outline, .arena = arena};
     made.covered = HATCH_NEW(arena, uint8_t, face_count, err);

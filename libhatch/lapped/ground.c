@@ -254,9 +254,8 @@ static void choose_radii(struct hatch_ground *ground, const struct hatch_outline
 
 enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                     const double *direction, const struct hatch_outline *outline,
-                                    const struct hatch_lapped_options *options,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_ground *ground,
+                                    const struct hatch_lapped_options *options, struct hatch_pool *pool,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_ground *ground,
                                     struct hatch_err *err)
 {
     uint32_t count = surface->face_count;

@@ -8,11 +8,14 @@
 #define STEPS_MAX 1
 
 enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
-                                    const uint8_t *covered, struct hatch_arena *arena,
-                                    struct hatch_growth *growth, struct hatch_err *err)
+                                    const uint8_t *covered, struct hatch_arena *arena, struct hatch_growth *growth,
+                                    struct hatch_err *err)
 {
     const struct hatch_surface *surface = ground->surface;
-    struct hatch_growth made = {.covered = covered, .ground = ground, .outline = outline, .arena = arena,
+    struct hatch_growth made = {.covered = covered,
+                                .ground = ground,
+                                .outline = outline,
+                                .arena = arena,
                                 .heap = {.arena = arena},
                                 .obstacles = {.arena = arena}};
     made.face = HATCH_NEW(arena, struct hatch_stamp, surface->face_count, err);
@@ -48,9 +51,7 @@ enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t si
     uint32_t other = growth->ground->surface->opposite[side];
     if (other == HATCH_NO_SIDE)
         return HATCH_SIDE_BORDER;
-    return growth->ground->bend[side] != 0 && holds_face(growth, other / 3)
-               ? HATCH_SIDE_INSIDE
-               : HATCH_SIDE_OPEN;
+    return growth->ground->bend[side] != 0 && holds_face(growth, other / 3) ? HATCH_SIDE_INSIDE : HATCH_SIDE_OPEN;
 }
 
 /* How many of a face's sides the patch holds the other face of. */
@@ -98,8 +99,8 @@ static int8_t admit(const struct hatch_growth *growth, uint32_t face)
 }
 
 /* Where a corner of a face comes to lie, seen from another corner that has its place. */
-static void unfold(const struct hatch_ground *ground, uint32_t face, int8_t sign, uint32_t corner,
-                   uint32_t from, const double place[2], double sum[2])
+static void unfold(const struct hatch_ground *ground, uint32_t face, int8_t sign, uint32_t corner, uint32_t from,
+                   const double place[2], double sum[2])
 {
     double a[2], b[2];
     hatch_ground_corner(ground, face, from, a);
@@ -258,8 +259,8 @@ static enum hatch_status find_rim(struct hatch_growth *growth, struct hatch_err 
     struct hatch_patch *patch = &growth->patch;
     const uint32_t *opposite = growth->ground->surface->opposite;
     void *rim = patch->rim;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &rim, &patch->rim_room, patch->face_count + 2, sizeof *patch->rim,
-                                 err));
+    HATCH_TRY(
+        hatch_heap_reserve(growth->arena, &rim, &patch->rim_room, patch->face_count + 2, sizeof *patch->rim, err));
     patch->rim = rim;
     patch->rim_count = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {

@@ -18,8 +18,8 @@ struct hatch_heap {
 };
 
 /* Adds an item; the heap begins as {.arena = a} and doubles there. */
-enum hatch_status hatch_heap_push(struct hatch_heap *heap, double key, uint32_t id, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_heap_push(struct hatch_heap *heap, double key, uint32_t id,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* false when it is empty. */
 bool hatch_heap_pop(struct hatch_heap *heap, struct hatch_heap_item *item);

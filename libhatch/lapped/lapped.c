@@ -27,7 +27,7 @@ struct making {
     struct hatch_arena *arena;
     struct kept *kept;
     uint32_t count, room;
-    uint32_t *shown, *fresh;  /* local faces that show; faces newly covered */
+    uint32_t *shown, *fresh; /* local faces that show; faces newly covered */
     uint32_t shown_count, fresh_count, shown_room, fresh_room;
     uint32_t *renumbered, renumbered_room;
     struct hatch_lapped totals;
@@ -39,12 +39,12 @@ static enum hatch_status make_room(struct making *of, struct hatch_err *err)
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->room, of->count + 1, sizeof *of->kept, err));
     of->kept = array;
     array = of->shown;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->shown_room, of->growth.patch.face_count,
-                                 sizeof *of->shown, err));
+    HATCH_TRY(
+        hatch_heap_reserve(of->arena, &array, &of->shown_room, of->growth.patch.face_count, sizeof *of->shown, err));
     of->shown = array;
     array = of->fresh;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->fresh_room, of->growth.patch.face_count,
-                                 sizeof *of->fresh, err));
+    HATCH_TRY(
+        hatch_heap_reserve(of->arena, &array, &of->fresh_room, of->growth.patch.face_count, sizeof *of->fresh, err));
     of->fresh = array;
     array = of->renumbered;
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->renumbered_room, of->growth.patch.vertex_count,
@@ -205,12 +205,11 @@ static enum hatch_status gather(const struct making *of, struct hatch_arena *are
 
 static enum hatch_status prepare(struct making *of, const struct hatch_surface *surface,
                                  const struct hatch_frames *frames, const double *direction,
-                                 const struct hatch_outline *outline, struct hatch_pool *pool,
-                                 struct hatch_err *err)
+                                 const struct hatch_outline *outline, struct hatch_pool *pool, struct hatch_err *err)
 {
     struct hatch_arena *arena = of->arena;
-    HATCH_TRY(hatch_ground_make(surface, frames, direction, outline, of->options, pool, arena, arena, &of->ground,
-                                err));
+    HATCH_TRY(
+        hatch_ground_make(surface, frames, direction, outline, of->options, pool, arena, arena, &of->ground, err));
     HATCH_TRY(hatch_cover_make(outline, surface->face_count, arena, &of->cover, err));
     HATCH_TRY(hatch_growth_make(&of->ground, outline, of->cover.covered, arena, &of->growth, err));
     of->solver.arena = arena;
@@ -219,9 +218,8 @@ static enum hatch_status prepare(struct making *of, const struct hatch_surface *
 
 enum hatch_status hatch_lapped_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                     const double *direction, const double *confidence,
-                                    const struct hatch_outline *outline,
-                                    const struct hatch_lapped_options *options, struct hatch_pool *pool,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    const struct hatch_outline *outline, const struct hatch_lapped_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_lapped *lapped, struct hatch_err *err)
 {
     (void)confidence;

@@ -19,11 +19,11 @@
 #include "field/field.h"
 
 struct hatch_lapped_options {
-    double size;        /* diameter of a patch on a flat part, as a share of the diagonal of the box around the
-                           whole mesh, 0.001 .. 1; 0: chosen: a tenth, but 250 to 1000 faces */
-    double curved;      /* 0 .. 1: how far patches shrink where the surface is curved, down to 250 faces; 0: all
-                           are alike */
-    double stretch_max; /* the larger over the smaller singular value at which growth ends, 1.01 .. 10 */
+    double size;         /* diameter of a patch on a flat part, as a share of the diagonal of the box around the
+                            whole mesh, 0.001 .. 1; 0: chosen: a tenth, but 250 to 1000 faces */
+    double curved;       /* 0 .. 1: how far patches shrink where the surface is curved, down to 250 faces; 0: all
+                            are alike */
+    double stretch_max;  /* the larger over the smaller singular value at which growth ends, 1.01 .. 10 */
     double turn_max_rad; /* angle between coordinates and field at which growth ends, 0.01 .. π/2 */
     uint64_t seed;
 };
@@ -49,18 +49,18 @@ struct hatch_lapped_patch {
 };
 
 struct hatch_lapped {
-    uint32_t patch_count;            /* in drawing order: later ones lie over earlier ones */
+    uint32_t patch_count; /* in drawing order: later ones lie over earlier ones */
     struct hatch_lapped_patch *patches;
     uint32_t vertex_count, face_count; /* over all patches */
     struct hatch_lapped_vertex *vertices;
-    uint32_t *faces;                 /* the surface's face of each patch's face */
-    uint32_t *corners;               /* 3 a face: vertices, counted from the patch's first; in the
-                                        order of the surface's corners */
-    uint32_t hidden, hidden_faces;   /* patches (none is made that is), and faces of others, left out because later
-                                        cores hide them */
-    uint32_t cut;                    /* patches whose faces end inside their outline */
-    uint32_t enlarged;               /* patches made larger than asked, to hold a large face */
-    uint64_t placed;                 /* faces in all linear systems that were solved: what it took */
+    uint32_t *faces;               /* the surface's face of each patch's face */
+    uint32_t *corners;             /* 3 a face: vertices, counted from the patch's first; in the
+                                      order of the surface's corners */
+    uint32_t hidden, hidden_faces; /* patches (none is made that is), and faces of others, left out because later
+                                      cores hide them */
+    uint32_t cut;                  /* patches whose faces end inside their outline */
+    uint32_t enlarged;             /* patches made larger than asked, to hold a large face */
+    uint64_t placed;               /* faces in all linear systems that were solved: what it took */
 };
 
 /* direction, confidence: per point, as hatch_field's. Guarantees: every face is covered at opacity
@@ -71,9 +71,8 @@ struct hatch_lapped {
  * order and size, is taken from the turning of the frames' normals. */
 enum hatch_status hatch_lapped_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                     const double *direction, const double *confidence,
-                                    const struct hatch_outline *outline,
-                                    const struct hatch_lapped_options *options, struct hatch_pool *pool,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    const struct hatch_outline *outline, const struct hatch_lapped_options *options,
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_lapped *lapped, struct hatch_err *err) HATCH_MUST_USE;
 
 /* One patch as a mesh to be written: the source's attributes at each corner, TEXCOORD_0 (hatch
@@ -94,8 +93,7 @@ enum hatch_status hatch_lapped_mesh(const struct hatch_surface *surface, const s
  * share of the square; less where charts are too many. *scale receives texture units per unit of
  * the mesh. */
 enum hatch_status hatch_lapped_atlas(const struct hatch_surface *surface, const struct hatch_lapped *lapped,
-                                     const struct hatch_outline *outline, double margin,
-                                     struct hatch_arena *scratch, float *texcoords, double *scale,
-                                     struct hatch_err *err) HATCH_MUST_USE;
+                                     const struct hatch_outline *outline, double margin, struct hatch_arena *scratch,
+                                     float *texcoords, double *scale, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -6,10 +6,10 @@
 
 /* What makes corners one vertex of the patch's mesh. */
 struct corner {
-    uint32_t vertex;  /* of the patch */
-    uint32_t origin;  /* of the source */
-    uint32_t turned;  /* its normal looks to the other side of the face */
-    uint32_t index;   /* where it stands */
+    uint32_t vertex; /* of the patch */
+    uint32_t origin; /* of the source */
+    uint32_t turned; /* its normal looks to the other side of the face */
+    uint32_t index;  /* where it stands */
 };
 
 /* Among those of one vertex. */
@@ -26,8 +26,8 @@ static bool same(const struct corner *a, const struct corner *b)
 }
 
 /* A face that was turned to agree with its neighbours has its normals on the wrong side. */
-static bool looks_away(const struct hatch_surface *surface, const struct hatch_mesh *source,
-                       const float *normals, uint32_t face, uint32_t c)
+static bool looks_away(const struct hatch_surface *surface, const struct hatch_mesh *source, const float *normals,
+                       uint32_t face, uint32_t c)
 {
     const uint32_t *vertex = &surface->corner_vertex[3 * (size_t)face];
     if (!normals || source->indices[3 * (size_t)surface->face_source[face] + 1] == vertex[1])
@@ -160,8 +160,7 @@ enum hatch_status hatch_lapped_mesh(const struct hatch_surface *surface, const s
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct corner *corners;
     float *hatch = HATCH_NEW_UNSET(scratch, float, 2 * (size_t)from->vertex_count, err);
-    enum hatch_status status =
-        hatch ? hatch_lapped_round(lapped, from, tile, scratch, hatch, err) : HATCH_LIMIT;
+    enum hatch_status status = hatch ? hatch_lapped_round(lapped, from, tile, scratch, hatch, err) : HATCH_LIMIT;
     if (status == HATCH_OK)
         status = list_corners(surface, source, lapped, from, scratch, &corners, err);
     if (status == HATCH_OK)

@@ -12,8 +12,8 @@
 #define WAVE_MAX 1.0
 
 enum hatch_status hatch_order_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
-                                   const uint8_t *covered, struct hatch_arena *arena,
-                                   struct hatch_order *order, struct hatch_err *err)
+                                   const uint8_t *covered, struct hatch_arena *arena, struct hatch_order *order,
+                                   struct hatch_err *err)
 {
     const struct hatch_surface *surface = ground->surface;
     struct hatch_order made = {.ground = ground, .covered = covered};
@@ -130,8 +130,7 @@ enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, st
     return HATCH_OK;
 }
 
-static enum hatch_status approach(struct hatch_order *order, uint32_t face, double distance,
-                                  struct hatch_err *err)
+static enum hatch_status approach(struct hatch_order *order, uint32_t face, double distance, struct hatch_err *err)
 {
     order->distance[face] = distance;
     if (order->filling)
@@ -160,10 +159,9 @@ enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t 
             if (other == HATCH_NO_SIDE || order->covered[other / 3])
                 continue;
             uint32_t next = other / 3;
-            double distance = item.key + hatch_vec_distance(&order->middle[3 * (size_t)item.id],
-                                                            &order->middle[3 * (size_t)next]);
-            if (distance >= order->distance[next] ||
-                distance > 1.5 * order->core * order->ground->wish[next])
+            double distance =
+                item.key + hatch_vec_distance(&order->middle[3 * (size_t)item.id], &order->middle[3 * (size_t)next]);
+            if (distance >= order->distance[next] || distance > 1.5 * order->core * order->ground->wish[next])
                 continue;
             HATCH_TRY(approach(order, next, distance, err));
             HATCH_TRY(hatch_heap_push(&order->wave, distance, next, err));

@@ -33,8 +33,7 @@ static double slope_of(const struct hatch_outline *outline)
 {
     double slope = 0;
     for (int k = 1; k < WAVES; k++)
-        slope += k * sqrt(outline->wave[k][0] * outline->wave[k][0] +
-                          outline->wave[k][1] * outline->wave[k][1]);
+        slope += k * sqrt(outline->wave[k][0] * outline->wave[k][0] + outline->wave[k][1] * outline->wave[k][1]);
     return slope;
 }
 
@@ -153,9 +152,8 @@ static float texel(const struct hatch_outline *outline, double seen, const doubl
     return (float)fmin(1, fmax(0, ramp));
 }
 
-enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px,
-                                       struct hatch_arena *arena, struct hatch_image *mask,
-                                       struct hatch_err *err)
+enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px, struct hatch_arena *arena,
+                                       struct hatch_image *mask, struct hatch_err *err)
 {
     assert(side_px >= 8);
     struct hatch_image made;

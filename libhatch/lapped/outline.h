@@ -7,11 +7,11 @@
 #include "image/image.h"
 
 struct hatch_outline {
-    double feather;      /* width of the ramp from opacity 1 to 0, in mask coordinates */
-    double core_min;     /* radius of the largest circle around the middle at opacity 1 */
-    double reach_max;    /* radius of the smallest circle around it outside of which opacity is 0 */
-    double wave[8][2];   /* cosine and sine coefficients of the core's radius over the angle; [0]: its mean */
-    double steep;        /* how many times a radial distance to a border may be the true one, at most; 1 .. */
+    double feather;    /* width of the ramp from opacity 1 to 0, in mask coordinates */
+    double core_min;   /* radius of the largest circle around the middle at opacity 1 */
+    double reach_max;  /* radius of the smallest circle around it outside of which opacity is 0 */
+    double wave[8][2]; /* cosine and sine coefficients of the core's radius over the angle; [0]: its mean */
+    double steep;      /* how many times a radial distance to a border may be the true one, at most; 1 .. */
 };
 
 /* roughness: 0 (a circle) .. 1; feather: 0.01 .. 0.3. */
@@ -30,8 +30,7 @@ double hatch_outline_distance(const struct hatch_outline *outline, const double 
 /* The mask as an image of one channel "Y", side_px square, rows from the top (v = 0): what is
  * drawn with. A texel is 1 where its bilinear footprint, here and on the next two mip levels,
  * touches the core; border texels are 0. */
-enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px,
-                                       struct hatch_arena *arena, struct hatch_image *mask,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px, struct hatch_arena *arena,
+                                       struct hatch_image *mask, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -56,12 +56,12 @@ static bool way_touches(const struct hatch_outline *outline, const double a[2], 
     double distance = hatch_outline_distance(outline, middle);
     if (distance <= 0 || halvings == 0)
         return distance <= 0 || distance < sqrt(x * x + y * y) / 2;
-    return distance < sqrt(x * x + y * y) / 2 && (way_touches(outline, a, middle, halvings - 1) ||
-                                                  way_touches(outline, middle, b, halvings - 1));
+    return distance < sqrt(x * x + y * y) / 2 &&
+           (way_touches(outline, a, middle, halvings - 1) || way_touches(outline, middle, b, halvings - 1));
 }
 
-bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline,
-                         const double a[2], const double b[2])
+bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline, const double a[2],
+                         const double b[2])
 {
     double ends[2][2];
     hatch_patch_mask(patch, a, ends[0]);
@@ -111,20 +111,20 @@ static void center_on_seed(struct hatch_growth *growth)
 }
 
 struct verdict {
-    uint32_t bad;       /* the first face that is past a limit, or UINT32_MAX */
-    bool more;          /* faces are left that the outline touches and growth may take */
-    bool open;          /* the outline touches a side behind which there is nothing */
+    uint32_t bad; /* the first face that is past a limit, or UINT32_MAX */
+    bool more;    /* faces are left that the outline touches and growth may take */
+    bool open;    /* the outline touches a side behind which there is nothing */
 };
 
 /* How a patch comes about. */
 struct trial {
     struct verdict verdict;
-    double solved;      /* the radius that places were last found for */
+    double solved;         /* the radius that places were last found for */
     uint64_t placed_faces; /* over all times */
-    bool due, placed;   /* places must be found; were found this time */
-    bool anew;          /* faces must be left out */
-    bool shrinking;     /* it will not be asked to become larger */
-    bool halved;        /* its first face was wrong */
+    bool due, placed;      /* places must be found; were found this time */
+    bool anew;             /* faces must be left out */
+    bool shrinking;        /* it will not be asked to become larger */
+    bool halved;           /* its first face was wrong */
 };
 
 /* Sides behind which growth cannot go on are in the outline's way. */
@@ -290,8 +290,8 @@ static enum hatch_status note_tried(struct hatch_growth *growth, struct hatch_er
 {
     const struct hatch_patch *patch = &growth->patch;
     void *array = growth->tried;
-    HATCH_TRY(hatch_heap_reserve(growth->arena, &array, &growth->tried_room, patch->face_count,
-                                 sizeof *growth->tried, err));
+    HATCH_TRY(
+        hatch_heap_reserve(growth->arena, &array, &growth->tried_room, patch->face_count, sizeof *growth->tried, err));
     growth->tried = array;
     growth->tried_count = patch->face_count;
     memcpy(growth->tried, patch->faces, patch->face_count * sizeof *patch->faces);
@@ -310,12 +310,11 @@ static void set_budgets(struct hatch_growth *growth)
 
 /* One more time round: grows, places if that is due, and looks what is wrong. */
 static enum hatch_status attempt(struct hatch_growth *growth, struct hatch_solver *solver,
-                                 const struct hatch_lapped_options *options, struct trial *trial,
-                                 struct hatch_err *err)
+                                 const struct hatch_lapped_options *options, struct trial *trial, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;
-    trial->placed = trial->due || patch->radius * patch->radius < LEFT_MIN * trial->solved * trial->solved ||
-                    trial->solved == 0;
+    trial->placed =
+        trial->due || patch->radius * patch->radius < LEFT_MIN * trial->solved * trial->solved || trial->solved == 0;
     if (!trial->placed) {
         double enough = LEFT_MIN * patch->face_count;
         HATCH_TRY(trial->anew ? hatch_growth_grow(growth, err) : hatch_growth_extend(growth, err));

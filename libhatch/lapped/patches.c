@@ -10,8 +10,7 @@ static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_m
     if (mesh->material == HATCH_NONE)
         return false;
     const struct hatch_material *material = &scene->materials[mesh->material];
-    return material->outline && material->base.texture != HATCH_NONE &&
-           hatch_mesh_find(&mesh->mesh, "TEXCOORD_0", 2) &&
+    return material->outline && material->base.texture != HATCH_NONE && hatch_mesh_find(&mesh->mesh, "TEXCOORD_0", 2) &&
            hatch_mesh_find(&mesh->mesh, "TEXCOORD_1", 2) && hatch_mesh_find(&mesh->mesh, "NORMAL", 3);
 }
 
@@ -26,9 +25,8 @@ static bool are_alike(const struct hatch_scene_mesh *a, const struct hatch_scene
 }
 
 /* Puts the patches' vertices and faces one after another. */
-static enum hatch_status concatenate(const struct hatch_scene_mesh *from, uint32_t count,
-                                     struct hatch_arena *arena, struct hatch_patch_mesh *patches,
-                                     struct hatch_mesh *joined, struct hatch_err *err)
+static enum hatch_status concatenate(const struct hatch_scene_mesh *from, uint32_t count, struct hatch_arena *arena,
+                                     struct hatch_patch_mesh *patches, struct hatch_mesh *joined, struct hatch_err *err)
 {
     uint64_t vertices = 0, faces = 0;
     patches->first_vertex = HATCH_NEW(arena, uint32_t, count + (size_t)1, err);
@@ -64,8 +62,8 @@ struct joining {
     struct hatch_mesh *joined;
     struct hatch_remap weld;
     struct hatch_keys pairs, faces; /* of a face's first two points; of both with the third */
-    uint32_t *layer_of;            /* of each surface face: one more than its highest layer */
-    uint32_t *layer;               /* of each patch */
+    uint32_t *layer_of;             /* of each surface face: one more than its highest layer */
+    uint32_t *layer;                /* of each patch */
 };
 
 /* The face's corners in the joined mesh, the one at the lowest number first: depths that are to be equal
@@ -84,8 +82,7 @@ static void corners_of(const struct joining *joining, uint32_t patch, uint32_t f
 
 /* Numbers the surface's faces as they appear, and finds the lowest layer for each patch that is over
  * all patches that it overlaps. */
-static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *surface,
-                                    struct hatch_err *err)
+static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *surface, struct hatch_err *err)
 {
     for (uint32_t patch = 0; patch < joining->patches->patch_count; patch++) {
         uint32_t count = joining->from[patch].mesh.face_count, layer = 0;
@@ -113,8 +110,7 @@ static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *
 }
 
 /* The joined mesh's faces, layer by layer. */
-static enum hatch_status order_faces(struct joining *joining, struct hatch_arena *arena,
-                                     struct hatch_err *err)
+static enum hatch_status order_faces(struct joining *joining, struct hatch_arena *arena, struct hatch_err *err)
 {
     struct hatch_patch_mesh *patches = joining->patches;
     patches->layer_end = HATCH_NEW(arena, uint32_t, patches->layer_count, err);
@@ -134,9 +130,8 @@ static enum hatch_status order_faces(struct joining *joining, struct hatch_arena
     return HATCH_OK;
 }
 
-static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t count,
-                              struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_patch_mesh *patches, struct hatch_mesh *joined,
+static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t count, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_patch_mesh *patches, struct hatch_mesh *joined,
                               struct hatch_err *err)
 {
     struct joining joining = {.from = from, .patches = patches, .joined = joined};
@@ -178,14 +173,12 @@ static void number_nodes(struct hatch_scene *scene, const uint32_t *now)
     }
 }
 
-static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena *arena,
-                                  struct hatch_arena *scratch, struct hatch_patch_mesh *patches,
-                                  struct hatch_err *err)
+static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_patch_mesh *patches, struct hatch_err *err)
 {
     uint32_t *now = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);
     uint8_t *begins = now ? HATCH_NEW(scratch, uint8_t, scene->mesh_count + (size_t)1, err) : NULL;
-    struct hatch_scene_mesh *meshes =
-        begins ? HATCH_NEW(arena, struct hatch_scene_mesh, scene->mesh_count, err) : NULL;
+    struct hatch_scene_mesh *meshes = begins ? HATCH_NEW(arena, struct hatch_scene_mesh, scene->mesh_count, err) : NULL;
     if (!meshes)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < scene->node_count; i++) {
@@ -216,9 +209,8 @@ static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena 
     return HATCH_OK;
 }
 
-enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct hatch_patch_mesh **patches,
-                               struct hatch_err *err)
+enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct hatch_patch_mesh **patches, struct hatch_err *err)
 {
     struct hatch_patch_mesh *made = HATCH_NEW(arena, struct hatch_patch_mesh, scene->mesh_count, err);
     if (!made)

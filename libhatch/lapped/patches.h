@@ -10,9 +10,9 @@ struct hatch_patch_mesh {
     uint32_t patch_count;   /* 0: an ordinary mesh, and nothing else here is set */
     uint32_t *first_vertex; /* of each patch in the joined mesh, and the end of the last */
     uint32_t layer_count;
-    uint32_t *layer_end;    /* of each layer's indices in the joined mesh */
+    uint32_t *layer_end;       /* of each layer's indices in the joined mesh */
     struct hatch_mesh surface; /* each face and vertex once, without texture coordinates */
-    uint32_t *vertex_of;    /* of each of the surface's vertices: one in the joined mesh */
+    uint32_t *vertex_of;       /* of each of the surface's vertices: one in the joined mesh */
 };
 
 /* Joins meshes that follow one another in a node and share a material with an outline; nodes and
@@ -20,8 +20,7 @@ struct hatch_patch_mesh {
  * sorted into layers in which none overlaps another, so that a layer can be drawn at once. Faces on the
  * same points begin with the same one in every patch, so that their depths are equal to the last bit.
  * *patches: of each of the scene's meshes then. */
-enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct hatch_patch_mesh **patches,
-                               struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct hatch_patch_mesh **patches, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -86,8 +86,7 @@ static void mend(const struct rounding *of)
 }
 
 enum hatch_status hatch_lapped_round(const struct hatch_lapped *lapped, const struct hatch_lapped_patch *patch,
-                                     double tile, struct hatch_arena *scratch, float *hatch,
-                                     struct hatch_err *err)
+                                     double tile, struct hatch_arena *scratch, float *hatch, struct hatch_err *err)
 {
     struct rounding of = {.corners = &lapped->corners[3 * (size_t)patch->first_face],
                           .face_count = patch->face_count,

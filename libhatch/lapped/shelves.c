@@ -8,8 +8,7 @@
 #define SEARCH_ROUNDS 40
 
 /* Lays the boxes in the given order in rows of the given width; returns how high they stand. */
-static double lay(const double *sizes, const uint32_t *order, uint32_t count, double width, double gap,
-                  double *corners)
+static double lay(const double *sizes, const uint32_t *order, uint32_t count, double width, double gap, double *corners)
 {
     double x = gap, y = gap, row = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -29,9 +28,8 @@ static double lay(const double *sizes, const uint32_t *order, uint32_t count, do
     return y + row + gap;
 }
 
-enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double margin,
-                                     struct hatch_arena *scratch, double *corners, double *side,
-                                     struct hatch_err *err)
+enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double margin, struct hatch_arena *scratch,
+                                     double *corners, double *side, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_heap heap = {.arena = scratch};

@@ -26,13 +26,12 @@
 /* Weight of a face that is not asked to follow the field. */
 #define FREE_WEIGHT 1e-3
 
-static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_patch *patch,
-                                   struct hatch_err *err)
+static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_patch *patch, struct hatch_err *err)
 {
     uint32_t count = patch->vertex_count;
     void *array = of->gradients;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->gradient_room, 8 * patch->face_count,
-                                 sizeof *of->gradients, err));
+    HATCH_TRY(
+        hatch_heap_reserve(of->arena, &array, &of->gradient_room, 8 * patch->face_count, sizeof *of->gradients, err));
     of->gradients = array;
     array = of->places;
     HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->places_room, STRIPS * count, sizeof *of->places, err));
@@ -112,8 +111,7 @@ static uint64_t find_envelope(struct hatch_solver *of, const struct hatch_patch 
     return size;
 }
 
-static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch,
-                                        struct hatch_err *err)
+static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch, struct hatch_err *err)
 {
     double low[2], high[2];
     uint32_t axis = find_box(patch, low, high), best = axis;
@@ -163,8 +161,7 @@ static double hat_gradients(const struct hatch_ground *ground, uint32_t face, in
     return doubled / 2;
 }
 
-static void find_gradients(struct hatch_solver *of, const struct hatch_ground *ground,
-                           const struct hatch_patch *patch)
+static void find_gradients(struct hatch_solver *of, const struct hatch_ground *ground, const struct hatch_patch *patch)
 {
     for (uint32_t f = 0; f < patch->face_count; f++) {
         uint32_t face = patch->faces[f];
@@ -259,10 +256,10 @@ static void factor(const struct hatch_solver *of, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         uint32_t low = of->first[i];
-        double (*row)[2] = row_of(of, i);
+        double(*row)[2] = row_of(of, i);
         for (uint32_t j = low; j < i; j++) {
             uint32_t from = of->first[j] > low ? of->first[j] : low;
-            double (*other)[2] = &row_of(of, j)[from - of->first[j]];
+            double(*other)[2] = &row_of(of, j)[from - of->first[j]];
             double value[2] = {row[j - low][0], row[j - low][1]};
             subtract_dot(&row[from - low], other, j - from, value);
             row[j - low][0] = value[0] * other[j - from][0];
@@ -279,17 +276,17 @@ static void factor(const struct hatch_solver *of, uint32_t count)
 /* Solutions in place of the right sides. */
 static void substitute(const struct hatch_solver *of, uint32_t count)
 {
-    double (*restrict right)[2] = of->right;
+    double(*restrict right)[2] = of->right;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t low = of->first[i];
-        double (*row)[2] = row_of(of, i);
+        double(*row)[2] = row_of(of, i);
         subtract_dot(row, &right[low], i - low, right[i]);
         right[i][0] *= row[i - low][0];
         right[i][1] *= row[i - low][1];
     }
     for (uint32_t i = count; i-- > 0;) {
         uint32_t low = of->first[i];
-        double (*restrict row)[2] = row_of(of, i);
+        double(*restrict row)[2] = row_of(of, i);
         double x = right[i][0] *= row[i - low][0], y = right[i][1] *= row[i - low][1];
         for (uint32_t j = low; j < i; j++) {
             right[j][0] -= row[j - low][0] * x;
@@ -353,8 +350,9 @@ void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch
             for (int j = 0; j < 2; j++)
                 jacobian[i][j] += at[i] * gradient[c][j];
     }
-    double half = (jacobian[0][0] * jacobian[0][0] + jacobian[0][1] * jacobian[0][1] +
-                   jacobian[1][0] * jacobian[1][0] + jacobian[1][1] * jacobian[1][1]) / 2;
+    double half = (jacobian[0][0] * jacobian[0][0] + jacobian[0][1] * jacobian[0][1] + jacobian[1][0] * jacobian[1][0] +
+                   jacobian[1][1] * jacobian[1][1]) /
+                  2;
     fit->determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
     double squared = half * half - fit->determinant * fit->determinant;
     fit->stretch = fit->determinant > 0 ? (half + sqrt(fmax(0, squared))) / fit->determinant : HUGE_VAL;

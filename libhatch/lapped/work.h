@@ -27,14 +27,12 @@ struct hatch_ground {
 
 enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                     const double *direction, const struct hatch_outline *outline,
-                                    const struct hatch_lapped_options *options,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_ground *ground,
+                                    const struct hatch_lapped_options *options, struct hatch_pool *pool,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_ground *ground,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* A face's corner in the frame of its line. */
-static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32_t face, uint32_t corner,
-                                       double at[2])
+static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32_t face, uint32_t corner, double at[2])
 {
     const double *flat = &ground->flat[(size_t)face * 4];
     at[0] = corner == 0 ? 0 : flat[2 * corner - 2];
@@ -49,10 +47,10 @@ double hatch_patch_circle(const double at[3][2], double center[2]);
 
 /* A side of the patch behind which it has no face but there is one. */
 struct hatch_rim {
-    uint32_t side;      /* the surface's */
-    uint32_t ends[2];   /* local vertices */
-    bool covered;       /* the face behind is */
-    bool may;           /* growth may take it */
+    uint32_t side;    /* the surface's */
+    uint32_t ends[2]; /* local vertices */
+    bool covered;     /* the face behind is */
+    bool may;         /* growth may take it */
 };
 
 /* How a face lies: nearly as the field is, past a limit, or between. */
@@ -63,8 +61,8 @@ enum hatch_past { HATCH_LAPPED_WITHIN, HATCH_LAPPED_PAST, HATCH_LAPPED_WIDE };
 struct hatch_patch {
     uint32_t seed;
     double center[2], radius, turn[2]; /* turn: cosine and sine from the plane to the mask */
-    double offset[2];  /* of the center, from that of the smallest circle around the first face */
-    double seed_radius; /* of that circle */
+    double offset[2];                  /* of the center, from that of the smallest circle around the first face */
+    double seed_radius;                /* of that circle */
     uint32_t face_count, vertex_count;
     uint32_t *faces;   /* surface's faces */
     uint32_t *corners; /* 3 a face: local vertices */
@@ -75,10 +73,10 @@ struct hatch_patch {
     uint8_t *past;     /* per face: enum hatch_past */
     struct hatch_rim *rim;
     uint32_t rim_count;
-    uint32_t measured; /* faces at the beginning of which it is known whether they are past a limit */
+    uint32_t measured;               /* faces at the beginning of which it is known whether they are past a limit */
     uint32_t past_count, wide_count; /* of them */
     uint32_t face_room, point_room, rim_room; /* of what there is per face, per vertex, per side of the rim */
-    uint32_t faces_max;  /* growth ends at so many */
+    uint32_t faces_max;                       /* growth ends at so many */
 };
 
 /* Texture coordinates of a patch's vertices, two each, in floats of which none turns a face over, where a
@@ -90,7 +88,7 @@ enum hatch_status hatch_lapped_round(const struct hatch_lapped *lapped, const st
 /* Places of the plane that the outline must leave outside. */
 struct hatch_obstacles {
     struct hatch_arena *arena;
-    double *at;         /* 2 each */
+    double *at; /* 2 each */
     uint32_t count, room;
 };
 
@@ -109,17 +107,17 @@ struct hatch_known {
 struct hatch_growth {
     const struct hatch_ground *ground;
     const struct hatch_outline *outline;
-    const uint8_t *covered;               /* per face */
+    const uint8_t *covered; /* per face */
     struct hatch_patch patch;
     struct hatch_arena *arena;
     struct hatch_heap heap;
     struct hatch_obstacles obstacles;
-    uint32_t round, number;               /* of this growth, of this patch */
-    struct hatch_stamp *face, *point;     /* per face, per point */
-    uint32_t *barred;                     /* per face: the patch that must not hold it */
-    struct hatch_known *known;            /* per point */
-    uint32_t unfolded;                    /* vertices of the patch that no solution has placed */
-    uint32_t *budget;                     /* per face: faces that a patch that begins here begins with */
+    uint32_t round, number;                   /* of this growth, of this patch */
+    struct hatch_stamp *face, *point;         /* per face, per point */
+    uint32_t *barred;                         /* per face: the patch that must not hold it */
+    struct hatch_known *known;                /* per point */
+    uint32_t unfolded;                        /* vertices of the patch that no solution has placed */
+    uint32_t *budget;                         /* per face: faces that a patch that begins here begins with */
     uint32_t *tried, tried_count, tried_room; /* faces of the patch as it first was */
 };
 
@@ -142,8 +140,8 @@ void hatch_patch_mask(const struct hatch_patch *patch, const double place[2], do
 
 /* Whether opacity over 0 may be found on a way between two places of the plane. Never false where it
  * is. */
-bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline,
-                         const double a[2], const double b[2]);
+bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline, const double a[2],
+                         const double b[2]);
 
 /* The patch's other local face across a side of local face f, or the reason why there is none. */
 enum hatch_side { HATCH_SIDE_INSIDE, HATCH_SIDE_BORDER, HATCH_SIDE_OPEN };
@@ -152,11 +150,11 @@ enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t si
 /* Least squares to the field. */
 struct hatch_solver {
     struct hatch_arena *arena;
-    uint32_t *rank;         /* of each vertex along the plane's longer axis */
-    uint32_t *places;       /* per strip of the plane: the next rank there */
-    uint32_t *first;        /* per row: the envelope's first column */
-    uint32_t *start;        /* per row: where column 0 would stand in matrix; wraps */
-    double *gradients;      /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
+    uint32_t *rank;                   /* of each vertex along the plane's longer axis */
+    uint32_t *places;                 /* per strip of the plane: the next rank there */
+    uint32_t *first;                  /* per row: the envelope's first column */
+    uint32_t *start;                  /* per row: where column 0 would stand in matrix; wraps */
+    double *gradients;                /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
     double (*matrix)[2], (*right)[2]; /* of x and of y side by side */
     uint32_t places_room, rank_room, first_room, start_room, gradient_room, matrix_room, right_room;
 };
@@ -190,40 +188,38 @@ double hatch_patch_least(const struct hatch_patch *patch, const struct hatch_out
 /* Grows and places a patch that begins at a face, within the limits. least: the radius below which it
  * is given up. */
 struct hatch_patch_notes {
-    bool cut;       /* its faces end inside its outline */
-    bool enlarged;  /* the outline is larger than was wished */
+    bool cut;      /* its faces end inside its outline */
+    bool enlarged; /* the outline is larger than was wished */
     bool given_up;
     uint64_t placed; /* faces in all systems solved */
 };
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
                                    const struct hatch_lapped_options *options, uint32_t seed, double least,
-                                   struct hatch_patch_notes *notes,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                   struct hatch_patch_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Who covers what. Patches are laid under those that were there: a face is left out of a patch once
  * the cores of earlier ones cover it. */
 struct hatch_cover_entry {
-    uint32_t next;      /* of the same face, or UINT32_MAX */
-    double mask[3][2];  /* of the face's corners */
+    uint32_t next;     /* of the same face, or UINT32_MAX */
+    double mask[3][2]; /* of the face's corners */
 };
 
 struct hatch_cover {
     const struct hatch_outline *outline;
     struct hatch_arena *arena;
-    uint8_t *covered;   /* per face */
-    uint32_t *head;     /* per face: its first entry */
+    uint8_t *covered; /* per face */
+    uint32_t *head;   /* per face: its first entry */
     struct hatch_cover_entry *entries;
     uint32_t entry_count, entry_room;
 };
 
-enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count,
-                                   struct hatch_arena *arena, struct hatch_cover *cover,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count, struct hatch_arena *arena,
+                                   struct hatch_cover *cover, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds a face of a patch. *shows: whether the patch may be seen on it. covered[face] is set once the cores hold
  * the whole face, and never where they do not. */
-enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2],
-                                  bool *shows, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2], bool *shows,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_order_item {
     uint32_t key, face;
@@ -232,29 +228,28 @@ struct hatch_order_item {
 /* Where the next patch begins. */
 struct hatch_order {
     const struct hatch_ground *ground;
-    double core;           /* radius of the core over that of the outline's square */
+    double core; /* radius of the core over that of the outline's square */
     const uint8_t *covered;
-    double *distance;      /* per face: to covered ground, or infinite */
-    double *middle;        /* 3 a face */
-    uint8_t *late;         /* per face: no patch begins here before gaps are filled */
-    uint32_t *smooth;      /* faces of the component, smoothest first */
+    double *distance; /* per face: to covered ground, or infinite */
+    double *middle;   /* 3 a face */
+    uint8_t *late;    /* per face: no patch begins here before gaps are filled */
+    uint32_t *smooth; /* faces of the component, smoothest first */
     uint32_t smooth_count, smooth_next;
     struct hatch_order_item *items, *spare; /* per face: to sort them */
     struct hatch_heap wave, front, gaps;
-    bool filling;          /* only gaps are left */
+    bool filling; /* only gaps are left */
     uint32_t first_face, face_count;
 };
 
 enum hatch_status hatch_order_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
-                                   const uint8_t *covered, struct hatch_arena *arena,
-                                   struct hatch_order *order, struct hatch_err *err) HATCH_MUST_USE;
+                                   const uint8_t *covered, struct hatch_arena *arena, struct hatch_order *order,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* Goes on to a component. */
 void hatch_order_component(struct hatch_order *order, uint32_t component);
 
 /* The next face to begin with, or HATCH_NO_SIDE when the component is covered. */
-enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Tells of faces newly covered. */
 enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,

@@ -10,8 +10,8 @@ struct work {
     const struct hatch_line_graph *graph;
     uint32_t *first; /* per node, into ends_at; node_count + 2 */
     uint32_t *ends_at;
-    uint32_t *link;  /* per end: the end that goes on, or OPEN */
-    uint8_t *taken;  /* per segment */
+    uint32_t *link; /* per end: the end that goes on, or OPEN */
+    uint8_t *taken; /* per segment */
 };
 
 /* A counting sort; while it places, first[node + 1] is where the next end at the node goes. */
@@ -98,9 +98,8 @@ static void walk(struct work *w, uint32_t begin, uint32_t first, struct hatch_li
     chains->count++;
 }
 
-static enum hatch_status find(struct work *w, struct hatch_arena *arena,
-                              struct hatch_arena *scratch, struct hatch_line_chains *chains,
-                              struct hatch_err *err)
+static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_line_chains *chains, struct hatch_err *err)
 {
     const struct hatch_line_graph *graph = w->graph;
     size_t segments = graph->segment_count, nodes = graph->node_count;
@@ -129,8 +128,8 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena,
 }
 
 enum hatch_status hatch_line_chains_make(const struct hatch_line_graph *graph, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_line_chains *chains,
-                                   struct hatch_err *err)
+                                         struct hatch_arena *scratch, struct hatch_line_chains *chains,
+                                         struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work work = {.graph = graph};

@@ -32,7 +32,7 @@ struct hatch_line_chains {
  * they are paired beginning with the straightest pair. Segments without length are allowed.
  * arena and scratch must not be the same. */
 enum hatch_status hatch_line_chains_make(const struct hatch_line_graph *graph, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_line_chains *chains,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                         struct hatch_arena *scratch, struct hatch_line_chains *chains,
+                                         struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

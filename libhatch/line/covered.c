@@ -14,8 +14,7 @@ struct around {
 };
 
 static enum hatch_status list_around(const struct hatch_line_edges *edges, uint32_t corner_count,
-                                     struct hatch_arena *scratch, struct around *around,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *scratch, struct around *around, struct hatch_err *err)
 {
     around->first = HATCH_NEW(scratch, uint32_t, (size_t)edges->point_count + 2, err);
     around->corners = around->first ? HATCH_NEW(scratch, uint32_t, corner_count, err) : NULL;
@@ -45,8 +44,8 @@ static bool runs_within(const struct hatch_mesh *mesh, uint32_t corner, const do
     hatch_vec_normalize(normal);
     hatch_vec_cross(sides[0], direction, cross[0]);
     hatch_vec_cross(direction, sides[1], cross[1]);
-    return fabs(hatch_vec_dot(direction, normal)) < FLAT &&
-           hatch_vec_dot(cross[0], normal) > WITHIN && hatch_vec_dot(cross[1], normal) > WITHIN;
+    return fabs(hatch_vec_dot(direction, normal)) < FLAT && hatch_vec_dot(cross[0], normal) > WITHIN &&
+           hatch_vec_dot(cross[1], normal) > WITHIN;
 }
 
 /* Does some face at the side's begin cover the way to its end? */
@@ -67,7 +66,7 @@ static bool covered_from(const struct hatch_mesh *mesh, const struct hatch_line_
 }
 
 enum hatch_status hatch_line_drop_covered(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
-                                    struct hatch_line_edges *edges, struct hatch_err *err)
+                                          struct hatch_line_edges *edges, struct hatch_err *err)
 {
     uint32_t e = 0;
     while (e < edges->edges.count && edges->kinds[e] != HATCH_EDGE_BOUNDARY)
@@ -79,8 +78,7 @@ enum hatch_status hatch_line_drop_covered(const struct hatch_mesh *mesh, struct 
     enum hatch_status status = list_around(edges, 3 * mesh->face_count, scratch, &around, err);
     for (; e < edges->edges.count && status == HATCH_OK; e++) {
         uint32_t begin = edges->edges.sides[edges->edges.first[e]], end = hatch_side_end(begin);
-        if (edges->kinds[e] == HATCH_EDGE_BOUNDARY &&
-            covered_from(mesh, edges, &around, begin, end) &&
+        if (edges->kinds[e] == HATCH_EDGE_BOUNDARY && covered_from(mesh, edges, &around, begin, end) &&
             covered_from(mesh, edges, &around, end, begin))
             edges->kinds[e] = HATCH_EDGE_SMOOTH;
     }

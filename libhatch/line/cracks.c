@@ -12,8 +12,7 @@ struct meeting {
 };
 
 static enum hatch_status list_meeting(const struct hatch_line_graph *graph, const uint8_t *bounds,
-                                      struct hatch_arena *scratch, struct meeting *meeting,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *scratch, struct meeting *meeting, struct hatch_err *err)
 {
     size_t ends = 2 * (size_t)graph->segment_count;
     meeting->graph = graph;
@@ -32,8 +31,7 @@ static enum hatch_status list_meeting(const struct hatch_line_graph *graph, cons
 }
 
 /* The boundary, other than one, that leaves a node in a direction; *node moves to its end. */
-static uint32_t step(const struct meeting *meeting, uint32_t other_than, const double direction[3],
-                     uint32_t *node)
+static uint32_t step(const struct meeting *meeting, uint32_t other_than, const double direction[3], uint32_t *node)
 {
     const struct hatch_line_graph *graph = meeting->graph;
     for (uint32_t i = meeting->first[*node]; i < meeting->first[*node + 1]; i++) {
@@ -52,8 +50,7 @@ static uint32_t step(const struct meeting *meeting, uint32_t other_than, const d
 }
 
 /* Follows the straight path beside a segment. false when it does not arrive at the segment's end. */
-static bool find_path(const struct meeting *meeting, uint32_t segment, uint32_t *path,
-                      uint32_t *count)
+static bool find_path(const struct meeting *meeting, uint32_t segment, uint32_t *path, uint32_t *count)
 {
     const uint32_t *ends = &meeting->graph->ends[2 * (size_t)segment];
     const double *nodes = meeting->graph->nodes;
@@ -73,8 +70,7 @@ static bool find_path(const struct meeting *meeting, uint32_t segment, uint32_t 
 }
 
 enum hatch_status hatch_line_find_cracks(const struct hatch_line_graph *graph, const uint8_t *bounds,
-                                   struct hatch_arena *scratch, uint8_t *pruned,
-                                   struct hatch_err *err)
+                                         struct hatch_arena *scratch, uint8_t *pruned, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct meeting meeting;

@@ -6,7 +6,7 @@
 #include "mesh/fans.h"
 #include "line/prune.h"
 
-#define WELD 4e-5 /* of the mesh's size: a twentieth of a pixel in a picture of it */
+#define WELD 4e-5              /* of the mesh's size: a twentieth of a pixel in a picture of it */
 #define COS_SAME_NORMAL 0.9999 /* of two normals that are one but for rounding */
 #define SMOOTHED_CREASE_RAD 1.0471975511965976
 
@@ -22,21 +22,19 @@ static double size_of(const struct hatch_mesh *mesh)
 }
 
 /* Positions on a grid, shifted by a share of its step, where the vertex's point is loose. */
-static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose,
-                 double step, double shift, float *snapped)
+static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose, double step, double shift,
+                 float *snapped)
 {
     const float *positions = mesh->attributes[0].data;
     for (size_t i = 0; i < 3 * (size_t)mesh->vertex_count; i++)
-        snapped[i] = loose[point[i / 3]] && step > 0
-                         ? (float)(floor((double)positions[i] / step + shift) * step)
-                         : positions[i];
+        snapped[i] =
+            loose[point[i / 3]] && step > 0 ? (float)(floor((double)positions[i] / step + shift) * step) : positions[i];
 }
 
 /* Numbers points anew: loose ones that lie as close as WELD says become one. Neighbours that one grid's
  * cells part are together in the other's. */
-static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose,
-                              struct hatch_arena *scratch, uint32_t *of_vertex, uint32_t *count,
-                              struct hatch_err *err)
+static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose, struct hatch_arena *scratch,
+                              uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
 {
     struct hatch_mesh moved = *mesh;
     size_t vertices = mesh->vertex_count;
@@ -66,9 +64,8 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loos
 }
 
 /* The edges between points; of_vertex: the point of each vertex. */
-static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_t *of_vertex,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    struct hatch_line_edges *made, struct hatch_err *err)
+static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_t *of_vertex, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
     uint8_t *dropped = HATCH_NEW(scratch, uint8_t, mesh->face_count, err);
     made->point = dropped ? HATCH_NEW(arena, uint32_t, 3 * (size_t)mesh->face_count, err) : NULL;
@@ -79,8 +76,8 @@ static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_
         const uint32_t *p = &made->point[3 * f];
         dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
     }
-    return hatch_edges_find(made->point, mesh->face_count, made->point_count, dropped, arena, scratch,
-                            &made->edges, err);
+    return hatch_edges_find(made->point, mesh->face_count, made->point_count, dropped, arena, scratch, &made->edges,
+                            err);
 }
 
 /* Marks the points at the ends of edges of one face. Returns whether there are any. */
@@ -99,9 +96,8 @@ static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
 
 /* Many programs write each part of a surface by itself and round its border by itself, so vertices at
  * boundaries are welded once more, loosely. */
-static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    struct hatch_line_edges *made, struct hatch_err *err)
+static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
     uint32_t *of_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
     uint8_t *loose = of_vertex ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
@@ -131,8 +127,7 @@ static bool same_normal(const struct hatch_mesh *mesh, uint32_t a, uint32_t b)
     return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
 }
 
-bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
-                           uint32_t edge)
+bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     uint32_t a[2], b[2];
@@ -158,8 +153,8 @@ static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hat
 
 /* All that is not smooth as a graph whose nodes are points; edge_of: per segment. */
 static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
-                                    struct hatch_arena *arena, struct hatch_line_graph *graph,
-                                    uint32_t **edge_of, struct hatch_err *err)
+                                    struct hatch_arena *arena, struct hatch_line_graph *graph, uint32_t **edge_of,
+                                    struct hatch_err *err)
 {
     uint32_t count = 0;
     for (uint32_t e = 0; e < edges->edges.count; e++)
@@ -170,8 +165,7 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     if (!*edge_of)
         return HATCH_LIMIT;
     for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++)
-        hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[i]],
-                     &nodes[3 * (size_t)edges->point[i]]);
+        hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[i]], &nodes[3 * (size_t)edges->point[i]]);
     count = 0;
     for (uint32_t e = 0; e < edges->edges.count; e++) {
         if (edges->kinds[e] == HATCH_EDGE_SMOOTH)
@@ -186,8 +180,8 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
 }
 
 static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
-                              struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_line_edges *made, struct hatch_err *err)
+                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
+                              struct hatch_err *err)
 {
     struct hatch_line_graph graph;
     uint32_t *edge_of;
@@ -210,9 +204,9 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, 
     return HATCH_OK;
 }
 
-enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad,
-                                  bool normals_meant, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_line_edges *edges, struct hatch_err *err)
+enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_line_edges *edges, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_line_edges made;

@@ -17,11 +17,11 @@ static bool smooths_creases(const struct hatch_mesh *mesh, const struct hatch_li
 
 /* The mesh with the attributes that lines use, and normals that jump at creases. */
 static enum hatch_status take(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
-                              struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_mesh *mesh, struct hatch_err *err)
+                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                              struct hatch_err *err)
 {
-    static const char *const used[] = {"POSITION",  "NORMAL",           "JOINTS_0",
-                                       "WEIGHTS_0", HATCH_MORPH_POSITION, HATCH_MORPH_NORMAL};
+    static const char *const used[] = {"POSITION",           "NORMAL",          "JOINTS_0", "WEIGHTS_0",
+                                       HATCH_MORPH_POSITION, HATCH_MORPH_NORMAL};
     bool keep = hatch_mesh_find(from, "NORMAL", 3) && !smooths_creases(from, edges);
     struct hatch_mesh made = *from;
     made.attribute_count = 0;
@@ -35,8 +35,7 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct hatch_
             return HATCH_LIMIT;
         for (uint32_t e = 0; e < edges->edges.count; e++)
             sharp[e] = edges->kinds[e] == HATCH_EDGE_CREASE;
-        HATCH_TRY(hatch_mesh_split_normals(edges->point, &edges->edges, sharp, arena, scratch, &made,
-                                           err));
+        HATCH_TRY(hatch_mesh_split_normals(edges->point, &edges->edges, sharp, arena, scratch, &made, err));
     }
     *mesh = made;
     return HATCH_OK;
@@ -44,8 +43,8 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct hatch_
 
 /* One vertex for each position and normal. taken: what take() made. */
 static enum hatch_status join_vertices(const struct hatch_mesh *taken, const double origin[3],
-                                       struct hatch_arena *arena, struct hatch_arena *scratch,
-                                       struct hatch_mesh *mesh, struct hatch_err *err)
+                                       struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                       struct hatch_err *err)
 {
     struct hatch_remap weld;
     struct hatch_mesh made;
@@ -69,8 +68,8 @@ struct use {
     bool feature;
 };
 
-static struct use use_of(const struct hatch_line_edges *edges, const struct hatch_mesh *mesh,
-                         uint32_t edge, uint32_t kinds)
+static struct use use_of(const struct hatch_line_edges *edges, const struct hatch_mesh *mesh, uint32_t edge,
+                         uint32_t kinds)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     const uint32_t *indices = mesh->indices;
@@ -81,8 +80,7 @@ static struct use use_of(const struct hatch_line_edges *edges, const struct hatc
     struct use use = {.feature = kind & kinds};
     hatch_line_side_corners(edges->point, sides[0], use.a);
     hatch_line_side_corners(edges->point, sides[count > 1 ? 1 : 0], use.b);
-    use.smooth = count == 2 && indices[use.a[0]] == indices[use.b[0]] &&
-                 indices[use.a[1]] == indices[use.b[1]];
+    use.smooth = count == 2 && indices[use.a[0]] == indices[use.b[0]] && indices[use.a[1]] == indices[use.b[1]];
     /* Where more than two faces meet it is not told which two make a surface; such an edge is smooth
      * only between sheets that lie on one another, and each sheet's silhouette crosses it. */
     use.hard = count == 2 && !use.smooth;
@@ -90,8 +88,8 @@ static struct use use_of(const struct hatch_line_edges *edges, const struct hatc
 }
 
 /* points: of the features' ends. */
-static void add_edge(const struct hatch_line_edges *edges, uint32_t edge, uint32_t kinds,
-                     uint32_t *points, struct hatch_line_mesh *lines)
+static void add_edge(const struct hatch_line_edges *edges, uint32_t edge, uint32_t kinds, uint32_t *points,
+                     struct hatch_line_mesh *lines)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     const uint32_t *indices = lines->mesh.indices, *point = edges->point;
@@ -101,23 +99,21 @@ static void add_edge(const struct hatch_line_edges *edges, uint32_t edge, uint32
     for (uint32_t i = 0; i < count && !use.smooth; i++)
         lines->hard_sides[sides[i] / 3] |= (uint8_t)(1u << sides[i] % 3);
     if (use.hard)
-        lines->hards[lines->hard_count++] =
-            (struct hatch_line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
-                                    .high = {indices[a[1]], indices[b[1]]},
-                                    .points = {point[a[0]], point[a[1]]}};
+        lines->hards[lines->hard_count++] = (struct hatch_line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
+                                                                          .high = {indices[a[1]], indices[b[1]]},
+                                                                          .points = {point[a[0]], point[a[1]]}};
     if (!use.feature)
         return;
     points[2 * lines->feature_count] = point[a[0]];
     points[2 * lines->feature_count + 1] = point[a[1]];
     lines->features[lines->feature_count++] =
         (struct hatch_line_feature){.ends = {indices[a[0]], indices[a[1]]},
-                              .faces = {sides[0] / 3, count > 1 ? sides[1] / 3 : HATCH_NONE},
-                              .more_faces = count > 2};
+                                    .faces = {sides[0] / 3, count > 1 ? sides[1] / 3 : HATCH_NONE},
+                                    .more_faces = count > 2};
 }
 
-static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32_t kinds,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    struct hatch_line_mesh *lines, uint32_t **points,
+static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32_t kinds, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_line_mesh *lines, uint32_t **points,
                                     struct hatch_err *err)
 {
     size_t hards = 0, features = 0;
@@ -152,8 +148,7 @@ static enum hatch_status chain_features(const struct hatch_line_edges *edges, co
     for (size_t i = 0; i < ends_count; i++) {
         uint32_t vertex = lines->features[i / 2].ends[i % 2], *node = &node_of[points[i]];
         if (*node == 0) {
-            hatch_vec_of(&lines->mesh.attributes[0].data[3 * (size_t)vertex],
-                         &nodes[3 * (size_t)lines->node_count]);
+            hatch_vec_of(&lines->mesh.attributes[0].data[3 * (size_t)vertex], &nodes[3 * (size_t)lines->node_count]);
             lines->node_vertices[lines->node_count++] = vertex;
             *node = lines->node_count;
         }
@@ -165,13 +160,11 @@ static enum hatch_status chain_features(const struct hatch_line_edges *edges, co
 
 static enum hatch_status make(const struct hatch_mesh *from, const double origin[3],
                               const struct hatch_line_choice *choice, struct hatch_arena *arena,
-                              struct hatch_arena *scratch, struct hatch_line_mesh *lines,
-                              struct hatch_err *err)
+                              struct hatch_arena *scratch, struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     struct hatch_mesh taken;
     struct hatch_line_edges edges;
-    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_meant, scratch, arena, &edges,
-                              err));
+    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_meant, scratch, arena, &edges, err));
     HATCH_TRY(take(from, &edges, scratch, arena, &taken, err));
     HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
     HATCH_TRY(hatch_line_ring_make(&lines->mesh, arena, scratch, &lines->ring, err));
@@ -181,9 +174,9 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
 }
 
 enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                 const struct hatch_line_choice *choice, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_line_mesh *lines,
-                                 struct hatch_err *err)
+                                       const struct hatch_line_choice *choice, struct hatch_arena *arena,
+                                       struct hatch_arena *scratch, struct hatch_line_mesh *lines,
+                                       struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_line_mesh made = {.hard_count = 0};

@@ -48,7 +48,7 @@ struct hatch_line_mesh {
     struct hatch_line_hard_edge *hards;
     struct hatch_line_feature *features;
     uint32_t node_count;
-    uint32_t *node_vertices;   /* the vertex at each node of the chains */
+    uint32_t *node_vertices;         /* the vertex at each node of the chains */
     struct hatch_line_chains chains; /* of features */
 };
 
@@ -57,13 +57,13 @@ struct hatch_line_mesh {
  * origin: subtracted from positions; of a skinned
  * mesh 0 0 0. arena and scratch must not be the same. */
 enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                 const struct hatch_line_choice *choice, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_line_mesh *lines,
-                                 struct hatch_err *err) HATCH_MUST_USE;
+                                       const struct hatch_line_choice *choice, struct hatch_arena *arena,
+                                       struct hatch_arena *scratch, struct hatch_line_mesh *lines,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* arena and scratch must not be the same. */
 enum hatch_status hatch_line_ring_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_line_ring *ring,
-                                 struct hatch_err *err) HATCH_MUST_USE;
+                                       struct hatch_arena *scratch, struct hatch_line_ring *ring,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -5,10 +5,10 @@
 
 #include "math/vector.h"
 
-#define ROUNDS 3          /* of dropping what hung on what was dropped */
+#define ROUNDS 3 /* of dropping what hung on what was dropped */
 #define SEGMENTS_MIN 4u
-#define LENGTH_MIN 0.03   /* of the whole's size */
-#define TURN_MAX_RAD 0.7  /* from segment to segment, in the mean */
+#define LENGTH_MIN 0.03  /* of the whole's size */
+#define TURN_MAX_RAD 0.7 /* from segment to segment, in the mean */
 
 /* The part of a graph that is left, with its segments' numbers in the whole. */
 struct rest {
@@ -60,8 +60,7 @@ static void measure(const struct rest *rest, const struct hatch_line_chain *chai
     }
 }
 
-static bool is_stray(const struct rest *rest, const struct hatch_line_chain *chain, const uint32_t *nodes,
-                     double size)
+static bool is_stray(const struct rest *rest, const struct hatch_line_chain *chain, const uint32_t *nodes, double size)
 {
     struct shape shape;
     measure(rest, chain, nodes, &shape);
@@ -74,9 +73,9 @@ static bool is_stray(const struct rest *rest, const struct hatch_line_chain *cha
 }
 
 /* One round. *found: how many segments go. */
-static enum hatch_status prune_once(struct rest *rest, const uint8_t *bounds, double size,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    uint8_t *pruned, uint32_t *found, struct hatch_err *err)
+static enum hatch_status prune_once(struct rest *rest, const uint8_t *bounds, double size, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, uint8_t *pruned, uint32_t *found,
+                                    struct hatch_err *err)
 {
     struct hatch_line_chains chains;
     HATCH_TRY(hatch_line_chains_make(&rest->graph, arena, scratch, &chains, err));
@@ -94,8 +93,8 @@ static enum hatch_status prune_once(struct rest *rest, const uint8_t *bounds, do
 }
 
 enum hatch_status hatch_line_prune(const struct hatch_line_graph *graph, const uint8_t *bounds, double size,
-                             struct hatch_arena *arena, struct hatch_arena *scratch,
-                             uint8_t *pruned, struct hatch_err *err)
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, uint8_t *pruned,
+                                   struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     struct rest rest;

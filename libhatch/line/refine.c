@@ -24,8 +24,8 @@ static const double *node_at(const struct work *w, uint32_t node)
 }
 
 /* Along a chain from its node i, the first that is so far away. NULL where it ends or has a corner before. */
-static const double *reach(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes, uint32_t i,
-                           bool forward, double distance)
+static const double *reach(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes,
+                           uint32_t i, bool forward, double distance)
 {
     const double *from = node_at(w, nodes[i]);
     uint32_t count = chain->segment_count;
@@ -45,8 +45,8 @@ static const double *reach(const struct work *w, const struct hatch_line_chain *
 /* The direction in which a segment leaves its first node i (or comes to its last): that of the circle through the
  * segment's ends and what lies about as far on the other side, since a short neighbour says nothing of how a long
  * segment bends. false where the chain ends or has a corner, or is straight. */
-static bool tangent(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes,
-                    uint32_t i, bool first, double out[3])
+static bool tangent(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes, uint32_t i,
+                    bool first, double out[3])
 {
     const double *at = node_at(w, nodes[i]), *end = node_at(w, nodes[first ? i + 1 : i - 1]);
     const double *other = reach(w, chain, nodes, i, !first, REACH * hatch_vec_distance(at, end));
@@ -71,8 +71,8 @@ static void add(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes,
 }
 
 /* The cubic with both tangents, in parts. */
-static void add_curve(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, const double *p,
-                      const double *q, const double tangents[2][3], float slack)
+static void add_curve(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, const double *p, const double *q,
+                      const double tangents[2][3], float slack)
 {
     double length = hatch_vec_distance(p, q);
     for (uint32_t part = 1; part < PARTS; part++) {
@@ -110,13 +110,13 @@ static void refine_chain(struct work *w, uint32_t number)
             hatch_vec_normalize(tangents[k]);
         }
         if (curved)
-            add_curve(w, made, nodes, p, q, (const double (*)[3])tangents, slack);
+            add_curve(w, made, nodes, p, q, (const double(*)[3])tangents, slack);
         add(w, made, nodes, from[i + 1], slack);
     }
 }
 
 enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch_line_chains *chains,
-                              struct hatch_arena *arena, struct hatch_err *err)
+                                    struct hatch_arena *arena, struct hatch_err *err)
 {
     size_t most = (size_t)PARTS * trace->segment_count;
     struct work w = {.from = trace, .chains = chains};
@@ -125,8 +125,7 @@ enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch
     w.trace.slack = w.trace.nodes ? HATCH_NEW(arena, float, most, err) : NULL;
     w.refined.count = chains->count;
     w.refined.chains = w.trace.slack ? HATCH_NEW(arena, struct hatch_line_chain, chains->count, err) : NULL;
-    w.refined.nodes =
-        w.refined.chains ? HATCH_NEW(arena, uint32_t, most + chains->count, err) : NULL;
+    w.refined.nodes = w.refined.chains ? HATCH_NEW(arena, uint32_t, most + chains->count, err) : NULL;
     w.refined.segments = w.refined.nodes ? HATCH_NEW(arena, uint32_t, most, err) : NULL;
     if (!w.refined.segments)
         return HATCH_LIMIT;

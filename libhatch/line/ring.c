@@ -15,7 +15,7 @@ static void count_corners(const struct hatch_mesh *mesh, uint32_t *first, uint64
 }
 
 enum hatch_status hatch_line_ring_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_line_ring *ring, struct hatch_err *err)
+                                       struct hatch_arena *scratch, struct hatch_line_ring *ring, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     size_t count = mesh->vertex_count;

@@ -7,9 +7,10 @@
 #include "line/trace.h"
 
 #define BULGE_MAX 0.12 /* how far from an edge a point may lie, in lengths of the edge: an arc of 51° */
-#define BACK_LEAST 0.5 /* lengths of an edge that the surface goes on behind its end: else the normal there tells
-                        * of less than the edge's length */
-#define RING_SEEN 64u  /* neighbours */
+#define BACK_LEAST                                                                                                     \
+    0.5               /* lengths of an edge that the surface goes on behind its end: else the normal there tells       \
+                       * of less than the edge's length */
+#define RING_SEEN 64u /* neighbours */
 #define SLACK_PX 2.0
 #define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* with a point's number: a node that is a point */
 
@@ -48,8 +49,7 @@ static void find_facing(const struct work *w)
     float e[3], one = (float)w->one;
     hatch_vec_round(w->local_eye, e);
     for (size_t v = 0; v < w->shape->lines->mesh.vertex_count; v++)
-        w->facing[v] = n[3 * v] * (e[0] - one * p[3 * v]) +
-                       n[3 * v + 1] * (e[1] - one * p[3 * v + 1]) +
+        w->facing[v] = n[3 * v] * (e[0] - one * p[3 * v]) + n[3 * v + 1] * (e[1] - one * p[3 * v + 1]) +
                        n[3 * v + 2] * (e[2] - one * p[3 * v + 2]);
 }
 
@@ -96,8 +96,7 @@ static double say(const struct work *w, uint32_t end, const double along[3])
 }
 
 /* The share t of an edge, on the cubic that has its ends' normals where that bulges outwards. */
-static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight,
-                     double out[3])
+static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight, double out[3])
 {
     double p[2][3], n[2][3], along[3], back[3], bulge[3] = {0, 0, 0}, mean[3], unit[3];
     const uint32_t ends[2] = {low, high};
@@ -125,8 +124,8 @@ static void point_on(const struct work *w, uint32_t low, uint32_t high, double t
 }
 
 /* The node that a key names, made at its first mention. */
-static enum hatch_status add_node(struct work *w, uint64_t key, const double at[3], bool smooth,
-                                  uint32_t *node, struct hatch_err *err)
+static enum hatch_status add_node(struct work *w, uint64_t key, const double at[3], bool smooth, uint32_t *node,
+                                  struct hatch_err *err)
 {
     HATCH_TRY(hatch_keys_number(&w->keys, key, node, err));
     if (*node == w->trace.node_count) {
@@ -138,8 +137,8 @@ static enum hatch_status add_node(struct work *w, uint64_t key, const double at[
 }
 
 /* The node where the silhouette crosses the edge between two vertices. */
-static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bool straight,
-                                      uint32_t *node, struct hatch_err *err)
+static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bool straight, uint32_t *node,
+                                      struct hatch_err *err)
 {
     uint32_t low = a < b ? a : b, high = a < b ? b : a;
     double at[3];
@@ -204,14 +203,14 @@ static enum hatch_status cross_face(struct work *w, uint32_t face, struct hatch_
         share[(c + 1) % 3] += 0.5 * t;
     }
     add_segment(w, nodes[0], nodes[1],
-                SLACK_PX * hatch_line_pixel(w->eye, &w->trace.nodes[3 * (size_t)nodes[0]]) + face_depth(w, face, share));
+                SLACK_PX * hatch_line_pixel(w->eye, &w->trace.nodes[3 * (size_t)nodes[0]]) +
+                    face_depth(w, face, share));
     return HATCH_OK;
 }
 
 /* Along a hard edge both sides' facings are linear: the silhouette runs where their signs differ,
  * between the edge's ends and the places where one side's silhouette arrives. */
-static enum hatch_status follow_edge(struct work *w, const struct hatch_line_hard_edge *edge,
-                                     struct hatch_err *err)
+static enum hatch_status follow_edge(struct work *w, const struct hatch_line_hard_edge *edge, struct hatch_err *err)
 {
     double at[3], roots[2];
     uint32_t stops[4], count = 0, sides[2], root_count = 0;
@@ -229,27 +228,26 @@ static enum hatch_status follow_edge(struct work *w, const struct hatch_line_har
         HATCH_TRY(add_node(w, POINTS_KEY | edge->points[0], at, false, &stops[count++], err));
     }
     for (uint32_t i = 0; i < root_count; i++)
-        HATCH_TRY(add_crossing(w, edge->low[sides[i]], edge->high[sides[i]], true, &stops[count++],
-                               err));
+        HATCH_TRY(add_crossing(w, edge->low[sides[i]], edge->high[sides[i]], true, &stops[count++], err));
     if (away(w, edge->high[0]) != away(w, edge->high[1])) {
         point_on(w, edge->low[0], edge->high[0], 1, true, at);
         HATCH_TRY(add_node(w, POINTS_KEY | edge->points[1], at, false, &stops[count++], err));
     }
     assert(count % 2 == 0);
     for (uint32_t i = 0; i < count; i += 2)
-        add_segment(w, stops[i], stops[i + 1], SLACK_PX * hatch_line_pixel(w->eye, &w->trace.nodes[3 * (size_t)stops[i]]));
+        add_segment(w, stops[i], stops[i + 1],
+                    SLACK_PX * hatch_line_pixel(w->eye, &w->trace.nodes[3 * (size_t)stops[i]]));
     return HATCH_OK;
 }
 
 static bool followed(const struct work *w, const struct hatch_line_hard_edge *edge)
 {
     bool first = away(w, edge->low[0]);
-    return away(w, edge->low[1]) != first || away(w, edge->high[0]) != first ||
-           away(w, edge->high[1]) != first;
+    return away(w, edge->low[1]) != first || away(w, edge->high[0]) != first || away(w, edge->high[1]) != first;
 }
 
-static enum hatch_status find(struct work *w, struct hatch_arena *arena,
-                              struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_err *err)
 {
     const struct hatch_line_mesh *lines = w->shape->lines;
     w->facing = HATCH_NEW(scratch, float, lines->mesh.vertex_count, err);
@@ -277,8 +275,8 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena,
 }
 
 enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
-                                         struct hatch_arena *arena, struct hatch_arena *scratch,
-                                         struct hatch_line_trace *trace, struct hatch_err *err)
+                                               struct hatch_arena *arena, struct hatch_arena *scratch,
+                                               struct hatch_line_trace *trace, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work work = {.shape = shape, .eye = eye, .one = eye->view->orthographic ? 0 : 1};

@@ -29,8 +29,8 @@ static double length_of(const struct hatch_line_piece *piece)
 
 /* Turns runs of `value` round that are shorter than short_px. A run that the strip's end cuts off is
  * as long as anything if the line is joined there, and stays; a gap at a free end stays, too. */
-static void drop_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip,
-                      uint8_t value, double short_px, uint8_t *visible)
+static void drop_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, uint8_t value,
+                      double short_px, uint8_t *visible)
 {
     uint32_t start = start_of(strip, visible), i = 0;
     while (i < strip->count) {
@@ -38,8 +38,8 @@ static void drop_runs(const struct hatch_line_strips *strips, const struct hatch
         double length = 0;
         while (i < strip->count && visible[piece_at(strip, start, i)] == value)
             length += length_of(&strips->pieces[piece_at(strip, start, i++)]);
-        bool cut_off = (begin == 0 && (strip->joined[0] || !value)) ||
-                       (i == strip->count && (strip->joined[1] || !value));
+        bool cut_off =
+            (begin == 0 && (strip->joined[0] || !value)) || (i == strip->count && (strip->joined[1] || !value));
         if (strip->closed)
             cut_off = i - begin == strip->count && !value;
         for (uint32_t k = begin; k < i && !cut_off && length < short_px; k++)
@@ -59,8 +59,8 @@ static bool is_beside(const struct hatch_line_strip *strip, uint32_t i, const ui
 
 /* Shortens visible runs where hidden ones follow. Marks what goes first, so that one run's end
  * is not taken for the next one's. */
-static void trim_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip,
-                      double trim_px, uint8_t *visible)
+static void trim_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, double trim_px,
+                      uint8_t *visible)
 {
     uint32_t count = strip->count, steps = strip->closed ? 2 * count : count;
     for (int back = 0; back < 2; back++) {
@@ -88,8 +88,8 @@ static void keep_beside(const struct hatch_line_strip *strip, uint8_t *visible)
         visible[i] = visible[i] != 0;
 }
 
-void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px,
-                        double trim_px, const uint8_t *seen, uint8_t *visible)
+void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+                              const uint8_t *seen, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strips->piece_count; i++)
         visible[i] = seen[i] & HATCH_LINE_VISIBLE;
@@ -113,7 +113,7 @@ static bool near_halo(const struct hatch_line_strip *strip, uint32_t i, const ui
 }
 
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
-                             struct hatch_line_segment *segments)
+                                   struct hatch_line_segment *segments)
 {
     uint32_t count = 0;
     for (uint32_t s = 0; s < strips->strip_count; s++) {
@@ -122,8 +122,8 @@ uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const
         for (uint32_t i = strip->first; i < strip->first + strip->count; i++) {
             const struct hatch_line_piece *piece = &strips->pieces[i];
             float in_halo = near_halo(strip, i, seen) ? 1.0f : 0.0f;
-            goes_on = goes_on && visible[i] && piece->segment == piece[-1].segment &&
-                      segments[count - 1].in_halo == in_halo;
+            goes_on =
+                goes_on && visible[i] && piece->segment == piece[-1].segment && segments[count - 1].in_halo == in_halo;
             if (!visible[i])
                 continue;
             if (!goes_on)

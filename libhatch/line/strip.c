@@ -35,8 +35,8 @@ static double buffer_depth(const struct hatch_view *view, double depth)
     return view->near / fmax(depth, view->near);
 }
 
-static void project(const struct hatch_view *view, const struct hatch_tile *tile, const double point[3],
-                    double depth, double out[2])
+static void project(const struct hatch_view *view, const struct hatch_tile *tile, const double point[3], double depth,
+                    double out[2])
 {
     double from[3], distance = view->orthographic ? 1.0 : depth;
     hatch_vec_sub(point, view->eye, from);
@@ -206,9 +206,9 @@ static void walk_chains(struct walk *w, const struct hatch_line_chains *chains)
 }
 
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
-                                   const struct hatch_view *view, const struct hatch_tile *tile,
-                                   double margin_px, struct hatch_arena *arena, struct hatch_line_strips *strips,
-                                   struct hatch_err *err)
+                                         const struct hatch_view *view, const struct hatch_tile *tile, double margin_px,
+                                         struct hatch_arena *arena, struct hatch_line_strips *strips,
+                                         struct hatch_err *err)
 {
     struct walk walk = {.trace = trace, .view = view, .tile = tile, .margin_px = margin_px};
     walk_chains(&walk, chains);

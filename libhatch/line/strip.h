@@ -50,22 +50,22 @@ struct hatch_line_strips {
 /* Cuts chains at the near plane, and margin_px outside the tile; where the cuts between pieces are
  * does not depend on the tile. Results go to the arena. */
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
-                                   const struct hatch_view *view, const struct hatch_tile *tile,
-                                   double margin_px, struct hatch_arena *arena, struct hatch_line_strips *strips,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                         const struct hatch_view *view, const struct hatch_tile *tile, double margin_px,
+                                         struct hatch_arena *arena, struct hatch_line_strips *strips,
+                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes visibility even along each strip. A hidden gap shorter than gap_px between visible parts is closed; then a
  * visible crumb shorter than crumb_px, which nothing joins, is hidden, and so is one that haloes leave; then the
  * ends of visible parts at hidden ones lose the pieces that begin within trim_px. Of what haloes cover pieces beside
- * the rest stay, to end where the halo begins. seen: per piece, sums of enum hatch_line_seen; visible: the same, becomes
- * 0 or 1. */
-void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px,
-                        double trim_px, const uint8_t *seen, uint8_t *visible);
+ * the rest stay, to end where the halo begins. seen: per piece, sums of enum hatch_line_seen; visible: the same,
+ * becomes 0 or 1. */
+void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+                              const uint8_t *seen, uint8_t *visible);
 
 /* Writes the visible parts as segments, and returns how many there are: at most piece_count. Pieces of
  * one straight segment become one, those that haloes touch and those beside them apart from the rest. seen: as
  * above. */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
-                             struct hatch_line_segment *segments);
+                                   struct hatch_line_segment *segments);
 
 #endif

@@ -4,7 +4,8 @@
 
 #include "math/vector.h"
 
-#define SLACK_PX 1.5  /* own surface within a pixel or so of a line does not hide it, as far as it can
+#define SLACK_PX                                                                                                       \
+    1.5               /* own surface within a pixel or so of a line does not hide it, as far as it can                 \
                        * rise there: this times its slope */
 #define SLOPE_MAX 4.0 /* steeper faces are farther on their other side, or not seen */
 
@@ -69,13 +70,12 @@ static float feature_slack(const struct hatch_line_shape *shape, const struct ha
 }
 
 enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
-                                      struct hatch_arena *arena, struct hatch_line_trace *trace,
-                                      struct hatch_err *err)
+                                            struct hatch_arena *arena, struct hatch_line_trace *trace,
+                                            struct hatch_err *err)
 {
     const struct hatch_line_mesh *lines = shape->lines;
     size_t nodes = lines->node_count, segments = lines->feature_count;
-    struct hatch_line_trace made = {.node_count = lines->node_count,
-                              .segment_count = lines->feature_count};
+    struct hatch_line_trace made = {.node_count = lines->node_count, .segment_count = lines->feature_count};
     made.nodes = HATCH_NEW(arena, double, 3 * nodes, err);
     made.slack = made.nodes ? HATCH_NEW(arena, float, segments, err) : NULL;
     if (!made.slack)

@@ -25,9 +25,9 @@ struct hatch_line_eye {
  * surface may seem to be and not hide it; below 0: it is not to be drawn. */
 struct hatch_line_trace {
     uint32_t node_count, segment_count;
-    double *nodes;  /* 3 per node */
-    uint32_t *ends; /* 2 per segment */
-    float *slack;   /* per segment */
+    double *nodes;   /* 3 per node */
+    uint32_t *ends;  /* 2 per segment */
+    float *slack;    /* per segment */
     uint8_t *smooth; /* per node of a silhouette: not 0: the surface is smooth there */
 };
 
@@ -37,19 +37,18 @@ struct hatch_line_trace {
  * the mesh's boundaries. Points between vertices lie on the cubic through both normals (Vlachos et al.
  * 2001), so that coarse meshes have smooth silhouettes. A shape that to_unit flattens has none. */
 enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
-                                         struct hatch_arena *arena, struct hatch_arena *scratch,
-                                         struct hatch_line_trace *trace, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                               struct hatch_arena *arena, struct hatch_arena *scratch,
+                                               struct hatch_line_trace *trace, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Puts curves through the smooth nodes of a silhouette's chains in place of corners: each segment beside
  * a visible turn becomes four. Both are replaced by new ones in the arena, without ends and smooth. */
 enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch_line_chains *chains,
-                              struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
+                                    struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The mesh's features: nodes and segments have their numbers in shape->lines->chains. */
 enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
-                                      struct hatch_arena *arena, struct hatch_line_trace *trace,
-                                      struct hatch_err *err) HATCH_MUST_USE;
+                                            struct hatch_arena *arena, struct hatch_line_trace *trace,
+                                            struct hatch_err *err) HATCH_MUST_USE;
 
 /* Distance along the view. */
 double hatch_line_depth(const struct hatch_view *view, const double point[3]);

@@ -10,8 +10,8 @@ static int compare(const void *a, const void *b)
     return order ? order : (x->weight > y->weight) - (x->weight < y->weight);
 }
 
-void hatch_percentiles(struct hatch_weighted *values, size_t count, const double *shares,
-                       size_t count_shares, double *out)
+void hatch_percentiles(struct hatch_weighted *values, size_t count, const double *shares, size_t count_shares,
+                       double *out)
 {
     double total = 0, sum = 0;
     size_t next = 0;

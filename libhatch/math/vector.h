@@ -30,8 +30,7 @@ static inline void hatch_vec_sub(const double a[3], const double b[3], double ou
 }
 
 /* out = a + scale * b; out may be a or b. */
-static inline void hatch_vec_add_scaled(const double a[3], double scale, const double b[3],
-                                        double out[3])
+static inline void hatch_vec_add_scaled(const double a[3], double scale, const double b[3], double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = a[i] + scale * b[i];
@@ -72,8 +71,7 @@ static inline double hatch_vec_normalize(double a[3])
 }
 
 /* out = (b - a) × (c - a): twice the triangle's area along its normal. */
-static inline void hatch_vec_triangle(const double a[3], const double b[3], const double c[3],
-                                      double out[3])
+static inline void hatch_vec_triangle(const double a[3], const double b[3], const double c[3], double out[3])
 {
     double ab[3], ac[3];
     hatch_vec_sub(b, a, ab);

@@ -40,8 +40,7 @@ static enum hatch_status read_subject(const struct hatch_field_sum *sum, const s
     HATCH_TRY(hatch_surface_make(mesh, sum->arena, sum->scratch, surface, &notes, err));
     HATCH_TRY(hatch_frames_make(surface, sum->arena, sum->scratch, &subject->frames, err));
     subject->direction = HATCH_NEW(sum->arena, double, 3 * (size_t)surface->point_count, err);
-    subject->confidence =
-        subject->direction ? HATCH_NEW(sum->arena, double, surface->point_count, err) : NULL;
+    subject->confidence = subject->direction ? HATCH_NEW(sum->arena, double, surface->point_count, err) : NULL;
     if (!subject->confidence)
         return HATCH_LIMIT;
     if (!hatch_field_of_mesh(surface, &subject->frames, mesh, subject->direction, subject->confidence))
@@ -116,8 +115,7 @@ static enum hatch_status weld_both(const struct hatch_field_sum *sum, const stru
 
 /* partner[v]: the reference's point that vertex v of the mesh meets, or HATCH_NO_SIDE. */
 static enum hatch_status find_partners(const struct hatch_field_sum *sum, const struct subject *s,
-                                       const struct subject *reference, uint32_t *partner,
-                                       struct hatch_err *err)
+                                       const struct subject *reference, uint32_t *partner, struct hatch_err *err)
 {
     uint32_t own = s->mesh->vertex_count, others = reference->mesh->vertex_count, place_count;
     uint32_t *point = HATCH_NEW(sum->scratch, uint32_t, others, err);
@@ -147,9 +145,8 @@ static enum hatch_status find_partners(const struct hatch_field_sum *sum, const 
 }
 
 /* Both lines are laid into the reference's tangent plane: noise tilts planes, which no stroke shows. */
-static void compare_points(const struct subject *s, const struct subject *reference,
-                           const uint32_t *first_vertex, const uint32_t *partner,
-                           struct hatch_field_samples *samples)
+static void compare_points(const struct subject *s, const struct subject *reference, const uint32_t *first_vertex,
+                           const uint32_t *partner, struct hatch_field_samples *samples)
 {
     for (uint32_t p = 0; p < s->surface.point_count; p++) {
         uint32_t other = partner[first_vertex[p]];
@@ -159,9 +156,8 @@ static void compare_points(const struct subject *s, const struct subject *refere
         const double *line = &s->direction[3 * (size_t)p];
         double laid[3];
         hatch_vec_add_scaled(line, -hatch_vec_dot(line, normal), normal, laid);
-        samples->angles[samples->compared++] =
-            (struct compared){angle_degrees(laid, &reference->direction[3 * (size_t)other]),
-                              reference->confidence[other]};
+        samples->angles[samples->compared++] = (struct compared){
+            angle_degrees(laid, &reference->direction[3 * (size_t)other]), reference->confidence[other]};
     }
 }
 
@@ -185,8 +181,7 @@ static enum hatch_status compare(const struct hatch_field_sum *sum, const struct
     return HATCH_OK;
 }
 
-static enum hatch_status measure_surface(struct hatch_field_sum *sum, const struct subject *s,
-                                         struct hatch_err *err)
+static enum hatch_status measure_surface(struct hatch_field_sum *sum, const struct subject *s, struct hatch_err *err)
 {
     const struct hatch_surface *surface = &s->surface;
     struct hatch_singularities singular;
@@ -252,8 +247,8 @@ static int by_confidence(const void *a, const void *b)
 /* Percentiles of one list of all meshes; copied into a list of its own. */
 enum list { CONFIDENCE, UV };
 
-static enum hatch_status rank(const struct hatch_field_sum *sum, enum list which, const double shares[3],
-                              double out[3], struct hatch_err *err)
+static enum hatch_status rank(const struct hatch_field_sum *sum, enum list which, const double shares[3], double out[3],
+                              struct hatch_err *err)
 {
     size_t count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->older)
@@ -272,8 +267,8 @@ static enum hatch_status rank(const struct hatch_field_sum *sum, enum list which
     return HATCH_OK;
 }
 
-static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double share,
-                                     struct hatch_field_figures *out, struct hatch_err *err)
+static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double share, struct hatch_field_figures *out,
+                                     struct hatch_err *err)
 {
     static const double shares[4] = {0.5, 0.75, 0.95, 1};
     size_t count = 0;

@@ -31,13 +31,11 @@ struct hatch_field_sum {
  * vertices' numbers. Points where the reference's confidence is 0 are left out. HATCH_BAD_INPUT as
  * hatch_surface_make, when a mesh has no `_HATCH_DIR`, and when no point meets one. */
 enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const struct hatch_mesh *mesh,
-                                          const struct hatch_mesh *reference, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                          const struct hatch_mesh *reference, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The figures of all meshes. share: over 0, at most 1: how many of the compared points count, those
  * where the reference is most confident. */
 enum hatch_status hatch_measure_field_end(const struct hatch_field_sum *sum, double share,
-                                          struct hatch_field_figures *figures, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                          struct hatch_field_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

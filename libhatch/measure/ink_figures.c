@@ -57,7 +57,7 @@ static double *sum_areas(const float *dark, uint32_t width, uint32_t height, str
                          struct hatch_err *err)
 {
     size_t pitch = (size_t)width + 1;
-    double *sums = HATCH_NEW(scratch, double, pitch * ((size_t)height + 1), err);
+    double *sums = HATCH_NEW(scratch, double, pitch *((size_t)height + 1), err);
     for (uint32_t y = 0; sums && y < height; y++) {
         double row = 0;
         for (uint32_t x = 0; x < width; x++) {

@@ -12,9 +12,9 @@ struct hatch_ink_figures {
     double grey;         /* of these, the share that is neither nearly paper nor nearly ink */
     double grey_strokes; /* of these, the share that is grey with no ink beside it: no edge of a stroke */
     /* Against the reference; not numbers where there is none. */
-    double tone_error;   /* over the windows that the reference darkens: mean of |difference of the mean| */
-    double tone_worst;   /* and the largest */
-    double edge_error;   /* over the pixels that are edges in the reference: root of the mean square */
+    double tone_error; /* over the windows that the reference darkens: mean of |difference of the mean| */
+    double tone_worst; /* and the largest */
+    double edge_error; /* over the pixels that are edges in the reference: root of the mean square */
 };
 
 /* Pictures in linear light, from 0, ink, to 1, paper, grey or with colours first. reference: NULL, or of the

@@ -42,8 +42,7 @@ static double opacity_at(const struct hatch_image *mask, const double place[2])
 }
 
 /* weights: of the corners in the order of the sheet's points. */
-static double sheet_opacity(const struct hatch_sheets *sheets, const struct hatch_sheet *sheet,
-                            const double weights[3])
+static double sheet_opacity(const struct hatch_sheets *sheets, const struct hatch_sheet *sheet, const double weights[3])
 {
     const struct hatch_mesh *mesh = &sheets->patches[sheet->patch]->mesh;
     const float *uv = hatch_mesh_find(mesh, "TEXCOORD_1", 2);
@@ -126,8 +125,8 @@ static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_
 
 /* The line that a face's corners agree on, in its plane, as the square of a complex number over the axes
  * u and v; false where they cancel. */
-static bool face_line(const struct hatch_mesh *mesh, const float *directions, uint32_t face,
-                      const double u[3], const double v[3], double line[2])
+static bool face_line(const struct hatch_mesh *mesh, const float *directions, uint32_t face, const double u[3],
+                      const double v[3], double line[2])
 {
     line[0] = line[1] = 0;
     for (size_t c = 0; c < 3; c++) {
@@ -184,8 +183,7 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
         area += stretch.area;
         uv_area += fabs(stretch.uv_area);
         lists->stretch[lists->stretches] = (struct hatch_weighted){stretch.ratio, 1};
-        lists->area[lists->stretches++] =
-            (struct hatch_weighted){fabs(stretch.uv_area) / stretch.area, 1};
+        lists->area[lists->stretches++] = (struct hatch_weighted){fabs(stretch.uv_area) / stretch.area, 1};
     }
     for (uint32_t i = first; i < lists->stretches; i++) {
         double relative = lists->area[i].value * (area / uv_area);

@@ -9,19 +9,19 @@
 enum { HATCH_LAPPED_P50, HATCH_LAPPED_P95, HATCH_LAPPED_P99, HATCH_LAPPED_MAX, HATCH_LAPPED_SHARES };
 
 struct hatch_lapped_figures {
-    uint32_t patches;        /* meshes whose material is an outline */
-    uint32_t hidden;         /* of them: later cores hide every sample */
-    uint32_t faces;          /* of the surface: those of patches at the same places are one */
-    uint32_t patch_faces;    /* of all patches */
-    double overlap;          /* patch_faces / faces */
+    uint32_t patches;     /* meshes whose material is an outline */
+    uint32_t hidden;      /* of them: later cores hide every sample */
+    uint32_t faces;       /* of the surface: those of patches at the same places are one */
+    uint32_t patch_faces; /* of all patches */
+    double overlap;       /* patch_faces / faces */
     uint32_t samples;
-    double covered;          /* share of them at which some patch has opacity 1 */
-    double opacity_min;      /* of all patches over each other, at the sample where it is least */
-    uint32_t flipped;        /* patch faces whose texture is mirrored or has no area */
-    double stretch[HATCH_LAPPED_SHARES]; /* of patch faces: larger over smaller singular value */
-    double area[HATCH_LAPPED_SHARES];    /* texture area over area, in units of the whole's, or the inverse,
-                                            whichever is larger */
-    double angle_deg[HATCH_LAPPED_SHARES]; /* between rising u and _HATCH_DIR; NaN where no face has one */
+    double covered;                             /* share of them at which some patch has opacity 1 */
+    double opacity_min;                         /* of all patches over each other, at the sample where it is least */
+    uint32_t flipped;                           /* patch faces whose texture is mirrored or has no area */
+    double stretch[HATCH_LAPPED_SHARES];        /* of patch faces: larger over smaller singular value */
+    double area[HATCH_LAPPED_SHARES];           /* texture area over area, in units of the whole's, or the inverse,
+                                                   whichever is larger */
+    double angle_deg[HATCH_LAPPED_SHARES];      /* between rising u and _HATCH_DIR; NaN where no face has one */
     double angle_area_deg[HATCH_LAPPED_SHARES]; /* the same, each face weighed by its area */
 };
 
@@ -31,7 +31,6 @@ struct hatch_lapped_figures {
  * texture coordinates or mask. */
 enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const struct hatch_image *masks,
                                        uint32_t samples, uint64_t seed, struct hatch_arena *scratch,
-                                       struct hatch_lapped_figures *figures, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                       struct hatch_lapped_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

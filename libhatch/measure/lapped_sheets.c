@@ -11,9 +11,8 @@ bool hatch_sheets_same(const struct hatch_sheet *a, const struct hatch_sheet *b)
 static int compare(const void *pa, const void *pb)
 {
     const struct hatch_sheet *a = pa, *b = pb;
-    const uint32_t keys[][2] = {{a->group, b->group},       {a->point[0], b->point[0]},
-                                {a->point[1], b->point[1]}, {a->point[2], b->point[2]},
-                                {a->patch, b->patch},       {a->face, b->face}};
+    const uint32_t keys[][2] = {{a->group, b->group},       {a->point[0], b->point[0]}, {a->point[1], b->point[1]},
+                                {a->point[2], b->point[2]}, {a->patch, b->patch},       {a->face, b->face}};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         if (keys[i][0] != keys[i][1])
             return keys[i][0] < keys[i][1] ? -1 : 1;
@@ -22,8 +21,8 @@ static int compare(const void *pa, const void *pb)
 
 /* group: per mesh the first of those that are drawn with it, or HATCH_NONE: it is no patch that a node
  * draws. */
-static enum hatch_status find_patches(const struct hatch_scene *scene, const struct hatch_image *masks,
-                                      uint32_t *group, struct hatch_sheets *sheets, struct hatch_err *err)
+static enum hatch_status find_patches(const struct hatch_scene *scene, const struct hatch_image *masks, uint32_t *group,
+                                      struct hatch_sheets *sheets, struct hatch_err *err)
 {
     memset(group, 0xff, scene->mesh_count * sizeof *group);
     for (uint32_t n = 0; n < scene->node_count; n++) {
@@ -50,8 +49,8 @@ static enum hatch_status find_patches(const struct hatch_scene *scene, const str
 }
 
 /* All patches' positions as one mesh; first: per patch its first vertex. */
-static enum hatch_status gather(const struct hatch_sheets *sheets, struct hatch_arena *scratch,
-                                struct hatch_mesh *all, size_t *first, struct hatch_err *err)
+static enum hatch_status gather(const struct hatch_sheets *sheets, struct hatch_arena *scratch, struct hatch_mesh *all,
+                                size_t *first, struct hatch_err *err)
 {
     size_t vertices = 0, faces = 0;
     for (uint32_t p = 0; p < sheets->patch_count; p++) {
@@ -80,8 +79,8 @@ static void set_points(const uint32_t points[3], struct hatch_sheet *sheet)
     }
 }
 
-static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *group,
-                              struct hatch_arena *scratch, struct hatch_sheets *sheets, struct hatch_err *err)
+static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *group, struct hatch_arena *scratch,
+                              struct hatch_sheets *sheets, struct hatch_err *err)
 {
     struct hatch_mesh all;
     uint32_t points;
@@ -106,8 +105,7 @@ static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *g
             uint32_t at[3];
             for (size_t c = 0; c < 3; c++)
                 at[c] = point[first[p] + mesh->indices[3 * (size_t)f + c]];
-            *sheet = (struct hatch_sheet){
-                .group = group[sheets->patches[p] - scene->meshes], .patch = p, .face = f};
+            *sheet = (struct hatch_sheet){.group = group[sheets->patches[p] - scene->meshes], .patch = p, .face = f};
             set_points(at, sheet);
         }
     }
@@ -115,8 +113,7 @@ static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *g
 }
 
 enum hatch_status hatch_sheets_make(const struct hatch_scene *scene, const struct hatch_image *masks,
-                                    struct hatch_arena *scratch, struct hatch_sheets *sheets,
-                                    struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_sheets *sheets, struct hatch_err *err)
 {
     struct hatch_sheets made = {.count = 0};
     uint32_t *group = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);

@@ -15,9 +15,9 @@ struct hatch_sheet {
 
 struct hatch_sheets {
     uint32_t count;
-    struct hatch_sheet *list;    /* those at one place side by side, in drawing order */
+    struct hatch_sheet *list; /* those at one place side by side, in drawing order */
     uint32_t face_count;
-    uint32_t *first;             /* face_count + 1: per place into list */
+    uint32_t *first; /* face_count + 1: per place into list */
     const struct hatch_scene_mesh **patches;
     const struct hatch_image **masks; /* per patch */
     uint32_t patch_count;

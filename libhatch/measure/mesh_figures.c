@@ -12,10 +12,10 @@ struct work {
     const struct hatch_mesh *mesh;
     struct hatch_arena *scratch;
     struct hatch_mesh_figures *out;
-    uint32_t *point;      /* per corner */
-    uint8_t *dropped;     /* per face: degenerate */
-    uint8_t *point_used;  /* per point: by a face with an area */
-    uint32_t *sets;       /* per point */
+    uint32_t *point;     /* per corner */
+    uint8_t *dropped;    /* per face: degenerate */
+    uint8_t *point_used; /* per point: by a face with an area */
+    uint32_t *sets;      /* per point */
     struct hatch_edges edges;
 };
 
@@ -93,11 +93,8 @@ static void find_genus(struct work *w)
         used += w->point_used[p];
     int64_t faces = (int64_t)out->faces - out->degenerate_faces;
     out->euler = used - (int64_t)w->edges.count + faces;
-    bool surface = out->non_manifold_edges == 0 && out->non_manifold_points == 0 &&
-                   out->contrary_edges == 0;
-    out->genus =
-        surface ? (2 * (int64_t)out->components - out->euler - (int64_t)out->boundary_loops) / 2
-                : -1;
+    bool surface = out->non_manifold_edges == 0 && out->non_manifold_points == 0 && out->contrary_edges == 0;
+    out->genus = surface ? (2 * (int64_t)out->components - out->euler - (int64_t)out->boundary_loops) / 2 : -1;
 }
 
 static void measure_edges(struct work *w)
@@ -153,8 +150,7 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
         values[i] = (struct hatch_weighted){list[i].ratio, list[i].area};
     hatch_percentiles(values, count, shares, 3, out->angle);
     for (uint32_t i = 0; i < count; i++)
-        values[i] = (struct hatch_weighted){fabs(list[i].uv_area) / list[i].area * (kept / uv_area),
-                                            list[i].area};
+        values[i] = (struct hatch_weighted){fabs(list[i].uv_area) / list[i].area * (kept / uv_area), list[i].area};
     hatch_percentiles(values, count, shares, 3, out->area);
     return HATCH_OK;
 }
@@ -175,18 +171,16 @@ static enum hatch_status measure(struct work *w, struct hatch_err *err)
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &out->points, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     find_used(w, flags);
-    HATCH_TRY(hatch_edges_find(w->point, mesh->face_count, out->points, w->dropped, scratch, scratch,
-                               &w->edges, err));
-    HATCH_TRY(hatch_mesh_count_pinched(w->point, mesh->face_count, out->points, &w->edges,
-                                       w->dropped, scratch, &out->non_manifold_points, err));
+    HATCH_TRY(hatch_edges_find(w->point, mesh->face_count, out->points, w->dropped, scratch, scratch, &w->edges, err));
+    HATCH_TRY(hatch_mesh_count_pinched(w->point, mesh->face_count, out->points, &w->edges, w->dropped, scratch,
+                                       &out->non_manifold_points, err));
     find_components(w);
     memset(flags, 0, mesh->vertex_count);
     find_boundary(w, flags);
     find_genus(w);
     measure_edges(w);
     hatch_mesh_bounds(mesh, out->low, out->high);
-    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,
-                                         &out->duplicate_faces, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch, &out->duplicate_faces, err));
     return measure_uv(w, err);
 }
 

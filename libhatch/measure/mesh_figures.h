@@ -27,15 +27,14 @@ struct hatch_mesh_figures {
     uint32_t duplicate_faces;     /* on the points of an earlier face */
     uint32_t contrary_edges;      /* of two faces that do not agree which side is out */
     double area;
-    float low[3], high[3];        /* box around the used vertices */
+    float low[3], high[3]; /* box around the used vertices */
     double edge_min, edge_mean, edge_max;
     bool has_uv;
-    struct hatch_uv_figures uv;   /* where has_uv */
+    struct hatch_uv_figures uv; /* where has_uv */
 };
 
 /* Measures a mesh that passes hatch_mesh_check. Time is about linear, whatever the valences. */
 enum hatch_status hatch_measure_mesh(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
-                                     struct hatch_mesh_figures *figures, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                     struct hatch_mesh_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

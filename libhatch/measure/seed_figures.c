@@ -11,8 +11,8 @@ static double to_unit(uint64_t bits)
     return (double)bits * 0x1p-64;
 }
 
-static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct hatch_arena *scratch,
-                                      uint32_t *uneven, struct hatch_err *err)
+static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *uneven,
+                                      struct hatch_err *err)
 {
     uint32_t count = set->count, wrong = 0;
     for (uint32_t length = 1; (uint64_t)1 << 2 * (length - 1) <= count; length++) {
@@ -34,9 +34,8 @@ static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct h
     return HATCH_OK;
 }
 
-static enum hatch_status ratio_of(const struct hatch_seed_place *places, uint32_t count,
-                                  double bound, struct hatch_arena *scratch, double *ratio,
-                                  struct hatch_err *err)
+static enum hatch_status ratio_of(const struct hatch_seed_place *places, uint32_t count, double bound,
+                                  struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
 {
     HATCH_TRY(hatch_spread_distance(places, count, scratch, ratio, err));
     *ratio /= bound;
@@ -75,20 +74,18 @@ static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hat
 }
 
 static enum hatch_status measure_distances(const struct hatch_seed_set *set, uint32_t throws,
-                                           const struct hatch_seed_place *places,
-                                           struct hatch_seed_place *others,
-                                           struct hatch_arena *scratch,
-                                           struct hatch_seed_figures *f, struct hatch_err *err)
+                                           const struct hatch_seed_place *places, struct hatch_seed_place *others,
+                                           struct hatch_arena *scratch, struct hatch_seed_figures *f,
+                                           struct hatch_err *err)
 {
     uint32_t count = set->count;
     double bound = hatch_spread_bound(count), ratio;
     HATCH_TRY(ratio_of(places, count, bound, scratch, &f->distance, err));
-    HATCH_TRY(ratio_of(others, sparse_places(set, places, others), bound, scratch,
-                       &f->distance_sparse, err));
+    HATCH_TRY(ratio_of(others, sparse_places(set, places, others), bound, scratch, &f->distance_sparse, err));
     bayer_places(others, count);
     HATCH_TRY(ratio_of(others, count, bound, scratch, &f->distance_bayer, err));
     f->distance_random = 0;
-    for (uint32_t throw = 0; throw < throws; throw++) {
+    for (uint32_t throw = 0; throw < throws; throw ++) {
         for (uint32_t i = 0; i < count; i++) {
             others[i].u = hatch_random_u64(0, throw, 2 * (uint64_t)i);
             others[i].v = hatch_random_u64(0, throw, 2 * (uint64_t)i + 1);
@@ -115,14 +112,12 @@ static double correlate(const struct hatch_seed_place *places, uint32_t count)
     return uu * vv > 0 ? uv / sqrt(uu * vv) : 0.0;
 }
 
-static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t throws,
-                                 struct hatch_arena *scratch, struct hatch_seed_figures *f,
-                                 struct hatch_err *err)
+static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t throws, struct hatch_arena *scratch,
+                                 struct hatch_seed_figures *f, struct hatch_err *err)
 {
     uint32_t count = set->count;
     struct hatch_seed_place *places = HATCH_NEW(scratch, struct hatch_seed_place, count, err);
-    struct hatch_seed_place *others =
-        places ? HATCH_NEW(scratch, struct hatch_seed_place, count, err) : NULL;
+    struct hatch_seed_place *others = places ? HATCH_NEW(scratch, struct hatch_seed_place, count, err) : NULL;
     if (!others)
         return HATCH_LIMIT;
     hatch_seed_places(set, places);
@@ -137,8 +132,7 @@ static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t thro
     return hatch_seeds_spectrum(places, count, scratch, f->power, err);
 }
 
-enum hatch_status hatch_measure_seeds(const struct hatch_seed_set *set, uint32_t throws,
-                                      struct hatch_arena *scratch,
+enum hatch_status hatch_measure_seeds(const struct hatch_seed_set *set, uint32_t throws, struct hatch_arena *scratch,
                                       struct hatch_seed_figures *figures, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

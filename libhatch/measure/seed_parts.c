@@ -28,8 +28,8 @@ static void zoom(uint8_t *bits, uint32_t count)
     }
 }
 
-enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch,
-                                     uint32_t *astray, struct hatch_err *err)
+enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *astray,
+                                     struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint8_t *zoomed = HATCH_NEW(scratch, uint8_t, set->count, err);
@@ -84,8 +84,8 @@ enum hatch_status hatch_seeds_spectrum(const struct hatch_seed_place *places, ui
     double unit = sqrt(count);
     struct waves waves = {.count = count, .steps = (uint32_t)(1.125 * unit) + 2};
     uint32_t seen[HATCH_SEED_RINGS] = {0};
-    waves.u = HATCH_NEW(scratch, double complex, (size_t)count * waves.steps, err);
-    waves.v = waves.u ? HATCH_NEW(scratch, double complex, (size_t)count * waves.steps, err) : NULL;
+    waves.u = HATCH_NEW(scratch, double complex, (size_t)count *waves.steps, err);
+    waves.v = waves.u ? HATCH_NEW(scratch, double complex, (size_t)count *waves.steps, err) : NULL;
     if (!waves.v) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;

@@ -6,8 +6,8 @@
 
 /* Seeds whose image under zooming is not the next seed, in integers as long as the cycle: with
  * s = b / (2^N - 1), 2 b mod (2^N - 1) must be the next b, for u and for v. */
-enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch,
-                                     uint32_t *astray, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *astray,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Mean of |sum over seeds of e^(-2 pi i k·s)|² / N over whole frequencies k whose length is within
  * sqrt(N) / 8 of each ring's radius. */

@@ -6,8 +6,7 @@
 
 /* The singular values of the map from the triangle's plane to texture space, from its metric: with
  * E = u·u + v·v and |det|, (s1 ± s2)² = E ± 2 |det|. */
-bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
-                      struct hatch_stretch *stretch)
+bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch)
 {
     double p[3][3], normal[3], x[3], y[3], ab[3], ac[3], t[3][2];
     const uint32_t *index = &mesh->indices[(size_t)face * 3];

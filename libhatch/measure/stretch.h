@@ -12,7 +12,6 @@ struct hatch_stretch {
 };
 
 /* uv: 2 floats a vertex of the mesh. false when the face has no area. */
-bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
-                      struct hatch_stretch *stretch);
+bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch);
 
 #endif

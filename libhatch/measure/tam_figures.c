@@ -61,8 +61,8 @@ static double seam_z(const struct hatch_tam *tam, const struct hatch_image *imag
     return variance > 1e-12 ? (last - mean) / sqrt(variance) : 0;
 }
 
-static enum hatch_status box_spread(const struct hatch_image *image, uint32_t divisor,
-                                    struct hatch_arena *scratch, double *spread, struct hatch_err *err)
+static enum hatch_status box_spread(const struct hatch_image *image, uint32_t divisor, struct hatch_arena *scratch,
+                                    double *spread, struct hatch_err *err)
 {
     uint32_t side = image->width / divisor;
     *spread = 0;
@@ -85,8 +85,8 @@ static enum hatch_status box_spread(const struct hatch_image *image, uint32_t di
     return status;
 }
 
-enum hatch_status hatch_measure_spreads(const struct hatch_image *image, struct hatch_arena *scratch,
-                                        double *spread, struct hatch_err *err)
+enum hatch_status hatch_measure_spreads(const struct hatch_image *image, struct hatch_arena *scratch, double *spread,
+                                        struct hatch_err *err)
 {
     for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++)
         HATCH_TRY(box_spread(image, hatch_evenness_divisors[box], scratch, &spread[box], err));
@@ -108,8 +108,8 @@ static void measure_color(const struct hatch_tam *tam, uint32_t tone, uint32_t l
 }
 
 enum hatch_status hatch_measure_tam_image(const struct hatch_tam *tam, uint32_t tone, uint32_t level,
-                                          struct hatch_arena *scratch,
-                                          struct hatch_tam_image_figures *figures, struct hatch_err *err)
+                                          struct hatch_arena *scratch, struct hatch_tam_image_figures *figures,
+                                          struct hatch_err *err)
 {
     assert(tone < tam->tones && level < tam->columns[tone].level_count);
     const struct hatch_image *image = &tam->columns[tone].levels[level];

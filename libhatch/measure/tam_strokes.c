@@ -12,9 +12,8 @@
 /* A canvas of the map's size with white paper on its first `levels` levels, and room for the longest and
  * the widest stroke of the list, whatever the style says. style is kept by the canvas. */
 static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
-                                      uint32_t levels, struct hatch_style *style,
-                                      struct hatch_arena *scratch, struct hatch_canvas *canvas,
-                                      struct hatch_err *err)
+                                      uint32_t levels, struct hatch_style *style, struct hatch_arena *scratch,
+                                      struct hatch_canvas *canvas, struct hatch_err *err)
 {
     *style = *strokes->style;
     for (uint32_t i = 0; i < strokes->list->count; i++) {
@@ -45,10 +44,8 @@ static bool belongs(const struct hatch_tam *tam, const struct hatch_stroke *stro
            stroke->column + stroke->delay[stroke->level] < tam->tones;
 }
 
-enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
-                                            const struct hatch_tam_strokes *strokes,
-                                            struct hatch_arena *scratch, uint64_t *missing,
-                                            struct hatch_err *err)
+enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                            struct hatch_arena *scratch, uint64_t *missing, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_canvas canvas;
@@ -58,8 +55,7 @@ enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
     for (uint32_t i = 0; status == HATCH_OK && i < strokes->list->count; i++) {
         const struct hatch_stroke *stroke = &strokes->list->items[i];
         if (!belongs(tam, stroke)) {
-            status = hatch_fail(err, HATCH_BAD_INPUT,
-                                "stroke %u: column %u, level %u, but the map has %u, %u", i + 1,
+            status = hatch_fail(err, HATCH_BAD_INPUT, "stroke %u: column %u, level %u, but the map has %u, %u", i + 1,
                                 stroke->column, stroke->level, tam->tones, tam->levels);
             break;
         }
@@ -75,9 +71,8 @@ enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam,
     return status;
 }
 
-enum hatch_status hatch_measure_stroke_darkness(const struct hatch_tam *tam,
-                                                const struct hatch_tam_strokes *strokes, uint32_t level,
-                                                struct hatch_arena *scratch, double *darkness,
+enum hatch_status hatch_measure_stroke_darkness(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                                uint32_t level, struct hatch_arena *scratch, double *darkness,
                                                 struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -108,15 +103,14 @@ static void throw_column(struct hatch_canvas *canvas, const struct hatch_stroke_
 }
 
 /* Adds each tone's squared spreads of one throw to ratio. */
-static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
-                                   uint32_t draw, struct hatch_arena *scratch, double *ratio,
-                                   struct hatch_err *err)
+static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes, uint32_t draw,
+                                   struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
 {
     struct hatch_canvas canvas;
     struct hatch_style style;
     HATCH_TRY(white_canvas(tam, strokes, 1, &style, scratch, &canvas, err));
-    struct hatch_image image = {.width = tam->size_px, .height = tam->size_px, .channel_count = 1,
-                                .pixels = canvas.paper[0]};
+    struct hatch_image image = {
+        .width = tam->size_px, .height = tam->size_px, .channel_count = 1, .pixels = canvas.paper[0]};
     if (tam->color) { /* as in the map, the first channel counts */
         image.channel_count = 3;
         image.pixels = canvas.rgb[0];
@@ -131,9 +125,9 @@ static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hat
     return HATCH_OK;
 }
 
-enum hatch_status hatch_measure_evenness(const struct hatch_tam *tam,
-                                         const struct hatch_tam_strokes *strokes, uint32_t draws,
-                                         struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
+enum hatch_status hatch_measure_evenness(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                         uint32_t draws, struct hatch_arena *scratch, double *ratio,
+                                         struct hatch_err *err)
 {
     assert(draws > 0);
     for (uint32_t i = 0; i < tam->tones * HATCH_EVENNESS_BOXES; i++)

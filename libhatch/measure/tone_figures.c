@@ -74,13 +74,16 @@ static void measure_tone(void *context, uint32_t index)
     }
 }
 
-enum hatch_status hatch_measure_tones(const struct hatch_tam *map, hatch_tone_sample sample,
-                                      const void *subject, float lod, uint64_t samples,
-                                      struct hatch_pool *pool, struct hatch_arena *scratch,
+enum hatch_status hatch_measure_tones(const struct hatch_tam *map, hatch_tone_sample sample, const void *subject,
+                                      float lod, uint64_t samples, struct hatch_pool *pool, struct hatch_arena *scratch,
                                       struct hatch_tone_figures *figures, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct job job = {map, sample, subject, lod, (samples + HATCH_TONES_MEASURED - 1) / HATCH_TONES_MEASURED,
+    struct job job = {map,
+                      sample,
+                      subject,
+                      lod,
+                      (samples + HATCH_TONES_MEASURED - 1) / HATCH_TONES_MEASURED,
                       HATCH_NEW(scratch, struct sums, HATCH_TONES_MEASURED, err)};
     if (!job.tones)
         return HATCH_LIMIT;

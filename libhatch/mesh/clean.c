@@ -8,7 +8,7 @@
 
 struct work {
     const struct hatch_mesh *mesh;
-    uint32_t *point;  /* per corner */
+    uint32_t *point; /* per corner */
     uint32_t point_count;
     uint8_t *dropped; /* per face */
     uint8_t *flipped; /* per face */
@@ -18,21 +18,20 @@ struct work {
 static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_edges edges;
-    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch,
-                               scratch, &edges, err));
+    HATCH_TRY(
+        hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch, scratch, &edges, err));
     uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)w->mesh->face_count * 3, err);
     if (!partner)
         return HATCH_LIMIT;
     hatch_edges_partners(&edges, NULL, w->mesh->face_count, partner);
     struct hatch_orientation result;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, partner, w->dropped, scratch, w->flipped, NULL,
-                                &result, err));
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, partner, w->dropped, scratch, w->flipped, NULL, &result, err));
     w->notes.faces_flipped = result.faces_flipped;
     w->notes.contrary_edges = result.contrary_edges;
     for (uint32_t e = 0; e < edges.count; e++)
         w->notes.non_manifold_edges += edges.first[e + 1] - edges.first[e] > 2;
-    return hatch_mesh_count_pinched(w->point, w->mesh->face_count, w->point_count, &edges,
-                                    w->dropped, scratch, &w->notes.non_manifold_points, err);
+    return hatch_mesh_count_pinched(w->point, w->mesh->face_count, w->point_count, &edges, w->dropped, scratch,
+                                    &w->notes.non_manifold_points, err);
 }
 
 /* new_vertex: zeros. origin: the old vertex of each new one. Returns how many are left. */
@@ -63,9 +62,8 @@ static void copy_faces(const struct work *w, const uint32_t *new_vertex, uint32_
     }
 }
 
-static enum hatch_status build(struct work *w, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct hatch_mesh *out,
-                               struct hatch_err *err)
+static enum hatch_status build(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                               struct hatch_mesh *out, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
     uint32_t faces = mesh->face_count - w->notes.degenerate_dropped - w->notes.duplicates_dropped;
@@ -82,9 +80,8 @@ static enum hatch_status build(struct work *w, struct hatch_arena *arena,
     return HATCH_OK;
 }
 
-static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct hatch_mesh *out,
-                               struct hatch_err *err)
+static enum hatch_status clean(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                               struct hatch_mesh *out, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
     size_t corners = (size_t)mesh->face_count * 3;
@@ -99,15 +96,14 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena,
         w->notes.vertices_apart = mesh->vertex_count - w->point_count;
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     w->notes.degenerate_dropped = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
-    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch,
-                                         &w->notes.duplicates_dropped, err));
+    HATCH_TRY(
+        hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch, &w->notes.duplicates_dropped, err));
     HATCH_TRY(orient(w, scratch, err));
     return build(w, arena, scratch, out, err);
 }
 
-enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
-                                   struct hatch_err *err)
+enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work w = {.mesh = mesh};

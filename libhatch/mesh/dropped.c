@@ -4,8 +4,7 @@
 
 #include "base/random.h"
 
-uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point,
-                                    uint8_t *dropped)
+uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped)
 {
     double corners[3][3];
     uint32_t count = 0;
@@ -31,9 +30,8 @@ static void sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
             }
 }
 
-enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count,
-                                             uint8_t *dropped, struct hatch_arena *scratch,
-                                             uint32_t *count, struct hatch_err *err)
+enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
+                                             struct hatch_arena *scratch, uint32_t *count, struct hatch_err *err)
 {
     size_t capacity = 16;
     while (capacity < (size_t)face_count * 2)

@@ -7,8 +7,7 @@
 
 #define FLAT 1e-5 /* height over width: what a face of floats may have by rounding alone */
 
-void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point,
-                              uint32_t *point)
+void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point, uint32_t *point)
 {
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
         point[i] = vertex_to_point[mesh->indices[i]];
@@ -27,9 +26,8 @@ static uint32_t high_point(const uint32_t *point, uint32_t side)
 }
 
 /* One pass of a stable counting sort. starts: point_count + 1 entries, overwritten. */
-static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t *point,
-                    uint32_t point_count, const uint32_t *from, uint32_t *to, uint32_t count,
-                    uint32_t *starts)
+static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t *point, uint32_t point_count,
+                    const uint32_t *from, uint32_t *to, uint32_t count, uint32_t *starts)
 {
     memset(starts, 0, ((size_t)point_count + 1) * sizeof *starts);
     for (uint32_t i = 0; i < count; i++)
@@ -40,8 +38,7 @@ static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t 
         to[starts[key(point, from[i])]++] = from[i];
 }
 
-static uint32_t list_sides(const uint32_t *point, uint32_t face_count, const uint8_t *dropped,
-                           uint32_t *sides)
+static uint32_t list_sides(const uint32_t *point, uint32_t face_count, const uint8_t *dropped, uint32_t *sides)
 {
     uint32_t count = 0;
     for (uint32_t side = 0; side < face_count * 3; side++)
@@ -64,9 +61,8 @@ static void group(const uint32_t *point, uint32_t side_count, struct hatch_edges
 }
 
 enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, uint32_t point_count,
-                                   const uint8_t *dropped, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_edges *edges,
-                                   struct hatch_err *err)
+                                   const uint8_t *dropped, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_edges *edges, struct hatch_err *err)
 {
     assert(face_count <= UINT32_MAX / 3 - 1);
     size_t all = (size_t)face_count * 3;
@@ -91,8 +87,7 @@ enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, u
     return starts ? HATCH_OK : HATCH_LIMIT;
 }
 
-void hatch_edges_partners(const struct hatch_edges *edges, const uint8_t *sharp, uint32_t face_count,
-                          uint32_t *partner)
+void hatch_edges_partners(const struct hatch_edges *edges, const uint8_t *sharp, uint32_t face_count, uint32_t *partner)
 {
     memset(partner, 0xff, (size_t)face_count * 3 * sizeof *partner);
     for (uint32_t e = 0; e < edges->count; e++) {

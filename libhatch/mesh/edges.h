@@ -25,16 +25,14 @@ static inline uint32_t hatch_side_end(uint32_t side)
 bool hatch_side_direction(const struct hatch_mesh *mesh, uint32_t side, double direction[3]);
 
 /* The point of every corner: point[i] = vertex_to_point[mesh->indices[i]]. point: 3 * face_count. */
-void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point,
-                              uint32_t *point);
+void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point, uint32_t *point);
 
 /* Finds all edges in time linear in faces and points, whatever the valences. Edges are ordered by their
  * lower, then by their higher point. point: the 3 * face_count corners' points, below point_count;
  * dropped: NULL, or per face: not 0 leaves it out. */
 enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, uint32_t point_count,
-                                   const uint8_t *dropped, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_edges *edges,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                   const uint8_t *dropped, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_edges *edges, struct hatch_err *err) HATCH_MUST_USE;
 
 /* partner: per side of all face_count faces the other side of its edge, where that has exactly two faces
  * and is not sharp; else HATCH_NO_EDGE. sharp: NULL, or per edge. */

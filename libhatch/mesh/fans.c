@@ -34,8 +34,7 @@ static void join_sides(const uint32_t *point, uint32_t side, uint32_t other, uin
     hatch_sets_join(parent, end, same_way ? other_end : other);
 }
 
-uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count,
-                                uint32_t *fan)
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count, uint32_t *fan)
 {
     uint32_t corner_count = face_count * 3, fan_count = 0;
     hatch_sets_init(fan, corner_count);
@@ -50,10 +49,9 @@ uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, 
     return fan_count;
 }
 
-enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_count,
-                                           uint32_t point_count, const struct hatch_edges *edges,
-                                           const uint8_t *dropped, struct hatch_arena *scratch,
-                                           uint32_t *count, struct hatch_err *err)
+enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_count, uint32_t point_count,
+                                           const struct hatch_edges *edges, const uint8_t *dropped,
+                                           struct hatch_arena *scratch, uint32_t *count, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *parent = HATCH_NEW(scratch, uint32_t, (size_t)face_count * 3, err);

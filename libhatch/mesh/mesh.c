@@ -6,9 +6,8 @@
 
 #include "math/vector.h"
 
-enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count,
-                                  uint32_t face_count, struct hatch_mesh *mesh,
-                                  struct hatch_err *err)
+enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count, uint32_t face_count,
+                                  struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
     made.indices = HATCH_NEW(arena, uint32_t, (size_t)face_count * 3, err);
@@ -20,16 +19,14 @@ enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_cou
     return HATCH_OK;
 }
 
-enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh,
-                                 const char *name, uint32_t components, float **data,
-                                 struct hatch_err *err)
+enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh, const char *name,
+                                 uint32_t components, float **data, struct hatch_err *err)
 {
     assert(components >= 1);
     assert(strlen(name) < HATCH_MESH_NAME_MAX);
     if (mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh holds at most %u", name,
-                          HATCH_MESH_ATTRIBUTES_MAX);
-    float *floats = HATCH_NEW(arena, float, (size_t)mesh->vertex_count * components, err);
+        return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh holds at most %u", name, HATCH_MESH_ATTRIBUTES_MAX);
+    float *floats = HATCH_NEW(arena, float, (size_t)mesh->vertex_count *components, err);
     if (!floats)
         return HATCH_LIMIT;
     struct hatch_mesh_attribute *attribute = &mesh->attributes[mesh->attribute_count++];
@@ -40,9 +37,8 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
     return HATCH_OK;
 }
 
-enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin,
-                                    uint32_t vertex_count, uint32_t face_count,
-                                    struct hatch_arena *arena, struct hatch_mesh *mesh,
+enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin, uint32_t vertex_count,
+                                    uint32_t face_count, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                     struct hatch_err *err)
 {
     struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
@@ -107,8 +103,8 @@ enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_e
         return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
         if (mesh->indices[i] >= mesh->vertex_count)
-            return hatch_fail(err, HATCH_BAD_INPUT, "face %zu: vertex %u of %u", i / 3,
-                              mesh->indices[i], mesh->vertex_count);
+            return hatch_fail(err, HATCH_BAD_INPUT, "face %zu: vertex %u of %u", i / 3, mesh->indices[i],
+                              mesh->vertex_count);
     HATCH_TRY(check_positions(mesh, err));
     double corners[3][3];
     for (uint32_t f = 0; f < mesh->face_count; f++)

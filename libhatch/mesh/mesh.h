@@ -55,20 +55,17 @@ struct hatch_mesh_notes {
 };
 
 /* Makes an empty mesh with room: indices and POSITION zeroed. */
-enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count,
-                                  uint32_t face_count, struct hatch_mesh *mesh,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count, uint32_t face_count,
+                                  struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds a zeroed attribute; *data receives its floats. HATCH_LIMIT when there is no room for it. */
-enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh,
-                                 const char *name, uint32_t components, float **data,
-                                 struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh, const char *name,
+                                 uint32_t components, float **data, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a mesh with room for face_count faces, indices zeroed, whose vertex v has every attribute of
  * from's vertex origin[v]. */
-enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin,
-                                    uint32_t vertex_count, uint32_t face_count,
-                                    struct hatch_arena *arena, struct hatch_mesh *mesh,
+enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin, uint32_t vertex_count,
+                                    uint32_t face_count, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* The attribute's floats, or NULL. components: the number that it must have. */
@@ -86,8 +83,7 @@ bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double cor
 
 /* Fails with HATCH_BAD_INPUT on an index out of range, a position that is not finite, no faces, or
  * no face with an area. */
-enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The smallest axis-aligned box around the vertices that faces use. false when there is none. */
 bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3]);
@@ -103,22 +99,19 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
  * weighted, made orthogonal to the normal; where the UVs are degenerate, any direction orthogonal to
  * the normal. Needs both attributes. */
 enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatch_arena *scratch,
-                                          struct hatch_mesh *mesh, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                          struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Drops faces with a repeated corner or without area, faces given twice and unreferenced vertices;
  * turns faces so that neighbours agree (a component keeps the side that most of its faces had; a
  * closed one whose faces disagreed takes the side of positive volume); adds what it did to notes.
  * Vertices keep their order. HATCH_BAD_INPUT when no face is left. */
-enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 /* vertex_to_point[v]: the same number, 0 .. *point_count-1, for vertices at exactly one position,
  * in order of first appearance; coordinates below 2^-40 of the faces' extent count as 0.
  * vertex_to_point: vertex_count entries. */
-enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
-                                  uint32_t *vertex_to_point, uint32_t *point_count,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch, uint32_t *vertex_to_point,
+                                  uint32_t *point_count, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

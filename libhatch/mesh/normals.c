@@ -14,7 +14,7 @@ struct work {
     uint32_t *point;    /* per corner */
     uint32_t *class_of; /* per corner */
     uint32_t class_count;
-    double *sum;        /* 3 per class */
+    double *sum; /* 3 per class */
 };
 
 static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
@@ -28,9 +28,8 @@ static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, doub
 }
 
 /* Corners are joined across the edges of two faces that are not sharp. */
-static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edges *edges,
-                                          const uint8_t *sharp, struct hatch_arena *scratch,
-                                          struct hatch_err *err)
+static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edges *edges, const uint8_t *sharp,
+                                          struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t faces = w->mesh->face_count;
     uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)faces * 3, err);
@@ -45,15 +44,14 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_edges edges;
-    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch,
-                               &edges, err));
+    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch, &edges, err));
     uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges.count, err);
     if (!sharp)
         return HATCH_LIMIT;
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
-        sharp[e] = edges.first[e + 1] - edges.first[e] == 2 &&
-                   is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
+        sharp[e] =
+            edges.first[e + 1] - edges.first[e] == 2 && is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
     }
     return classes_by_edges(w, &edges, sharp, scratch, err);
 }
@@ -94,9 +92,8 @@ static void store_normals(const struct work *w, const struct hatch_splits *s, fl
     }
 }
 
-static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
-                               struct hatch_arena *scratch, struct hatch_mesh *out,
-                               struct hatch_err *err)
+static enum hatch_status build(const struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                               struct hatch_mesh *out, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
     size_t corners = (size_t)mesh->face_count * 3;
@@ -106,8 +103,7 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
     uint32_t *indices = HATCH_NEW(scratch, uint32_t, corners, err);
     if (!indices)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_splits_make(mesh->indices, w->class_of, corners, mesh->vertex_count, scratch,
-                                indices, &s, err));
+    HATCH_TRY(hatch_splits_make(mesh->indices, w->class_of, corners, mesh->vertex_count, scratch, indices, &s, err));
     HATCH_TRY(hatch_mesh_gather(mesh, s.origin, s.count, mesh->face_count, arena, &made, err));
     memcpy(made.indices, indices, corners * sizeof *indices);
     HATCH_TRY(hatch_mesh_add(arena, &made, "NORMAL", 3, &data, err));
@@ -116,9 +112,8 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena,
     return HATCH_OK;
 }
 
-static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena,
-                                       struct hatch_arena *scratch, struct hatch_mesh *out,
-                                       struct hatch_err *err)
+static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_mesh *out, struct hatch_err *err)
 {
     w->sum = HATCH_NEW(scratch, double, (size_t)w->class_count * 3, err);
     if (!w->sum)
@@ -128,8 +123,7 @@ static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena
 }
 
 static enum hatch_status add_normals(struct work *w, float crease_rad, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct hatch_mesh *out,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *scratch, struct hatch_mesh *out, struct hatch_err *err)
 {
     size_t corners = (size_t)w->mesh->face_count * 3;
     uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, w->mesh->vertex_count, err);
@@ -149,10 +143,9 @@ static enum hatch_status add_normals(struct work *w, float crease_rad, struct ha
     return sum_and_build(w, arena, scratch, out, err);
 }
 
-enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges,
-                                           const uint8_t *sharp, struct hatch_arena *arena,
-                                           struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                           struct hatch_err *err)
+enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges, const uint8_t *sharp,
+                                           struct hatch_arena *arena, struct hatch_arena *scratch,
+                                           struct hatch_mesh *mesh, struct hatch_err *err)
 {
     assert(!hatch_mesh_find(mesh, "NORMAL", 3));
     size_t corners = (size_t)mesh->face_count * 3;
@@ -175,8 +168,7 @@ enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct h
 }
 
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,
-                                         struct hatch_mesh *mesh, float crease_rad,
-                                         struct hatch_err *err)
+                                         struct hatch_mesh *mesh, float crease_rad, struct hatch_err *err)
 {
     if (hatch_mesh_find(mesh, "NORMAL", 3))
         return HATCH_OK;

@@ -9,7 +9,7 @@ struct flood {
     const uint32_t *point;
     const uint32_t *partner;
     uint8_t *flipped;
-    uint8_t *seen;  /* per face */
+    uint8_t *seen;   /* per face */
     uint32_t *queue; /* faces of the component, in the order found */
     uint32_t count;
     bool closed;
@@ -94,11 +94,9 @@ static void settle(struct flood *f, struct hatch_orientation *result)
     result->faces_flipped += other_side ? f->count - turned : turned;
 }
 
-enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_t *point,
-                                    const uint32_t *partner, const uint8_t *dropped,
-                                    struct hatch_arena *scratch, uint8_t *flipped,
-                                    uint32_t *component, struct hatch_orientation *result,
-                                    struct hatch_err *err)
+enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_t *point, const uint32_t *partner,
+                                    const uint8_t *dropped, struct hatch_arena *scratch, uint8_t *flipped,
+                                    uint32_t *component, struct hatch_orientation *result, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct flood f = {.mesh = mesh, .point = point, .partner = partner, .flipped = flipped};

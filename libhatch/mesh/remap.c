@@ -43,13 +43,13 @@ static enum hatch_status weld_by(const struct hatch_mesh *mesh, float *values, s
 }
 
 enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
+                                        struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
 {
     return weld_by(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, weld, err);
 }
 
-enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena, struct hatch_remap *weld,
-                                 struct hatch_err *err)
+enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                          struct hatch_remap *weld, struct hatch_err *err)
 {
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     float *values = HATCH_NEW(arena, float, 3 * (size_t)mesh->vertex_count, err);
@@ -61,8 +61,7 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
 }
 
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
-                            struct hatch_arena *arena, struct hatch_mesh *to,
-                            struct hatch_err *err)
+                                         struct hatch_arena *arena, struct hatch_mesh *to, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < from->attribute_count; i++) {
         const struct hatch_mesh_attribute *other = &from->attributes[i];

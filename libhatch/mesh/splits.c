@@ -20,9 +20,8 @@ static uint32_t vertex_for(struct hatch_splits *s, uint32_t *next, uint32_t vert
     return vertex;
 }
 
-enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of,
-                                    size_t corner_count, uint32_t vertex_count,
-                                    struct hatch_arena *scratch, uint32_t *indices,
+enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
+                                    uint32_t vertex_count, struct hatch_arena *scratch, uint32_t *indices,
                                     struct hatch_splits *splits, struct hatch_err *err)
 {
     size_t most = corner_count + vertex_count;

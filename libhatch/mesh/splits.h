@@ -15,10 +15,8 @@ struct hatch_splits {
 
 /* vertex, class_of: of each of the corner_count corners. indices: per corner its vertex afterwards; may be
  * vertex itself. The first class to ask keeps the old vertex. */
-enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of,
-                                    size_t corner_count, uint32_t vertex_count,
-                                    struct hatch_arena *scratch, uint32_t *indices,
-                                    struct hatch_splits *splits, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
+                                    uint32_t vertex_count, struct hatch_arena *scratch, uint32_t *indices,
+                                    struct hatch_splits *splits, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -5,8 +5,7 @@
 
 /* Adds a face's directions of rising u and falling v, each times the area, to its vertices' sums.
  * sums: 6 doubles a vertex. */
-static void add_face(const struct hatch_mesh *mesh, uint32_t face, const float *texcoords,
-                     double *sums)
+static void add_face(const struct hatch_mesh *mesh, uint32_t face, const float *texcoords, double *sums)
 {
     const uint32_t *index = &mesh->indices[(size_t)face * 3];
     double p[3][3], a[3], b[3], normal[3], along_u[3], along_v[3];
@@ -65,8 +64,7 @@ enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatc
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     double *sums = HATCH_NEW(scratch, double, (size_t)mesh->vertex_count * 6, err);
     float *tangents;
-    enum hatch_status status =
-        sums ? hatch_mesh_add(arena, mesh, "TANGENT", 4, &tangents, err) : HATCH_LIMIT;
+    enum hatch_status status = sums ? hatch_mesh_add(arena, mesh, "TANGENT", 4, &tangents, err) : HATCH_LIMIT;
     if (status == HATCH_OK) {
         for (uint32_t f = 0; f < mesh->face_count; f++)
             add_face(mesh, f, texcoords, sums);

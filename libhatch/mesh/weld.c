@@ -35,9 +35,8 @@ static uint64_t hash(const uint32_t bits[3])
     return hatch_random_mix(h ^ bits[2]);
 }
 
-enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
-                                  uint32_t *vertex_to_point, uint32_t *point_count,
-                                  struct hatch_err *err)
+enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch, uint32_t *vertex_to_point,
+                                  uint32_t *point_count, struct hatch_err *err)
 {
     const float *positions = mesh->attributes[0].data, nothing = nothing_beside(mesh);
     size_t capacity = 16;

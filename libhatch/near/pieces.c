@@ -45,8 +45,7 @@ static bool comes_first(const double a[3], const double b[3])
 }
 
 /* The same whichever end is called a: both faces at an edge decide alike. */
-static bool is_long(const struct cutting *c, const struct hatch_piece_corner *a,
-                    const struct hatch_piece_corner *b)
+static bool is_long(const struct cutting *c, const struct hatch_piece_corner *a, const struct hatch_piece_corner *b)
 {
     double p[2][3];
     rounded(a, p[0]);
@@ -165,14 +164,12 @@ static enum hatch_status cut(const struct cutting *c, const piece corner, int le
     return HATCH_OK;
 }
 
-enum hatch_status hatch_pieces_cut(const struct hatch_piece_corner face[3],
-                                   const struct hatch_piece_view *view, hatch_piece_visit visit,
-                                   void *context, struct hatch_err *err)
+enum hatch_status hatch_pieces_cut(const struct hatch_piece_corner face[3], const struct hatch_piece_view *view,
+                                   hatch_piece_visit visit, void *context, struct hatch_err *err)
 {
     struct cutting c = {.view = view, .least = view->near, .visit = visit, .context = context};
     if (view->orthographic)
-        c.least = fmax(fmax(fabs(view->low[0]), fabs(view->high[0])),
-                       fmax(fabs(view->low[1]), fabs(view->high[1])));
+        c.least = fmax(fmax(fabs(view->low[0]), fabs(view->high[0])), fmax(fabs(view->low[1]), fabs(view->high[1])));
     const piece corner = {&face[0], &face[1], &face[2]};
     return cut(&c, corner, LEVELS, err);
 }

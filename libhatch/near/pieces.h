@@ -13,7 +13,7 @@
 struct hatch_piece_corner {
     struct hatch_pair at[3]; /* in the camera's coordinates: right, up, back; the eye is at 0 0 0 */
     struct hatch_pair uv[2];
-    double weight[3];        /* of the face's corners; their sum is 1 */
+    double weight[3]; /* of the face's corners; their sum is 1 */
 };
 
 /* What a picture shows of the camera's coordinates. */
@@ -26,16 +26,14 @@ struct hatch_piece_view {
 };
 
 /* Takes a piece, whose corners live until it returns; what it fails with ends the cutting. */
-typedef enum hatch_status (*hatch_piece_visit)(void *context,
-                                               const struct hatch_piece_corner *const corner[3],
+typedef enum hatch_status (*hatch_piece_visit)(void *context, const struct hatch_piece_corner *const corner[3],
                                                struct hatch_err *err);
 
 /* Calls visit for each piece of a face that may be seen; pieces keep the face's winding. Edges are cut in
  * the middle, by their length and place alone: pieces of faces that share an edge meet corner to corner
  * where both are seen. The pieces are some tens for each doubling of the distance. Fails as visit does. */
-enum hatch_status hatch_pieces_cut(const struct hatch_piece_corner face[3],
-                                   const struct hatch_piece_view *view, hatch_piece_visit visit,
-                                   void *context, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_pieces_cut(const struct hatch_piece_corner face[3], const struct hatch_piece_view *view,
+                                   hatch_piece_visit visit, void *context, struct hatch_err *err) HATCH_MUST_USE;
 
 /* How far a point at 0 0 0 is from a triangle, in doubles. */
 double hatch_piece_distance(const double corner[3][3]);

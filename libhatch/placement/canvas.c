@@ -3,12 +3,10 @@
 #include <string.h>
 
 enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
-                                    const struct hatch_brush *brush, uint32_t size_px, uint32_t levels,
-                                    bool color, bool ids, struct hatch_canvas *canvas,
-                                    struct hatch_err *err)
+                                    const struct hatch_brush *brush, uint32_t size_px, uint32_t levels, bool color,
+                                    bool ids, struct hatch_canvas *canvas, struct hatch_err *err)
 {
-    struct hatch_canvas made = {
-        .style = style, .brush = brush, .size_px = size_px, .levels = levels};
+    struct hatch_canvas made = {.style = style, .brush = brush, .size_px = size_px, .levels = levels};
     for (uint32_t level = 0; level < levels; level++) {
         size_t pixels = (size_t)(size_px >> level) * (size_px >> level);
         made.paper[level] = HATCH_NEW(arena, float, pixels, err);
@@ -27,10 +25,8 @@ enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatc
         if (!made.id[level] || !made.along[level])
             return HATCH_LIMIT;
     }
-    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px,
-                                   &made.footprint, err));
-    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.before,
-                                   err));
+    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.footprint, err));
+    HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.before, err));
     made.change = HATCH_NEW(arena, float, made.footprint.capacity, err);
     if (!made.change)
         return HATCH_LIMIT;
@@ -83,11 +79,10 @@ static float width_scale(float scale)
     return (1 + scale) * 0.5f;
 }
 
-double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
-                        float scale)
+double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level, float scale)
 {
-    hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale,
-                         width_scale(scale), &canvas->footprint);
+    hatch_footprint_draw(stroke, canvas->brush, hatch_canvas_size(canvas, level), scale, width_scale(scale),
+                         &canvas->footprint);
     return measure_change(canvas, stroke, level);
 }
 
@@ -110,8 +105,7 @@ void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *s
     struct hatch_footprint *f = &canvas->footprint;
     hatch_footprint_draw(stroke, canvas->brush, size_px, scale, width_scale(scale), f);
     if (scale_before > 0 && canvas->style->overlap != HATCH_OVERLAP_FLAT) {
-        hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, width_scale(scale_before),
-                             &canvas->before);
+        hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, width_scale(scale_before), &canvas->before);
         hatch_footprint_remove(f, &canvas->before);
     }
     canvas->darkness[level] += measure_change(canvas, stroke, level);

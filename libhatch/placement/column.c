@@ -5,9 +5,8 @@
 
 #include "filter/pyramid.h"
 
-enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t levels, uint64_t seed,
-                                     float growth, struct hatch_arena *arena,
-                                     struct hatch_tam_label *label, struct hatch_err *err)
+enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
+                                     struct hatch_arena *arena, struct hatch_tam_label *label, struct hatch_err *err)
 {
     char text[24];
     int digits = snprintf(text, sizeof text, "%" PRIu64, seed);
@@ -19,14 +18,13 @@ enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t l
 }
 
 /* Joins reflectance, id and t of one level into the image. */
-static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level,
-                                  struct hatch_arena *scratch, struct hatch_image *image,
-                                  struct hatch_err *err)
+static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level, struct hatch_arena *scratch,
+                                  struct hatch_image *image, struct hatch_err *err)
 {
     size_t pixels = (size_t)image->width * image->height;
     uint32_t inks = image->channel_count, channels = inks + 2;
     const float *ink = image->pixels;
-    float *joined = HATCH_NEW(scratch, float, channels * pixels, err);
+    float *joined = HATCH_NEW(scratch, float, channels *pixels, err);
     if (!joined)
         return HATCH_LIMIT;
     for (size_t i = 0; i < pixels; i++) {
@@ -81,10 +79,9 @@ static enum hatch_status column_of(const struct hatch_canvas *canvas, struct hat
     return HATCH_OK;
 }
 
-enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas,
-                                       const struct hatch_tam_label *label, uint32_t tone, float target,
-                                       struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
-                                       struct hatch_err *err)
+enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_label *label,
+                                       uint32_t tone, float target, struct hatch_arena *scratch, hatch_tam_sink sink,
+                                       void *context, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};

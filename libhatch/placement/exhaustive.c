@@ -6,7 +6,7 @@
 struct line {
     float x, y, cosine, sine;
     float bend_rad;
-    float length;   /* fraction of the tile */
+    float length; /* fraction of the tile */
     float width_px;
 };
 
@@ -50,17 +50,19 @@ static float added_darkness(const struct line *line, const struct hatch_brush *b
     return sum * step_along * step_across / ((float)size * (float)size);
 }
 
-struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas,
-                                             float *pyramids[][HATCH_MIP_LEVELS_MAX],
+struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas, float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice)
 {
     struct hatch_stroke best = {0};
     float best_goodness = -1;
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct hatch_stroke stroke = hatch_candidate(canvas->style, choice, c);
-        struct line line = {stroke.x, stroke.y, (float)cos((double)stroke.angle_rad),
+        struct line line = {stroke.x,
+                            stroke.y,
+                            (float)cos((double)stroke.angle_rad),
                             (float)sin((double)stroke.angle_rad),
-                            stroke.bend_rad * choice->scale, stroke.length * choice->scale,
+                            stroke.bend_rad * choice->scale,
+                            stroke.length * choice->scale,
                             stroke.width_px};
         float gain = 0;
         for (uint32_t level = 0; level <= choice->level; level++) {

@@ -18,19 +18,18 @@ struct filler {
     const struct hatch_style *style;
     const struct hatch_fill_options *options;
     struct hatch_canvas canvas;
-    struct hatch_potential field;                        /* method FIELD */
+    struct hatch_potential field;                                /* method FIELD */
     float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
     float targets[HATCH_TAM_TONES_MAX];
     double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on each level; 0: none was */
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
-    uint64_t choices;      /* made so far; also the stream of the next one's random numbers */
-    float *scale;          /* of each stroke: the share of its full size that it is drawn at */
+    uint64_t choices; /* made so far; also the stream of the next one's random numbers */
+    float *scale;     /* of each stroke: the share of its full size that it is drawn at */
     uint32_t scale_capacity;
 };
 
-static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *arena,
-                                       struct hatch_err *err)
+static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *arena, struct hatch_err *err)
 {
     for (uint32_t level = 0; level < f->options->levels; level++) {
         f->pyramids[level][0] = f->canvas.paper[level];
@@ -107,8 +106,7 @@ static struct hatch_stroke place(struct filler *f, const struct hatch_choice *ch
 }
 
 /* Appends the stroke and remembers its size. */
-static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke, float scale,
-                                  struct hatch_err *err)
+static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke, float scale, struct hatch_err *err)
 {
     if (f->strokes.count == f->scale_capacity) {
         uint32_t capacity = f->scale_capacity ? 2 * f->scale_capacity : 1024;
@@ -230,9 +228,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
     struct hatch_tam_label label;
     HATCH_TRY(hatch_column_label(style, options->levels, options->seed, options->growth, arena, &label, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px,
-                                                 options->levels, options->color, options->ids,
-                                                 &f.canvas, err);
+    enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px, options->levels,
+                                                 options->color, options->ids, &f.canvas, err);
     if (status == HATCH_OK)
         status = options->method == HATCH_FILL_FIELD
                      ? hatch_potential_make(scratch, options->size_px, options->levels, brush, &f.field, err)
@@ -241,8 +238,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct h
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)
-            status = hatch_column_deliver(&f.canvas, &label, tone, f.targets[tone], scratch, sink, context,
-                                          err);
+            status = hatch_column_deliver(&f.canvas, &label, tone, f.targets[tone], scratch, sink, context, err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && list)

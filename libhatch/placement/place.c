@@ -36,9 +36,7 @@ struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struc
         .texture_seed = (uint32_t)shape,
         .rgb = {choice->rgb[0], choice->rgb[1], choice->rgb[2]},
     };
-    float jitter = style->jitter_rad > 0
-                       ? style->jitter_rad * normal(choice->seed, choice->number, index + 2)
-                       : 0;
+    float jitter = style->jitter_rad > 0 ? style->jitter_rad * normal(choice->seed, choice->number, index + 2) : 0;
     if (style->bend_max_rad > 0) {
         uint64_t bend = hatch_random_u64(choice->seed, choice->number, index + 14);
         float most = style->bend_max_rad - style->bend_min_rad;

@@ -7,12 +7,12 @@
 
 /* What one choice starts from. */
 struct hatch_choice {
-    uint64_t seed, number;      /* the number of this choice: the stream of its random numbers */
-    uint32_t level;             /* coarsest level that receives the stroke */
+    uint64_t seed, number; /* the number of this choice: the stream of its random numbers */
+    uint32_t level;        /* coarsest level that receives the stroke */
     uint32_t candidates;
-    float length_max;           /* fraction of the tile: the style's, or less for a last, small gap */
-    float scale;                /* share of its full length at which the stroke is first drawn */
-    float rgb[3];               /* what it is drawn in */
+    float length_max; /* fraction of the tile: the style's, or less for a last, small gap */
+    float scale;      /* share of its full length at which the stroke is first drawn */
+    float rgb[3];     /* what it is drawn in */
     uint32_t direction_count;
     float directions[HATCH_STYLE_DIRECTIONS_MAX]; /* angles to draw from */
 };
@@ -28,8 +28,7 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
 /* The best candidate by the paper's goodness, footprint by footprint: the sum over all receiving levels
  * and all levels of each one's image pyramid of the darkness that the stroke adds, over its length.
  * pyramids: of every level, box-filtered paper, [level][p]. */
-struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas,
-                                             float *pyramids[][HATCH_MIP_LEVELS_MAX],
+struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas, float *pyramids[][HATCH_MIP_LEVELS_MAX],
                                              const struct hatch_choice *choice);
 
 #endif

@@ -27,8 +27,8 @@ static void spread_ink(const struct hatch_brush *brush, uint32_t parts, float *s
 }
 
 enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   const struct hatch_brush *brush, struct hatch_potential *field,
-                                   struct hatch_err *err)
+                                       const struct hatch_brush *brush, struct hatch_potential *field,
+                                       struct hatch_err *err)
 {
     struct hatch_potential made = {.canvas_size_px = canvas_size_px, .levels = levels, .reach = levels};
     /* Measured: cells of two pixels at 256, of four at 1024, of eight at 4096 are as even as finer ones,
@@ -42,13 +42,13 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     made.potential = HATCH_NEW(arena, float, cells, err);
     made.row = HATCH_NEW(arena, float, made.size + 2, err);
     made.used = HATCH_NEW(arena, bool, made.size, err);
-    made.share = HATCH_NEW(arena, float, HATCH_POTENTIAL_PARTS * (HATCH_POTENTIAL_PARTS + 1) / 2, err);
+    made.share = HATCH_NEW(arena, float, HATCH_POTENTIAL_PARTS *(HATCH_POTENTIAL_PARTS + 1) / 2, err);
     if (!made.potential || !made.row || !made.used || !made.share)
         return HATCH_LIMIT;
     for (uint32_t parts = 1; parts <= HATCH_POTENTIAL_PARTS; parts++)
         spread_ink(brush, parts, shares_of(made.share, parts));
     for (uint32_t size = made.size; size >= 2; size /= 2) {
-        float *octave = HATCH_NEW(arena, float, (size_t)size * size, err);
+        float *octave = HATCH_NEW(arena, float, (size_t)size *size, err);
         if (!octave)
             return HATCH_LIMIT;
         made.octave[made.octaves++] = octave;
@@ -56,7 +56,7 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     for (uint32_t level = 0; level < levels; level++) {
         uint32_t size = canvas_size_px >> level, grid = size < made.size ? size : made.size;
         made.grid[level] = grid;
-        made.darkness[level] = HATCH_NEW(arena, float, (size_t)grid * grid, err);
+        made.darkness[level] = HATCH_NEW(arena, float, (size_t)grid *grid, err);
         if (!made.darkness[level])
             return HATCH_LIMIT;
     }
@@ -149,8 +149,7 @@ static void reduce(const float *fine, uint32_t size, const bool *used, float *pa
         row[-1] = row[mask];
         row[size] = row[0];
         for (uint32_t x = 0; x < half; x++)
-            out[x] = ((padded[2 * x] + padded[2 * x + 3]) + 3 * (padded[2 * x + 1] + padded[2 * x + 2])) *
-                     0.125f;
+            out[x] = ((padded[2 * x] + padded[2 * x + 3]) + 3 * (padded[2 * x + 1] + padded[2 * x + 2])) * 0.125f;
     }
 }
 
@@ -221,8 +220,7 @@ static void turn(struct walk *walk)
 
 /* The steps of an arc are its chords; the first sample lies half of what all of them turn before the
  * middle. */
-static void bend_walk(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples,
-                      struct walk *walk)
+static void bend_walk(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples, struct walk *walk)
 {
     double angle = (double)stroke->bend_rad / samples, back = angle * (samples - 1) / 2;
     double radius = (double)cells / (double)stroke->bend_rad;
@@ -255,7 +253,7 @@ static struct walk walk_of(const struct hatch_stroke *stroke, float size, float 
 }
 
 float hatch_potential_score(const struct hatch_potential *field, const struct hatch_stroke *stroke,
-                        uint32_t samples_max)
+                            uint32_t samples_max)
 {
     float size = (float)field->size;
     float cells = stroke->length * size;

@@ -16,25 +16,25 @@
 #define HATCH_POTENTIAL_PARTS 64u
 
 struct hatch_potential {
-    uint32_t size;      /* cells each way, a power of two */
+    uint32_t size; /* cells each way, a power of two */
     uint32_t octaves;
-    float *potential;   /* size² cells */
-    float *share;       /* of the ink: [n * (n - 1) / 2 + i] is in part i of n along the stroke, n = 1 ..
-                           HATCH_POTENTIAL_PARTS; the shares of one n sum to 1 */
+    float *potential; /* size² cells */
+    float *share;     /* of the ink: [n * (n - 1) / 2 + i] is in part i of n along the stroke, n = 1 ..
+                         HATCH_POTENTIAL_PARTS; the shares of one n sum to 1 */
     float *octave[HATCH_POTENTIAL_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
-    bool *used;         /* rows of octave[0] that hold something */
-    float *row;         /* work: one row and a cell on either side */
+    bool *used;                                 /* rows of octave[0] that hold something */
+    float *row;                                 /* work: one row and a cell on either side */
     uint32_t canvas_size_px, levels;
-    uint32_t reach;     /* the potential is that of levels 0 .. reach - 1 */
-    float *darkness[HATCH_MIP_LEVELS_MAX];  /* of each canvas level, averaged over cells */
-    uint32_t grid[HATCH_MIP_LEVELS_MAX];    /* its size: the field's, or the level's if smaller */
+    uint32_t reach;                        /* the potential is that of levels 0 .. reach - 1 */
+    float *darkness[HATCH_MIP_LEVELS_MAX]; /* of each canvas level, averaged over cells */
+    uint32_t grid[HATCH_MIP_LEVELS_MAX];   /* its size: the field's, or the level's if smaller */
 };
 
 /* A field for a white canvas, turned to all its levels, and for strokes of that brush. canvas_size_px: a power of
  * two. */
 enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
-                                   const struct hatch_brush *brush, struct hatch_potential *field,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                       const struct hatch_brush *brush, struct hatch_potential *field,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
  * those levels. Costs nothing where it was the last that the field turned to. */
@@ -50,6 +50,6 @@ void hatch_potential_settle(struct hatch_potential *field);
 /* The mean potential along the stroke's centre line, weighted by where the brush holds its ink, from at
  * most samples_max evenly spaced places: the lower the better. */
 float hatch_potential_score(const struct hatch_potential *field, const struct hatch_stroke *stroke,
-                        uint32_t samples_max);
+                            uint32_t samples_max);
 
 #endif

@@ -30,8 +30,8 @@ struct replay {
     uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* the column in which a level first has the stroke, from 1 */
     uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* strokes before it were looked at in their order */
     struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of each coarser level's own strokes */
-    struct lot *lots;                           /* strokes in the order in which fit takes them */
-    double largest;                             /* darkness that a stroke added or would have added */
+    struct lot *lots;                                      /* strokes in the order in which fit takes them */
+    double largest;                                        /* darkness that a stroke added or would have added */
     struct hatch_replay_result result;
 };
 
@@ -139,8 +139,7 @@ static void choose_emptiest(struct replay *r, uint32_t level, uint32_t from, uin
 }
 
 /* Takes the stroke that brings the image closest, of those left in the lots from `from` on. */
-static void close_gap(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from,
-                      uint32_t count)
+static void close_gap(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from, uint32_t count)
 {
     double missing = target - r->canvas.darkness[level], best_left = fabs(missing);
     uint32_t best = UINT32_MAX;
@@ -191,8 +190,7 @@ static void fill_image(struct replay *r, uint32_t level, uint32_t tone)
 static void mean_chroma(const struct replay *r, uint32_t level, double chroma[2])
 {
     uint32_t size = hatch_canvas_size(&r->canvas, level);
-    struct hatch_image image = {
-        .width = size, .height = size, .channel_count = 3, .pixels = r->canvas.rgb[level]};
+    struct hatch_image image = {.width = size, .height = size, .channel_count = 3, .pixels = r->canvas.rgb[level]};
     hatch_color_chroma(&image, chroma);
 }
 
@@ -205,8 +203,7 @@ static void compare_colors(struct replay *r)
         double off = hypot(chroma[0] - finest[0], chroma[1] - finest[1]);
         r->result.chroma_error = fmaxf(r->result.chroma_error, (float)off);
         if (hypot(finest[0], finest[1]) >= HATCH_COLOR_CHROMA_MIN)
-            r->result.hue_error_deg =
-                fmaxf(r->result.hue_error_deg, (float)hatch_color_hue_between(finest, chroma));
+            r->result.hue_error_deg = fmaxf(r->result.hue_error_deg, (float)hatch_color_hue_between(finest, chroma));
     }
 }
 
@@ -223,18 +220,16 @@ static double draw_all(const struct replay *r, struct hatch_canvas *canvas)
 }
 
 /* Room for the longest and the widest stroke. style is kept by the canvas. */
-static enum hatch_status make_canvas(const struct replay *r, const struct hatch_brush *brush,
-                                     uint32_t levels, bool ids, struct hatch_style *style,
-                                     struct hatch_arena *scratch, struct hatch_canvas *canvas,
-                                     struct hatch_err *err)
+static enum hatch_status make_canvas(const struct replay *r, const struct hatch_brush *brush, uint32_t levels, bool ids,
+                                     struct hatch_style *style, struct hatch_arena *scratch,
+                                     struct hatch_canvas *canvas, struct hatch_err *err)
 {
     *style = *r->style;
     for (uint32_t i = 0; i < r->count; i++) {
         style->length_max = fmaxf(style->length_max, r->strokes[i].length);
         style->width_px = fmaxf(style->width_px, r->strokes[i].width_px);
     }
-    return hatch_canvas_make(scratch, style, brush, r->options->size_px, levels, r->options->color, ids, canvas,
-                             err);
+    return hatch_canvas_make(scratch, style, brush, r->options->size_px, levels, r->options->color, ids, canvas, err);
 }
 
 static enum hatch_status set_targets(struct replay *r, const struct hatch_brush *brush, const float *targets,
@@ -258,12 +253,11 @@ static enum hatch_status set_targets(struct replay *r, const struct hatch_brush 
     return HATCH_OK;
 }
 
-static enum hatch_status make_lists(struct replay *r, const struct hatch_brush *brush,
-                                    struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status make_lists(struct replay *r, const struct hatch_brush *brush, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
 {
     for (uint32_t level = 1; r->options->fit && level < r->options->levels; level++)
-        HATCH_TRY(hatch_potential_make(scratch, r->options->size_px, r->options->levels, brush,
-                                       &r->field[level], err));
+        HATCH_TRY(hatch_potential_make(scratch, r->options->size_px, r->options->levels, brush, &r->field[level], err));
     for (uint32_t level = 0; level < r->options->levels; level++) {
         r->entered[level] = HATCH_NEW(scratch, uint16_t, r->count, err);
         if (!r->entered[level])
@@ -294,8 +288,8 @@ static void note_places(const struct replay *r, struct hatch_stroke_list *list)
 }
 
 static enum hatch_status replay(struct replay *r, const struct hatch_brush *brush, const float *targets,
-                                const struct hatch_tam_label *label, struct hatch_arena *scratch,
-                                hatch_tam_sink sink, void *context, struct hatch_err *err)
+                                const struct hatch_tam_label *label, struct hatch_arena *scratch, hatch_tam_sink sink,
+                                void *context, struct hatch_err *err)
 {
     struct hatch_style style;
     HATCH_TRY(set_targets(r, brush, targets, scratch, err));

@@ -8,13 +8,13 @@
 
 struct hatch_replay_options {
     uint32_t size_px, tones, levels; /* as for filling; levels: 1 .. HATCH_STROKE_LEVELS_MAX */
-    uint64_t seed;    /* of the strokes that are thrown out */
-    bool ids, color;  /* color: columns hold R, G and B */
+    uint64_t seed;                   /* of the strokes that are thrown out */
+    bool ids, color;                 /* color: columns hold R, G and B */
     /* How an image of a coarser level chooses from the strokes of the next finer one. Below 1: the share of
      * the drawing that is kept, at random, from level to level, before the first ones are taken until the
      * tone is met; 1: the first ones. */
     float keep;
-    bool fit;         /* take of each tone's new strokes the share that meets it, found stroke by stroke */
+    bool fit; /* take of each tone's new strokes the share that meets it, found stroke by stroke */
 };
 
 /* A tone error that nobody sees. Chroma and hue are those of image/color.h. */
@@ -42,7 +42,6 @@ enum hatch_status hatch_tam_replay(const struct hatch_style *style, const struct
                                    const struct hatch_replay_options *options, const float *targets,
                                    struct hatch_stroke_list *strokes, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
-                                   struct hatch_replay_result *result, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                   struct hatch_replay_result *result, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

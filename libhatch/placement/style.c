@@ -75,7 +75,11 @@ struct number_key {
 static const struct number_key number_keys[] = {
     {"width", 1, 0.5, 64, 1, {AT(width_px), 0}},
     {"length", 2, 0, 4, 1, {AT(length_min), AT(length_max)}},
-    {"bend", 2, 0, HATCH_STROKE_BEND_MAX / RADIANS_PER_DEGREE, RADIANS_PER_DEGREE,
+    {"bend",
+     2,
+     0,
+     HATCH_STROKE_BEND_MAX / RADIANS_PER_DEGREE,
+     RADIANS_PER_DEGREE,
      {AT(bend_min_rad), AT(bend_max_rad)}},
     {"jitter", 1, 0, 90, RADIANS_PER_DEGREE, {AT(jitter_rad), 0}},
     {"ink", 1, 0.01, 1, 1, {AT(ink), 0}},
@@ -83,8 +87,8 @@ static const struct number_key number_keys[] = {
     {"gamma", 1, 0.1, 10, 1, {AT(tone_gamma), 0}},
 };
 
-static enum hatch_status take_number(struct hatch_text *rest, const char *key, double low, double high,
-                                     double *value, struct hatch_err *err)
+static enum hatch_status take_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
+                                     struct hatch_err *err)
 {
     struct hatch_text word;
     if (!hatch_text_word(rest, &word))
@@ -110,8 +114,8 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
     r->directions_given = true;
     if (r->style.direction_count == HATCH_STYLE_DIRECTIONS_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "direction: more than %u", HATCH_STYLE_DIRECTIONS_MAX);
-    r->style.directions[r->style.direction_count++] = (struct hatch_style_direction){
-        (float)(angle * RADIANS_PER_DEGREE), (float)from, (float)to};
+    r->style.directions[r->style.direction_count++] =
+        (struct hatch_style_direction){(float)(angle * RADIANS_PER_DEGREE), (float)from, (float)to};
     return HATCH_OK;
 }
 
@@ -185,8 +189,7 @@ static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r
     return hatch_fail(err, HATCH_BAD_INPUT, "overlap: want darkens, flat or covers");
 }
 
-static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r,
-                                         struct hatch_err *err)
+static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double light, dark;
     HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &light, err));
@@ -202,15 +205,14 @@ static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, s
 {
     struct hatch_text word;
     if (!hatch_text_word(rest, &word) || word.length >= sizeof r->style.name)
-        return hatch_fail(err, HATCH_BAD_INPUT, "name: want one word of up to %zu bytes",
-                          sizeof r->style.name - 1);
+        return hatch_fail(err, HATCH_BAD_INPUT, "name: want one word of up to %zu bytes", sizeof r->style.name - 1);
     memset(r->style.name, 0, sizeof r->style.name);
     memcpy(r->style.name, word.at, word.length);
     return HATCH_OK;
 }
 
-static enum hatch_status read_numbers(const struct number_key *key, struct hatch_text *rest,
-                                      struct reading *r, struct hatch_err *err)
+static enum hatch_status read_numbers(const struct number_key *key, struct hatch_text *rest, struct reading *r,
+                                      struct hatch_err *err)
 {
     for (uint32_t i = 0; i < key->count; i++) {
         double value;
@@ -224,12 +226,8 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 static const struct {
     const char *name;
     enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
-} keys[] = {{"name", read_name},
-            {"brush", read_brush},
-            {"direction", read_direction},
-            {"overlap", read_overlap},
-            {"color", read_color},
-            {"candidates", read_candidates}};
+} keys[] = {{"name", read_name},       {"brush", read_brush}, {"direction", read_direction},
+            {"overlap", read_overlap}, {"color", read_color}, {"candidates", read_candidates}};
 
 static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
 {
@@ -280,8 +278,7 @@ static enum hatch_status check_ranges(const struct hatch_style *style, struct ha
     return HATCH_OK;
 }
 
-enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
-                                    struct hatch_err *err)
+enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style, struct hatch_err *err)
 {
     struct reading r = {.style = *style};
     struct hatch_text rest = hatch_text_of(text), line;

@@ -36,19 +36,19 @@ struct hatch_style_color {
 struct hatch_style {
     char name[HATCH_NAME_MAX];
     enum hatch_brush_kind brush;
-    char brush_file[256];      /* brush image: a path, relative to the style's file */
-    float width_px;            /* 0.5 .. 64, equal on every level */
-    float length_min, length_max; /* fractions of the tile, 0 .. 4; 0 0 makes dots */
-    float jitter_rad;          /* standard deviation of the orientation */
-    float ink;                 /* 0 .. 1: how dark one stroke is */
+    char brush_file[256];             /* brush image: a path, relative to the style's file */
+    float width_px;                   /* 0.5 .. 64, equal on every level */
+    float length_min, length_max;     /* fractions of the tile, 0 .. 4; 0 0 makes dots */
+    float jitter_rad;                 /* standard deviation of the orientation */
+    float ink;                        /* 0 .. 1: how dark one stroke is */
     float bend_min_rad, bend_max_rad; /* how far a stroke turns, to either side, 0 .. HATCH_STROKE_BEND_MAX */
     enum hatch_overlap overlap;
-    float tone_max;            /* target darkness of the last column, 0 .. 1 */
+    float tone_max; /* target darkness of the last column, 0 .. 1 */
     bool tone_max_given;
-    float tone_gamma;          /* 0.1 .. 10: 1 is even steps of darkness from white, which is implicit */
+    float tone_gamma; /* 0.1 .. 10: 1 is even steps of darkness from white, which is implicit */
     uint32_t direction_count;
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
-    uint32_t color_count;      /* 0: black */
+    uint32_t color_count; /* 0: black */
     struct hatch_style_color colors[HATCH_STYLE_COLORS_MAX];
     uint32_t candidates_light, candidates_dark; /* 1000 falling to 100 (§4) */
 };

@@ -37,8 +37,7 @@ static void turn_normal(double cofactor[3][3], double determinant, const float *
 {
     double turned[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
-        hatch_vec_add_scaled(turned, (determinant < 0 ? -1 : 1) * (double)normal[k], cofactor[k],
-                             turned);
+        hatch_vec_add_scaled(turned, (determinant < 0 ? -1 : 1) * (double)normal[k], cofactor[k], turned);
     hatch_vec_normalize(turned);
     hatch_vec_round(turned, out);
 }
@@ -60,8 +59,7 @@ static void add_mesh(struct flat *f, const struct hatch_mesh *mesh, const float 
     for (uint32_t i = 0; i < mesh->face_count; i++)
         for (uint32_t c = 0; c < 3; c++) {
             uint32_t from = determinant < 0 ? (3 - c) % 3 : c;
-            f->mesh.indices[(size_t)(f->face + i) * 3 + c] =
-                mesh->indices[(size_t)i * 3 + from] + f->vertex;
+            f->mesh.indices[(size_t)(f->face + i) * 3 + c] = mesh->indices[(size_t)i * 3 + from] + f->vertex;
         }
     f->vertex += mesh->vertex_count;
     f->face += mesh->face_count;
@@ -86,8 +84,7 @@ static struct totals count(const struct hatch_scene *scene)
     return t;
 }
 
-static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena,
-                                 struct hatch_err *err)
+static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena, struct hatch_err *err)
 {
     static const float still[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     HATCH_TRY(hatch_mesh_make(arena, (uint32_t)total.vertices, (uint32_t)total.faces, &f->mesh, err));
@@ -105,15 +102,13 @@ static enum hatch_status flatten(struct flat *f, struct totals total, struct hat
 }
 
 enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct totals total = count(scene);
     if (total.faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "the scene has no faces");
     if (total.faces > UINT32_MAX / 3 - 1 || total.vertices > UINT32_MAX - 1)
-        return hatch_fail(err, HATCH_LIMIT, "the scene's instances have %llu faces",
-                          (unsigned long long)total.faces);
+        return hatch_fail(err, HATCH_LIMIT, "the scene's instances have %llu faces", (unsigned long long)total.faces);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *world = HATCH_NEW(scratch, float, (size_t)scene->node_count * 16, err);
     if (!world)

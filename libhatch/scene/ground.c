@@ -23,7 +23,7 @@ static void lay_down(struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
 }
 
 enum hatch_status hatch_scene_add_ground(struct hatch_scene *scene, double share, struct hatch_arena *arena,
-                             struct hatch_arena *scratch, struct hatch_err *err)
+                                         struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_shape_options how = {.faces = FACES, .seed = 1};
     struct hatch_bounds bounds;

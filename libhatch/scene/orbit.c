@@ -8,12 +8,10 @@ static void place(struct hatch_orbit *orbit)
 {
     struct hatch_view *view = &orbit->view;
     double level = cos(orbit->elevation_rad);
-    hatch_view_set_back(view, (const double[3]){level * sin(orbit->azimuth_rad),
-                                          sin(orbit->elevation_rad),
-                                          level * cos(orbit->azimuth_rad)});
+    hatch_view_set_back(view, (const double[3]){level * sin(orbit->azimuth_rad), sin(orbit->elevation_rad),
+                                                level * cos(orbit->azimuth_rad)});
     for (int k = 0; k < 3; k++) {
-        struct hatch_pair eye =
-            hatch_pair_add(orbit->middle[k], hatch_pair_product(orbit->distance, view->back[k]));
+        struct hatch_pair eye = hatch_pair_add(orbit->middle[k], hatch_pair_product(orbit->distance, view->back[k]));
         view->eye[k] = eye.high;
         view->eye_rest[k] = eye.low;
     }
@@ -41,8 +39,7 @@ void hatch_orbit_start(struct hatch_orbit *orbit, const struct hatch_view *view)
 void hatch_orbit_turn(struct hatch_orbit *orbit, double azimuth_rad, double elevation_rad)
 {
     orbit->azimuth_rad += azimuth_rad;
-    orbit->elevation_rad =
-        fmax(-POLE_RAD, fmin(POLE_RAD, orbit->elevation_rad + elevation_rad));
+    orbit->elevation_rad = fmax(-POLE_RAD, fmin(POLE_RAD, orbit->elevation_rad + elevation_rad));
     place(orbit);
 }
 

@@ -5,8 +5,8 @@
 
 #include "math/vector.h"
 
-enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_arena *arena,
-                            struct hatch_pose *pose, struct hatch_err *err)
+enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_pose *pose,
+                                  struct hatch_err *err)
 {
     uint32_t joints = 0, targets = 0;
     for (uint32_t i = 0; i < scene->skin_count; i++)
@@ -54,8 +54,8 @@ bool hatch_pose_normal_matrix(const double m[16], double normal[9])
     return det < 0;
 }
 
-static void blend_joints(const float *joints, const float *ids, const float *weights,
-                         uint32_t joint_count, double matrix[16])
+static void blend_joints(const float *joints, const float *ids, const float *weights, uint32_t joint_count,
+                         double matrix[16])
 {
     memset(matrix, 0, 16 * sizeof *matrix);
     double sum = 0;
@@ -86,8 +86,7 @@ static void transform_normal(const double matrix[16], const double in[3], float 
         out[r] = length > 0 ? (float)(v[r] / length) : 0.0f;
 }
 
-void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, double *positions,
-                   float *normals)
+void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, double *positions, float *normals)
 {
     hatch_pose_mesh(pose, node, &pose->scene->meshes[mesh].mesh, positions, normals);
 }
@@ -109,7 +108,7 @@ static void morph(const float *at_rest, const struct hatch_mesh_attribute *moves
 }
 
 void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_mesh *from, double *positions,
-               float *normals)
+                     float *normals)
 {
     const struct hatch_scene *scene = pose->scene;
     const float *position = hatch_mesh_find(from, "POSITION", 3);
@@ -127,12 +126,11 @@ void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_
     hatch_pose_matrix(pose, node, matrix);
     for (size_t v = 0; v < from->vertex_count; v++) {
         if (skinned)
-            blend_joints(pose->joints, ids + 4 * v, weights + 4 * v,
-                         scene->skins[skin].joint_count, matrix);
+            blend_joints(pose->joints, ids + 4 * v, weights + 4 * v, scene->skins[skin].joint_count, matrix);
         morph(position, moves, pose->weights, v, p);
         for (int r = 0; r < 3; r++)
-            positions[3 * v + (size_t)r] = matrix[r] * p[0] + matrix[4 + r] * p[1] + matrix[8 + r] * p[2] +
-                                           matrix[12 + r];
+            positions[3 * v + (size_t)r] =
+                matrix[r] * p[0] + matrix[4 + r] * p[1] + matrix[8 + r] * p[2] + matrix[12 + r];
         if (!normals || !normal)
             continue;
         morph(normal, turns, pose->weights, v, p);
@@ -140,9 +138,8 @@ void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_
     }
 }
 
-static enum hatch_status each_corner(struct hatch_pose *pose, uint32_t node, uint32_t mesh,
-                                     struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
-                                     struct hatch_err *err)
+static enum hatch_status each_corner(struct hatch_pose *pose, uint32_t node, uint32_t mesh, struct hatch_arena *scratch,
+                                     hatch_pose_visit visit, void *context, struct hatch_err *err)
 {
     const struct hatch_mesh *shape = &pose->scene->meshes[mesh].mesh;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -157,8 +154,8 @@ static enum hatch_status each_corner(struct hatch_pose *pose, uint32_t node, uin
 }
 
 enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct hatch_pose_span *span,
-                                   struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
-                                   struct hatch_err *err)
+                                         struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
+                                         struct hatch_err *err)
 {
     for (uint32_t moment = 0; moment < span->moments; moment++) {
         double share = moment ? (double)moment / (double)(span->moments - 1) : 0;
@@ -168,8 +165,7 @@ enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct h
             if (at->backdrop)
                 continue;
             for (uint32_t i = 0; i < at->mesh_count; i++)
-                HATCH_TRY(
-                    each_corner(pose, node, at->first_mesh + i, scratch, visit, context, err));
+                HATCH_TRY(each_corner(pose, node, at->first_mesh + i, scratch, visit, context, err));
         }
     }
     return HATCH_OK;
@@ -193,8 +189,7 @@ static void grow_box(void *context, const double point[3])
 }
 
 enum hatch_status hatch_pose_bounds(struct hatch_pose *pose, const struct hatch_pose_span *span,
-                              struct hatch_arena *scratch, struct hatch_bounds *bounds,
-                              struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_bounds *bounds, struct hatch_err *err)
 {
     struct box box = {.any = false};
     HATCH_TRY(hatch_pose_each_corner(pose, span, scratch, grow_box, &box, err));

@@ -10,8 +10,8 @@
 
 struct hatch_pose {
     const struct hatch_scene *scene;
-    float *world;  /* 16 per node, column-major */
-    float *joints; /* 16 per joint of the largest skin */
+    float *world;    /* 16 per node, column-major */
+    float *joints;   /* 16 per joint of the largest skin */
     double *weights; /* of the most morph targets that a mesh has */
     uint32_t animation;
     double time_s;
@@ -20,26 +20,25 @@ struct hatch_pose {
 /* Where the scene is: what the unit scene is made with. */
 struct hatch_bounds {
     double center[3];
-    double radius; /* over 0; 1 for a scene without extent */
+    double radius;  /* over 0; 1 for a scene without extent */
     double half[3]; /* of the box's sides */
-    bool empty;    /* no face anywhere */
+    bool empty;     /* no face anywhere */
 };
 
 /* Makes room; hatch_pose_at fills it. */
-enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_arena *arena,
-                            struct hatch_pose *pose, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_pose *pose,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* animation: index or HATCH_NONE. */
 void hatch_pose_at(struct hatch_pose *pose, uint32_t animation, double time_s);
 
 /* World positions (3 per vertex) and unit normals (3 per vertex, or NULL) of one mesh at one node of
  * the pose. A normal that cannot be told is 0 0 0. */
-void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, double *positions,
-                   float *normals);
+void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, double *positions, float *normals);
 
 /* The same of a mesh that is not the scene's own, but moves as the node's meshes do. */
 void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_mesh *mesh, double *positions,
-               float *normals);
+                     float *normals);
 
 /* Is a mesh's shape at a node another one from pose to pose? */
 bool hatch_pose_shapes(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh);
@@ -63,12 +62,12 @@ typedef void (*hatch_pose_visit)(void *context, const double point[3]);
 /* Calls visit with the world position of every corner of every face but of backdrops, at every moment. The pose is at
  * the last moment then. */
 enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct hatch_pose_span *span,
-                                   struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                         struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
+                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* The box around all of it, as a centre and the radius around that. */
 enum hatch_status hatch_pose_bounds(struct hatch_pose *pose, const struct hatch_pose_span *span,
-                              struct hatch_arena *scratch, struct hatch_bounds *bounds,
-                              struct hatch_err *err) HATCH_MUST_USE;
+                                    struct hatch_arena *scratch, struct hatch_bounds *bounds,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

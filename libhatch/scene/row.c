@@ -35,9 +35,8 @@ static void append_nodes(const struct hatch_scene *from, uint32_t root, struct h
     }
 }
 
-static enum hatch_status append_skins(const struct hatch_scene *from, uint32_t first_node,
-                                      struct hatch_scene *to, struct hatch_arena *arena,
-                                      struct hatch_err *err)
+static enum hatch_status append_skins(const struct hatch_scene *from, uint32_t first_node, struct hatch_scene *to,
+                                      struct hatch_arena *arena, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < from->skin_count; i++) {
         struct hatch_skin skin = from->skins[i];
@@ -51,9 +50,8 @@ static enum hatch_status append_skins(const struct hatch_scene *from, uint32_t f
     return HATCH_OK;
 }
 
-static enum hatch_status append_animations(const struct hatch_scene *from, uint32_t first_node,
-                                           struct hatch_scene *to, struct hatch_arena *arena,
-                                           struct hatch_err *err)
+static enum hatch_status append_animations(const struct hatch_scene *from, uint32_t first_node, struct hatch_scene *to,
+                                           struct hatch_arena *arena, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < from->animation_count; i++) {
         const struct hatch_animation *more = &from->animations[i];
@@ -78,8 +76,8 @@ static enum hatch_status append_animations(const struct hatch_scene *from, uint3
     return HATCH_OK;
 }
 
-static enum hatch_status append(const struct hatch_scene *from, const struct hatch_node *root,
-                                struct hatch_scene *to, struct hatch_arena *arena, struct hatch_err *err)
+static enum hatch_status append(const struct hatch_scene *from, const struct hatch_node *root, struct hatch_scene *to,
+                                struct hatch_arena *arena, struct hatch_err *err)
 {
     uint32_t place = to->node_count, first = place + 1;
     to->nodes[to->node_count++] = *root;
@@ -97,9 +95,8 @@ static enum hatch_status append(const struct hatch_scene *from, const struct hat
 }
 
 /* Arrays for all. */
-static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t count,
-                                   struct hatch_arena *arena, struct hatch_scene *made,
-                                   struct hatch_err *err)
+static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t count, struct hatch_arena *arena,
+                                   struct hatch_scene *made, struct hatch_err *err)
 {
     struct hatch_scene all = {.node_count = count};
     for (uint32_t i = 0; i < count; i++) {
@@ -122,14 +119,14 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
     made->lights = HATCH_NEW(arena, struct hatch_light, all.light_count, err);
     made->skins = HATCH_NEW(arena, struct hatch_skin, all.skin_count, err);
     made->animations = HATCH_NEW(arena, struct hatch_animation, all.animation_count, err);
-    return made->meshes && made->materials && made->textures && made->cameras && made->lights &&
-                   made->skins && made->animations
+    return made->meshes && made->materials && made->textures && made->cameras && made->lights && made->skins &&
+                   made->animations
                ? HATCH_OK
                : HATCH_LIMIT;
 }
 
 enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
-                              struct hatch_bounds *bounds, struct hatch_err *err)
+                                      struct hatch_bounds *bounds, struct hatch_err *err)
 {
     static const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -142,8 +139,8 @@ enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct ha
 }
 
 enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_t count, bool stand,
-                           struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *joined,
-                           struct hatch_err *err)
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_scene *joined, struct hatch_err *err)
 {
     struct hatch_scene made;
     struct hatch_bounds first = {.radius = 1};

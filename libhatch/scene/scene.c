@@ -112,8 +112,7 @@ static void cubic(const float *key, const float *next, uint32_t n, double span_s
     for (uint32_t i = 0; i < n; i++) {
         double from = (double)key[n + i], leave = span_s * (double)key[2 * n + i];
         double to = (double)next[n + i], arrive = span_s * (double)next[i];
-        out[i] = (2 * t3 - 3 * t2 + 1) * from + (t3 - 2 * t2 + t) * leave +
-                 (3 * t2 - 2 * t3) * to + (t3 - t2) * arrive;
+        out[i] = (2 * t3 - 3 * t2 + 1) * from + (t3 - 2 * t2 + t) * leave + (3 * t2 - 2 * t3) * to + (t3 - t2) * arrive;
     }
 }
 
@@ -176,8 +175,7 @@ static double wrap_time(double time_s, double duration_s)
     return wrapped < 0 ? wrapped + duration_s : wrapped;
 }
 
-void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s,
-                      float *world)
+void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world)
 {
     for (uint32_t i = 0; i < scene->node_count; i++) {
         float *local = &world[(size_t)i * 16];
@@ -224,11 +222,9 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
     }
 }
 
-void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world,
-                      float *joints)
+void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints)
 {
     const struct hatch_skin *s = &scene->skins[skin];
     for (uint32_t j = 0; j < s->joint_count; j++)
-        multiply(&world[(size_t)s->joints[j] * 16], &s->inverse_bind[(size_t)j * 16],
-                 &joints[(size_t)j * 16]);
+        multiply(&world[(size_t)s->joints[j] * 16], &s->inverse_bind[(size_t)j * 16], &joints[(size_t)j * 16]);
 }

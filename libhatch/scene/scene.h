@@ -12,10 +12,10 @@ enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
 
 /* Where a material reads one of its textures. */
 struct hatch_texture_use {
-    uint32_t texture;          /* index into textures, or HATCH_NONE */
-    uint32_t texcoord;         /* n of TEXCOORD_n, at most HATCH_TEXCOORD_MAX */
-    enum hatch_wrap wrap[2];   /* in u, in v */
-    bool placed;               /* its coordinates are scaled, turned from v to u and moved by what follows */
+    uint32_t texture;        /* index into textures, or HATCH_NONE */
+    uint32_t texcoord;       /* n of TEXCOORD_n, at most HATCH_TEXCOORD_MAX */
+    enum hatch_wrap wrap[2]; /* in u, in v */
+    bool placed;             /* its coordinates are scaled, turned from v to u and moved by what follows */
     float scale[2], turn_rad, offset[2];
 };
 
@@ -23,20 +23,20 @@ struct hatch_texture_use {
 
 /* A texture of normals in the tangent frame (glTF 2.0, normalTextureInfo). */
 struct hatch_normal_map {
-    bool used;                 /* else nothing of it counts; its texture is then no index */
+    bool used; /* else nothing of it counts; its texture is then no index */
     struct hatch_texture_use at;
-    float strength;            /* factor for what leans along the surface */
+    float strength; /* factor for what leans along the surface */
 };
 
 struct hatch_material {
-    float base_color[4];       /* linear, 0..1 */
+    float base_color[4]; /* linear, 0..1 */
     struct hatch_texture_use base;
     bool double_sided;
-    float alpha_cutoff;        /* 0: opaque; else texels below it are holes */
-    bool blend;                /* the file blends them: what is less than half there is a hole, alpha_cutoff 1/2 */
+    float alpha_cutoff; /* 0: opaque; else texels below it are holes */
+    bool blend;         /* the file blends them: what is less than half there is a hole, alpha_cutoff 1/2 */
     struct hatch_normal_map normals;
-    bool outline;              /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
-                                  is where a patch shows; its meshes are drawn in order over each other */
+    bool outline; /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
+                     is where a patch shows; its meshes are drawn in order over each other */
 };
 
 /* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */
@@ -52,45 +52,45 @@ struct hatch_scene_mesh {
     uint32_t file_vertices; /* vertices in the file: flat normals may have doubled some */
     bool had_texcoords;     /* TEXCOORD_0 stood in the file */
     bool had_normals;
-    bool loose;             /* the format has no way to say where faces meet: STL */
+    bool loose; /* the format has no way to say where faces meet: STL */
 };
 
 struct hatch_node {
-    uint32_t parent;          /* or HATCH_NONE; always lower than the node's own index */
+    uint32_t parent; /* or HATCH_NONE; always lower than the node's own index */
     float translation[3], rotation[4] /* x y z w */, scale[3];
-    float matrix[16];         /* column-major; used when has_matrix */
+    float matrix[16]; /* column-major; used when has_matrix */
     bool has_matrix;
     uint32_t first_mesh, mesh_count; /* range of scene.meshes */
-    float *weights;           /* of its meshes' morph targets at rest, beside those that the meshes have taken in;
-                                 NULL: 0 */
-    uint32_t skin;            /* or HATCH_NONE */
-    uint32_t camera;          /* or HATCH_NONE */
-    uint32_t light;           /* or HATCH_NONE */
-    bool backdrop;            /* around what the scene is of: pictures need not show all of it */
+    float *weights;  /* of its meshes' morph targets at rest, beside those that the meshes have taken in;
+                        NULL: 0 */
+    uint32_t skin;   /* or HATCH_NONE */
+    uint32_t camera; /* or HATCH_NONE */
+    uint32_t light;  /* or HATCH_NONE */
+    bool backdrop;   /* around what the scene is of: pictures need not show all of it */
 };
 
 struct hatch_camera {
     bool orthographic;
-    float yfov_rad;           /* perspective: 0 .. π */
-    float ymag;               /* orthographic: half the height */
-    float aspect;             /* width over height; 0: the picture's */
-    float znear, zfar;        /* zfar 0: infinite */
+    float yfov_rad;    /* perspective: 0 .. π */
+    float ymag;        /* orthographic: half the height */
+    float aspect;      /* width over height; 0: the picture's */
+    float znear, zfar; /* zfar 0: infinite */
 };
 
 enum hatch_light_type { HATCH_LIGHT_DIRECTIONAL, HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT };
 
 struct hatch_light {
     enum hatch_light_type type;
-    float color[3];           /* linear */
-    float intensity;          /* lux for directional, candela else */
-    float range;              /* 0: unlimited */
+    float color[3];  /* linear */
+    float intensity; /* lux for directional, candela else */
+    float range;     /* 0: unlimited */
     float inner_cone_rad, outer_cone_rad;
 };
 
 struct hatch_skin {
     uint32_t joint_count;
-    uint32_t *joints;         /* node indices */
-    float *inverse_bind;      /* 16 floats each, column-major */
+    uint32_t *joints;    /* node indices */
+    float *inverse_bind; /* 16 floats each, column-major */
 };
 
 enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE, HATCH_PATH_WEIGHTS };
@@ -101,9 +101,9 @@ struct hatch_animation_channel {
     enum hatch_channel_path path;
     enum hatch_interpolation interpolation;
     uint32_t key_count;
-    float *times_s;           /* rising; of equal ones the last counts */
-    float *values;            /* its width of floats a key; for CUBIC three such groups a key */
-    uint32_t targets;         /* of weights: as many as the node's meshes have */
+    float *times_s;   /* rising; of equal ones the last counts */
+    float *values;    /* its width of floats a key; for CUBIC three such groups a key */
+    uint32_t targets; /* of weights: as many as the node's meshes have */
 };
 
 /* Numbers of one value. */
@@ -133,15 +133,13 @@ struct hatch_scene {
 
 /* A scene of one node with one mesh, whose arrays stay the mesh's. */
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                      struct hatch_scene *scene, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                      struct hatch_scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The world matrix of every node, column-major, 16 floats each, at time_s of the given animation
  * (HATCH_NONE: the rest pose). Times beyond the animation's end are wrapped into it. A matrix of
  * negative determinant mirrors: the renderer then takes clockwise faces for front faces.
  * world: 16 * node_count floats. */
-void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s,
-                      float *world);
+void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
 
 /* How far the morph targets of a node's meshes count at that time. weights: count of them. */
 void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_t animation, double time_s,
@@ -149,8 +147,7 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
 
 /* The skinning matrices of a node's skin (glTF 2.0 §3.7.3): joint world × inverse bind, to be applied
  * instead of the node's own matrix. joints: 16 * joint_count floats. */
-void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world,
-                      float *joints);
+void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
 /* Everything that the nodes draw at rest as one mesh in world space: POSITION, and NORMAL and
  * TEXCOORD_0 where all meshes have them; skinned meshes as they were bound. Under a matrix that mirrors

@@ -7,7 +7,7 @@
 
 #define TURNS 24
 #define FLOAT_ERROR 0x1p-22 /* of places in the unit scene, when floats have carried them to the picture */
-#define MARGIN 0.92 /* share of the picture that a framed scene fills */
+#define MARGIN 0.92         /* share of the picture that a framed scene fills */
 
 static bool make_unit(double v[3])
 {
@@ -62,13 +62,11 @@ static void fit_point(void *context, const double point[3])
  * corner that is furthest out decides, which gives the distance and the sideways shift at once. */
 static enum hatch_status frame_scene(const struct hatch_view_choice *choice, struct hatch_pose *pose,
                                      const struct hatch_pose_span *span, const struct hatch_bounds *bounds,
-                                     struct hatch_arena *scratch, struct hatch_view *view,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
 {
     double level = cos(choice->elevation_rad);
-    hatch_view_set_back(view, (const double[3]){level * sin(choice->azimuth_rad),
-                                          sin(choice->elevation_rad),
-                                          level * cos(choice->azimuth_rad)});
+    hatch_view_set_back(view, (const double[3]){level * sin(choice->azimuth_rad), sin(choice->elevation_rad),
+                                                level * cos(choice->azimuth_rad)});
     view->half_height = tan(0.5 * choice->fov_rad);
     struct fit fit = {.view = view, .bounds = bounds, .turns = choice->turns ? TURNS : 1};
     HATCH_TRY(hatch_pose_each_corner(pose, span, scratch, fit_point, &fit, err));
@@ -92,11 +90,9 @@ struct hatch_pair hatch_view_unit(const struct hatch_bounds *bounds, int axis, d
 }
 
 /* A camera that asks for its own shape keeps all that it sees inside a picture of another shape. */
-static void set_lens(const struct hatch_camera *camera, double radius, double aspect,
-                     struct hatch_view *view)
+static void set_lens(const struct hatch_camera *camera, double radius, double aspect, struct hatch_view *view)
 {
-    double half = camera->orthographic ? (double)camera->ymag / radius
-                                       : tan(0.5 * (double)camera->yfov_rad);
+    double half = camera->orthographic ? (double)camera->ymag / radius : tan(0.5 * (double)camera->yfov_rad);
     double wanted = camera->aspect > 0 ? (double)camera->aspect : aspect;
     view->orthographic = camera->orthographic;
     view->half_height = wanted > aspect ? half * wanted / aspect : half;
@@ -106,17 +102,15 @@ static void set_lens(const struct hatch_camera *camera, double radius, double as
         view->near = fmax(view->near, 1e-7);
 }
 
-static enum hatch_status look_through(uint32_t index, const struct hatch_pose *pose,
-                                      const struct hatch_bounds *bounds, double aspect,
-                                      struct hatch_view *view, struct hatch_err *err)
+static enum hatch_status look_through(uint32_t index, const struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                                      double aspect, struct hatch_view *view, struct hatch_err *err)
 {
     const struct hatch_scene *scene = pose->scene;
     uint32_t node = 0;
     while (node < scene->node_count && scene->nodes[node].camera != index)
         node++;
     if (index >= scene->camera_count || node == scene->node_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: the scene shows %u cameras", index,
-                          scene->camera_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: the scene shows %u cameras", index, scene->camera_count);
     double world[16];
     hatch_pose_matrix(pose, node, world);
     double back[3] = {world[8], world[9], world[10]}, up[3] = {world[4], world[5], world[6]};
@@ -142,8 +136,7 @@ static enum hatch_status look_from(const struct hatch_view_choice *choice, const
     double back[3];
     for (int k = 0; k < 3; k++) {
         struct hatch_pair eye = hatch_view_unit(bounds, k, choice->eye[k]);
-        back[k] = (choice->eye[k] - (choice->has_target ? choice->target[k] : bounds->center[k])) /
-                  bounds->radius;
+        back[k] = (choice->eye[k] - (choice->has_target ? choice->target[k] : bounds->center[k])) / bounds->radius;
         view->eye[k] = eye.high;
         view->eye_rest[k] = eye.low;
     }
@@ -170,19 +163,17 @@ static uint32_t first_camera(const struct hatch_scene *scene)
 
 bool hatch_view_is_fixed(const struct hatch_view_choice *choice, const struct hatch_scene *scene)
 {
-    bool through_camera = choice->kind == HATCH_VIEW_CAMERA || (choice->kind == HATCH_VIEW_FIRST_CAMERA &&
-                                                          first_camera(scene) != HATCH_NONE);
+    bool through_camera = choice->kind == HATCH_VIEW_CAMERA ||
+                          (choice->kind == HATCH_VIEW_FIRST_CAMERA && first_camera(scene) != HATCH_NONE);
     return !through_camera;
 }
 
 enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct hatch_pose *pose,
-                            const struct hatch_pose_span *span, const struct hatch_bounds *bounds,
-                            double aspect, struct hatch_arena *scratch, struct hatch_view *view,
-                            struct hatch_err *err)
+                                  const struct hatch_pose_span *span, const struct hatch_bounds *bounds, double aspect,
+                                  struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
 {
     struct hatch_view made = {.aspect = aspect};
-    uint32_t camera =
-        choice->kind == HATCH_VIEW_FIRST_CAMERA ? first_camera(pose->scene) : choice->index;
+    uint32_t camera = choice->kind == HATCH_VIEW_FIRST_CAMERA ? first_camera(pose->scene) : choice->index;
     if (!hatch_view_is_fixed(choice, pose->scene))
         HATCH_TRY(look_through(camera, pose, bounds, aspect, &made, err));
     else if (choice->kind == HATCH_VIEW_EYE)
@@ -229,8 +220,8 @@ static void through_lens(const struct hatch_view *view, const struct hatch_tile 
     double w = view->orthographic ? column[3] : -column[2];
     for (int row = 0; row < 2; row++)
         clip[row] = (float)(scale[row] * lens[row] * column[row] + shift[row] * w);
-    double depth = view->orthographic ? (column[2] + view->far * column[3]) / (view->far - view->near)
-                                      : view->near * column[3];
+    double depth =
+        view->orthographic ? (column[2] + view->far * column[3]) / (view->far - view->near) : view->near * column[3];
     clip[2] = (float)depth;
     clip[3] = (float)w;
 }

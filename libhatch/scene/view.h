@@ -9,7 +9,7 @@
 
 struct hatch_view {
     double eye[3];
-    double eye_rest[3]; /* what doubles leave of the eye: both together are where it is */
+    double eye_rest[3];              /* what doubles leave of the eye: both together are where it is */
     double right[3], up[3], back[3]; /* unit axes; the camera looks along -back */
     bool orthographic;
     double half_height; /* perspective: of the picture at distance 1; orthographic: in units */
@@ -30,11 +30,11 @@ enum hatch_view_kind {
 struct hatch_view_choice {
     enum hatch_view_kind kind;
     uint32_t index;
-    double eye[3], target[3];            /* world coordinates */
-    bool has_target;                     /* else the scene's middle */
-    double azimuth_rad, elevation_rad;   /* FRAMED: direction to the camera, from +z towards +x */
-    double fov_rad;                      /* FRAMED and EYE: over the picture's height */
-    bool turns;                          /* FRAMED: leave room for a full turn about the vertical */
+    double eye[3], target[3];          /* world coordinates */
+    bool has_target;                   /* else the scene's middle */
+    double azimuth_rad, elevation_rad; /* FRAMED: direction to the camera, from +z towards +x */
+    double fov_rad;                    /* FRAMED and EYE: over the picture's height */
+    bool turns;                        /* FRAMED: leave room for a full turn about the vertical */
 };
 
 /* A part of a picture, in pixels from its lower left corner. */
@@ -49,9 +49,9 @@ bool hatch_view_is_fixed(const struct hatch_view_choice *choice, const struct ha
 /* Finds the view at the pose. A framed view shows all of the span's moments, and the pose is at the
  * last of them then. HATCH_BAD_INPUT for a camera that the scene has not. */
 enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct hatch_pose *pose,
-                            const struct hatch_pose_span *span, const struct hatch_bounds *bounds,
-                            double aspect, struct hatch_arena *scratch, struct hatch_view *view,
-                            struct hatch_err *err) HATCH_MUST_USE;
+                                  const struct hatch_pose_span *span, const struct hatch_bounds *bounds, double aspect,
+                                  struct hatch_arena *scratch, struct hatch_view *view,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* A coordinate of the world in the unit scene. */
 struct hatch_pair hatch_view_unit(const struct hatch_bounds *bounds, int axis, double world);
@@ -86,8 +86,8 @@ double hatch_view_pixels_per_unit(const struct hatch_view *view, const double po
 /* Moves the view's eye along its axis until it is `factor` times nearer, or with a factor under 1 further, to the
  * face that the picture's middle shows; where it shows none, to what the camera looks at. moment: begin_s of its
  * animation counts. An orthographic view stays where it is and shows less. */
-enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment, const struct hatch_bounds *bounds,
-                            double factor, struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
+                                  const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
+                                  struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -10,7 +10,7 @@ struct ray {
     const struct hatch_bounds *bounds;
     double corners[3][3]; /* of a face, from the eye */
     int corner;
-    double distance;      /* of the nearest face that it meets */
+    double distance; /* of the nearest face that it meets */
 };
 
 /* Where the axis meets a face: it lies inside when it has one sign against all three sides. */
@@ -43,8 +43,9 @@ static void take_corner(void *context, const double point[3])
         meet_face(ray);
 }
 
-enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment, const struct hatch_bounds *bounds,
-                            double factor, struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
+enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
+                                  const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
+                                  struct hatch_view *view, struct hatch_err *err)
 {
     if (view->orthographic) { /* a nearer eye shows nothing larger, and would pass the camera's near plane */
         view->half_height /= factor;

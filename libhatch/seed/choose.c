@@ -25,8 +25,8 @@ static enum hatch_status draw(struct choice *choice, uint64_t stream, struct hat
 }
 
 /* The candidate's own spread and, from the second layer on, that of all layers with it. */
-static enum hatch_status weigh(struct choice *choice, struct hatch_arena *scratch,
-                               double *goodness, struct hatch_err *err)
+static enum hatch_status weigh(struct choice *choice, struct hatch_arena *scratch, double *goodness,
+                               struct hatch_err *err)
 {
     const struct hatch_seed_set set = {choice->options->cycle.count, choice->crumbs};
     uint32_t all = choice->placed + set.count;
@@ -50,8 +50,7 @@ static uint32_t candidates_of(const struct hatch_seeds_options *options)
     return fitting > 1000 ? 1000 : fitting > 1 ? fitting : 1;
 }
 
-static enum hatch_status choose_layer(struct choice *choice, uint32_t layer,
-                                      const struct hatch_seed_set *set,
+static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, const struct hatch_seed_set *set,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t candidates = candidates_of(choice->options);
@@ -71,9 +70,8 @@ static enum hatch_status choose_layer(struct choice *choice, uint32_t layer,
     return HATCH_OK;
 }
 
-enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_seeds *seeds, uint64_t *steps,
+enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_seeds *seeds, uint64_t *steps,
                                    struct hatch_err *err)
 {
     uint32_t count = options->cycle.count;
@@ -82,15 +80,13 @@ enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
     struct choice choice = {.options = options};
     made.layers = HATCH_NEW(arena, struct hatch_seed_set, options->layers, err);
     if (made.layers)
-        choice.places = HATCH_NEW(scratch, struct hatch_seed_place,
-                                  (size_t)count * options->layers, err);
+        choice.places = HATCH_NEW(scratch, struct hatch_seed_place, (size_t)count * options->layers, err);
     choice.crumbs = choice.places ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
     enum hatch_status status = choice.crumbs ? HATCH_OK : HATCH_LIMIT;
     for (uint32_t i = 0; status == HATCH_OK && i < options->layers; i++) {
         made.layers[i].count = count;
         made.layers[i].crumbs = HATCH_NEW(arena, uint8_t, count, err);
-        status = made.layers[i].crumbs ? choose_layer(&choice, i, &made.layers[i], scratch, err)
-                                       : HATCH_LIMIT;
+        status = made.layers[i].crumbs ? choose_layer(&choice, i, &made.layers[i], scratch, err) : HATCH_LIMIT;
     }
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
@@ -99,8 +95,8 @@ enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
     return HATCH_OK;
 }
 
-enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch,
-                                     double *within, double *together, struct hatch_err *err)
+enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch, double *within,
+                                     double *together, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     size_t total = 0;

@@ -7,8 +7,8 @@
 /* A stroke's rectangle, and how much it gains where texels are asked that it touches. */
 struct reach {
     double cosine, sine, per_cosine, per_sine; /* 1 over them; 0: they are nearly 0 */
-    double along, across; /* half of the rectangle and of a texel's extent in its directions */
-    double u, v;          /* half of the box around the rectangle */
+    double along, across;                      /* half of the rectangle and of a texel's extent in its directions */
+    double u, v;                               /* half of the box around the rectangle */
     uint32_t side;
 };
 
@@ -59,9 +59,8 @@ static void span(const struct reach *reach, double u, double v, uint32_t row, ui
 }
 
 /* Counts one stroke in counts[texel + 1], or lists it at next[texel]. */
-static void put(const struct reach *reach, const struct hatch_seed_place *place,
-                const struct hatch_coverage_copy *copy, uint32_t *counts, uint32_t *next,
-                struct hatch_coverage_copy *copies)
+static void put(const struct reach *reach, const struct hatch_seed_place *place, const struct hatch_coverage_copy *copy,
+                uint32_t *counts, uint32_t *next, struct hatch_coverage_copy *copies)
 {
     double u = (double)place->u * 0x1p-64 + copy->tile_u, v = (double)place->v * 0x1p-64 + copy->tile_v;
     double side = reach->side, top = fmax(floor((v - reach->v) * side), 0);
@@ -79,8 +78,8 @@ static void put(const struct reach *reach, const struct hatch_seed_place *place,
     }
 }
 
-static void put_all(const struct hatch_seed_place *places, uint32_t count, const struct reach *reach,
-                    uint32_t *counts, uint32_t *next, struct hatch_coverage_copy *copies)
+static void put_all(const struct hatch_seed_place *places, uint32_t count, const struct reach *reach, uint32_t *counts,
+                    uint32_t *next, struct hatch_coverage_copy *copies)
 {
     for (uint32_t i = 0; i < count; i++) {
         double u = (double)places[i].u * 0x1p-64, v = (double)places[i].v * 0x1p-64;
@@ -95,8 +94,7 @@ static void put_all(const struct hatch_seed_place *places, uint32_t count, const
 
 enum hatch_status hatch_coverage_make(const struct hatch_seed_place *places, uint32_t count,
                                       const struct hatch_coverage_stroke *stroke, uint32_t side,
-                                      struct hatch_arena *arena, struct hatch_coverage *coverage,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *arena, struct hatch_coverage *coverage, struct hatch_err *err)
 {
     size_t texels = (size_t)side * side;
     struct hatch_coverage made = {.side = side};

@@ -15,9 +15,8 @@ int hatch_cycle_order(uint32_t count)
 }
 
 /* The edges, chosen or all, and a circuit through them. */
-static enum hatch_status make_circuit(const struct hatch_cycle_options *options,
-                                      struct cycle_dice *dice, struct hatch_arena *scratch,
-                                      uint8_t *crumbs, struct hatch_err *err)
+static enum hatch_status make_circuit(const struct hatch_cycle_options *options, struct cycle_dice *dice,
+                                      struct hatch_arena *scratch, uint8_t *crumbs, struct hatch_err *err)
 {
     bool all = hatch_cycle_order(options->count) > 0; /* every pattern of K crumbs, once */
     int order = 0;
@@ -35,22 +34,19 @@ static enum hatch_status make_circuit(const struct hatch_cycle_options *options,
     return hatch_cycle_circuit(edges, order, dice, scratch, crumbs, err);
 }
 
-enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options,
-                                   struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
-                                   struct hatch_err *err)
+enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, struct hatch_arena *scratch,
+                                   uint8_t *crumbs, uint64_t *steps, struct hatch_err *err)
 {
     struct cycle_dice dice = {.seed = options->seed, .stream = options->stream};
     uint64_t tried = 0;
     assert(options->count >= HATCH_CYCLE_MIN && options->count <= HATCH_CYCLE_MAX);
     if (options->method != HATCH_CYCLE_ANY && hatch_cycle_order(options->count) < 1)
-        return hatch_fail(err, HATCH_USAGE,
-                          "%u seeds: this method makes powers of four (4, 16, 64 ...)",
+        return hatch_fail(err, HATCH_USAGE, "%u seeds: this method makes powers of four (4, 16, 64 ...)",
                           options->count);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status =
         options->method == HATCH_CYCLE_BACKTRACK
-            ? hatch_cycle_backtrack(options->count, options->steps_max, &dice, scratch, crumbs,
-                                    &tried, err)
+            ? hatch_cycle_backtrack(options->count, options->steps_max, &dice, scratch, crumbs, &tried, err)
             : make_circuit(options, &dice, scratch, crumbs, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && steps)

@@ -20,7 +20,7 @@ enum hatch_cycle_method {
 
 struct hatch_cycle_options {
     enum hatch_cycle_method method;
-    uint32_t count;     /* N, HATCH_CYCLE_MIN .. HATCH_CYCLE_MAX */
+    uint32_t count; /* N, HATCH_CYCLE_MIN .. HATCH_CYCLE_MAX */
     uint64_t seed;
     uint64_t stream;    /* cycles of one seed and several streams have nothing to do with each other */
     uint64_t steps_max; /* backtrack: crumbs that may be tried; others ignore it */
@@ -29,9 +29,8 @@ struct hatch_cycle_options {
 /* Makes a cycle; crumbs: count entries. *steps (may be NULL) receives how many crumbs backtracking
  * tried, 0 for the others. HATCH_USAGE where the method cannot make that N; HATCH_LIMIT when
  * steps_max or the memory does not suffice. */
-enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options,
-                                   struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, struct hatch_arena *scratch,
+                                   uint8_t *crumbs, uint64_t *steps, struct hatch_err *err) HATCH_MUST_USE;
 
 /* K where count is 4^K, else -1. */
 int hatch_cycle_order(uint32_t count);

@@ -8,11 +8,11 @@
 
 struct search {
     uint8_t *crumbs;
-    uint8_t *spent;  /* per pattern of K crumbs */
-    uint8_t *begin;  /* per crumb: the value tried first */
-    uint8_t *tried;  /* per crumb: how many values have been tried */
+    uint8_t *spent; /* per pattern of K crumbs */
+    uint8_t *begin; /* per crumb: the value tried first */
+    uint8_t *tried; /* per crumb: how many values have been tried */
     uint32_t count;
-    int order;       /* K */
+    int order; /* K */
 };
 
 /* The pattern of K crumbs that ends with crumb number `end`, going round. */
@@ -52,8 +52,8 @@ static bool append(struct search *search, uint32_t at, uint64_t *steps)
     return false;
 }
 
-static enum hatch_status run(struct search *search, uint64_t steps_max, struct cycle_dice *dice,
-                             uint64_t *steps, struct hatch_err *err)
+static enum hatch_status run(struct search *search, uint64_t steps_max, struct cycle_dice *dice, uint64_t *steps,
+                             struct hatch_err *err)
 {
     uint32_t first = (uint32_t)search->order, at = first;
     search->spent[pattern_at(search, first - 1)] = 1;
@@ -81,8 +81,8 @@ static enum hatch_status run(struct search *search, uint64_t steps_max, struct c
 }
 
 enum hatch_status hatch_cycle_backtrack(uint32_t count, uint64_t steps_max, struct cycle_dice *dice,
-                                        struct hatch_arena *scratch, uint8_t *crumbs,
-                                        uint64_t *steps, struct hatch_err *err)
+                                        struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
+                                        struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct search search = {.count = count, .order = hatch_cycle_order(count)};

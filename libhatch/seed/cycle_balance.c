@@ -32,8 +32,7 @@ static void fill_row(uint8_t ones, uint8_t want[4], struct cycle_dice *dice, uin
 }
 
 /* The counts of patterns of `length` + 1 crumbs from those of `length`, which is at least 1. */
-static void refine(const uint8_t *counts, int length, uint8_t base, struct cycle_dice *dice,
-                   uint8_t *finer)
+static void refine(const uint8_t *counts, int length, uint8_t base, struct cycle_dice *dice, uint8_t *finer)
 {
     size_t middle_count = (size_t)1 << 2 * (length - 1);
     for (size_t u = 0; u < middle_count; u++) {
@@ -94,9 +93,8 @@ static void join_parts(uint8_t *edges, int order, uint32_t *part)
         join_matrix(edges, u, middle_count, part);
 }
 
-enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct cycle_dice *dice,
-                                      struct hatch_arena *scratch, uint8_t *edges,
-                                      struct hatch_err *err)
+enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct cycle_dice *dice, struct hatch_arena *scratch,
+                                      uint8_t *edges, struct hatch_err *err)
 {
     size_t vertices = (size_t)1 << 2 * order;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

@@ -17,8 +17,8 @@ static uint32_t roll_edge(uint8_t marked, uint32_t keep, struct cycle_dice *dice
 }
 
 /* last[v]: the edge by which the circuit leaves v for the last time; 4 for the root. */
-static void span_tree(const uint8_t *exits, uint32_t vertices, uint32_t root,
-                      struct cycle_dice *dice, uint8_t *in_tree, uint8_t *last)
+static void span_tree(const uint8_t *exits, uint32_t vertices, uint32_t root, struct cycle_dice *dice, uint8_t *in_tree,
+                      uint8_t *last)
 {
     in_tree[root] = 1;
     last[root] = 4;
@@ -31,8 +31,7 @@ static void span_tree(const uint8_t *exits, uint32_t vertices, uint32_t root,
 }
 
 enum hatch_status hatch_cycle_circuit(const uint8_t *edges, int order, struct cycle_dice *dice,
-                                      struct hatch_arena *scratch, uint8_t *crumbs,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *scratch, uint8_t *crumbs, struct hatch_err *err)
 {
     uint32_t vertices = (uint32_t)1 << 2 * order;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -53,7 +52,7 @@ enum hatch_status hatch_cycle_circuit(const uint8_t *edges, int order, struct cy
     span_tree(exits, vertices, v, dice, in_tree, last);
     for (size_t i = 0; i < count; i++) {
         uint32_t crumb = roll_edge(exits[v], last[v], dice);
-        exits[v] &= (uint8_t)~(1 << crumb);
+        exits[v] &= (uint8_t) ~(1 << crumb);
         crumbs[i] = (uint8_t)crumb;
         v = (4 * v + crumb) % vertices;
     }

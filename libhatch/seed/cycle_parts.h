@@ -22,9 +22,8 @@ static inline uint32_t cycle_roll(struct cycle_dice *dice, uint32_t limit)
 /* The edges of a connected graph of the given order in which every vertex has as many edges in as
  * out, `count` in all, and whose patterns of every length are spread as evenly as can be.
  * edges: 4^(order + 1) entries, 0 or 1. order: with 4^order <= count <= 4^(order + 1). */
-enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct cycle_dice *dice,
-                                      struct hatch_arena *scratch, uint8_t *edges,
-                                      struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct cycle_dice *dice, struct hatch_arena *scratch,
+                                      uint8_t *edges, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The crumbs of an Eulerian circuit of a connected, balanced graph, each as likely as any other.
  * crumbs: one for each edge. */
@@ -34,7 +33,7 @@ enum hatch_status hatch_cycle_circuit(const uint8_t *edges, int order, struct cy
 
 /* Algorithm 1 as printed, without its recursion. */
 enum hatch_status hatch_cycle_backtrack(uint32_t count, uint64_t steps_max, struct cycle_dice *dice,
-                                        struct hatch_arena *scratch, uint8_t *crumbs,
-                                        uint64_t *steps, struct hatch_err *err) HATCH_MUST_USE;
+                                        struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

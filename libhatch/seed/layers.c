@@ -44,8 +44,8 @@ static enum hatch_status take_tone(struct hatch_text word, struct hatch_layer_li
 }
 
 /* The rest of the line, because a file's name may hold spaces. */
-static enum hatch_status take_stroke(struct hatch_text *rest, struct hatch_arena *arena,
-                                     struct hatch_layer_line *line, struct hatch_err *err)
+static enum hatch_status take_stroke(struct hatch_text *rest, struct hatch_arena *arena, struct hatch_layer_line *line,
+                                     struct hatch_err *err)
 {
     struct hatch_text name = *rest;
     while (name.length && (name.at[0] == ' ' || name.at[0] == '\t')) {
@@ -101,8 +101,8 @@ static enum hatch_status take_key(struct hatch_text key, struct hatch_text *rest
     return HATCH_OK;
 }
 
-enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                    struct hatch_layers *layers, struct hatch_err *err)
+enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_layers *layers,
+                                    struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(file), line, key;
     struct hatch_layers found = {0};

@@ -43,14 +43,12 @@ static double weight_of(const struct hatch_rptam_pattern *pattern, uint32_t seed
     uint32_t above = (seed + layer->count - 1) % layer->count;
     int right = odd(floor(tile_u / 2)), low = odd(floor(tile_v / 2));
     life = layer->life[4 * above + 2u * (uint32_t)low + (uint32_t)right];
-    return life == HATCH_LIFE_STAYS
-               ? 1
-               : hatch_fade_weight(&pattern->fade, hatch_life_value(life), pattern->fade.next);
+    return life == HATCH_LIFE_STAYS ? 1 : hatch_fade_weight(&pattern->fade, hatch_life_value(life), pattern->fade.next);
 }
 
 /* The paper that a seed's stroke in a tile leaves at (du, dv) tiles from its middle. */
-static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u, double tile_v,
-                      double du, double dv)
+static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u, double tile_v, double du,
+                      double dv)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
     /* Beyond a stroke of full size and the softness of its border there is no need to ask how large it is. */
@@ -98,21 +96,21 @@ static uint32_t texel_at(double share, uint32_t side)
 static double left_by_listed(const struct hatch_rptam_pattern *pattern, double u, double v)
 {
     const struct hatch_coverage *lists = pattern->lists;
-    const double (*at)[2] = (const double (*)[2])pattern->layer->at;
+    const double(*at)[2] = (const double(*)[2])pattern->layer->at;
     double base_u = floor(u), base_v = floor(v), paper = 1;
     uint32_t column = texel_at(u - base_u, lists->side), row = texel_at(v - base_v, lists->side);
     const uint32_t *list = lists->first + (size_t)row * lists->side + column;
     for (uint32_t i = list[0]; i < list[1]; i++) {
         const struct hatch_coverage_copy *copy = &lists->copies[i];
         double tile_u = base_u + copy->tile_u, tile_v = base_v + copy->tile_v;
-        paper *= left_by(pattern, copy->seed, tile_u, tile_v,
-                         u - at[copy->seed][0] - tile_u, v - at[copy->seed][1] - tile_v);
+        paper *= left_by(pattern, copy->seed, tile_u, tile_v, u - at[copy->seed][0] - tile_u,
+                         v - at[copy->seed][1] - tile_v);
     }
     return paper;
 }
 
-void hatch_rptam_pattern(const struct hatch_rptam *rptam, uint32_t layer_index, double depth, double amount,
-                         bool all, struct hatch_rptam_pattern *pattern)
+void hatch_rptam_pattern(const struct hatch_rptam *rptam, uint32_t layer_index, double depth, double amount, bool all,
+                         struct hatch_rptam_pattern *pattern)
 {
     const struct hatch_rptam_layer *layer = &rptam->layers[layer_index];
     const struct hatch_rptam_style *style = &rptam->style;
@@ -147,8 +145,8 @@ double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, co
     return 1 - hatch_rptam_left(&pattern, uv);
 }
 
-double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth,
-                       const double *amounts, bool all)
+double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth, const double *amounts,
+                       bool all)
 {
     double paper = 1;
     for (uint32_t i = 0; i < rptam->layer_count; i++)

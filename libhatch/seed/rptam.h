@@ -22,12 +22,12 @@
 #define HATCH_RPTAM_GRAINS 8u       /* places at which a stroke's grain may begin; a power of two */
 
 struct hatch_rptam_layer_style {
-    double low, high; /* of the way from paper to the darkest, the stretch on which this layer comes in,
-                         0 <= low < high <= 1 */
-    double angle_rad; /* of strokes to u */
-    double length_px, width_px; /* on the screen, over 0 */
-    double tile_px;   /* side of the seeds' tile at an integer depth, 1 / F of the paper: 8 .. 8192 */
-    double ink;       /* how dark a stroke is, over 0 .. 1 */
+    double low, high;                 /* of the way from paper to the darkest, the stretch on which this layer comes in,
+                                         0 <= low < high <= 1 */
+    double angle_rad;                 /* of strokes to u */
+    double length_px, width_px;       /* on the screen, over 0 */
+    double tile_px;                   /* side of the seeds' tile at an integer depth, 1 / F of the paper: 8 .. 8192 */
+    double ink;                       /* how dark a stroke is, over 0 .. 1 */
     const struct hatch_image *stroke; /* one channel: alpha, 0 .. 1, x along and y across, of any size: it
                                          is brought to the size that is drawn */
     const struct hatch_image *grain;  /* NULL, or one channel: repeats over the stroke, a pixel on the screen
@@ -49,7 +49,7 @@ struct hatch_rptam_layer {
     uint32_t count;
     struct hatch_seed_place *places;
     double (*at)[2]; /* the same, rounded */
-    uint8_t *life; /* hatch_life_make */
+    uint8_t *life;   /* hatch_life_make */
     double cosine, sine;
     uint32_t images;           /* of the stroke, which follow one another: a power of two */
     struct hatch_image stroke; /* the first: alpha in steps of 1/255, at two texels a pixel, with a border of
@@ -62,8 +62,8 @@ struct hatch_rptam {
     struct hatch_rptam_style style;
     uint32_t layer_count;
     struct hatch_rptam_layer layers[HATCH_RPTAM_LAYERS_MAX]; /* their lows rising */
-    double darkest;                    /* the mean ink of all layers */
-    double way[HATCH_RPTAM_STEPS + 1]; /* how far the way leads to a tone of darkest i / STEPS */
+    double darkest;                                          /* the mean ink of all layers */
+    double way[HATCH_RPTAM_STEPS + 1];                       /* how far the way leads to a tone of darkest i / STEPS */
 };
 
 /* Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image. Seed i of one
@@ -81,9 +81,8 @@ enum hatch_status hatch_rptam_stroke(const struct hatch_rptam_layer_style *style
 
 /* Layer i draws at set i; style->layers may come in any order. HATCH_BAD_INPUT where there are less sets
  * than layers, HATCH_LIMIT for sets of more than HATCH_RPTAM_SEEDS_MAX and strokes beyond HATCH_RPTAM_REACH. */
-enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
-                                   const struct hatch_rptam_style *style, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_rptam *rptam,
+enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds, const struct hatch_rptam_style *style,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_rptam *rptam,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* How much of each layer, 0 .. 1, gives a darkness. amounts: layer_count entries. */
@@ -109,12 +108,12 @@ double hatch_rptam_left(const struct hatch_rptam_pattern *pattern, const double 
 
 /* The share of ink that one layer puts at a place. uv: texture coordinates; depth: M of §5.1, any finite
  * number; amount: 0 .. 1. all: look at every seed, not only at the coverage's. */
-double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, const double uv[2],
-                             double depth, double amount, bool all);
+double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, const double uv[2], double depth,
+                             double amount, bool all);
 
 /* All layers at a place, at one depth: each covers what shines through those before it. amounts:
  * layer_count. */
-double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth,
-                       const double *amounts, bool all);
+double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth, const double *amounts,
+                       bool all);
 
 #endif

@@ -6,12 +6,12 @@
 #include "seed/rptam.h"
 
 #define SIDE_MIN 16u
-#define SIDE_MAX 256u        /* texels along a tile, of the lists */
-#define GROWTH 1.0001        /* of listed strokes, against rounding on the GPU */
-#define TONE_POINTS 4181u   /* for the table of tones, and what spreads them: Fibonacci numbers */
+#define SIDE_MAX 256u     /* texels along a tile, of the lists */
+#define GROWTH 1.0001     /* of listed strokes, against rounding on the GPU */
+#define TONE_POINTS 4181u /* for the table of tones, and what spreads them: Fibonacci numbers */
 #define TONE_STRIDE 2584u
-#define TONE_TILES 4.0       /* along the square that they are spread over, for amounts down to 1/16 */
-#define TONE_PARTS 5u        /* of each layer's stretch */
+#define TONE_TILES 4.0 /* along the square that they are spread over, for amounts down to 1/16 */
+#define TONE_PARTS 5u  /* of each layer's stretch */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
@@ -28,26 +28,22 @@ static uint32_t side_for(double width)
     return side;
 }
 
-static enum hatch_status list_strokes(struct hatch_arena *arena, struct hatch_rptam_layer *layer,
-                                      struct hatch_err *err)
+static enum hatch_status list_strokes(struct hatch_arena *arena, struct hatch_rptam_layer *layer, struct hatch_err *err)
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
     for (uint32_t i = 0; i < HATCH_RPTAM_SIZES; i++) {
         double scale = exp2(1 - i / 2.0) * GROWTH / style->tile_px;
-        const struct hatch_coverage_stroke stroke = {(style->length_px + 1) * scale,
-                                                     (style->width_px + 1) * scale, layer->cosine,
-                                                     layer->sine};
+        const struct hatch_coverage_stroke stroke = {(style->length_px + 1) * scale, (style->width_px + 1) * scale,
+                                                     layer->cosine, layer->sine};
         uint32_t side = side_for((style->width_px + 1) / style->tile_px);
-        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &stroke, side, arena, &layer->coverage[i],
-                                      err));
+        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &stroke, side, arena, &layer->coverage[i], err));
     }
     return HATCH_OK;
 }
 
 static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t index,
                                     const struct hatch_rptam_style *style, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_rptam *rptam,
-                                    struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_rptam *rptam, struct hatch_err *err)
 {
     const struct hatch_rptam_layer_style *own = &style->layers[index];
     struct hatch_rptam_layer made = {
@@ -146,8 +142,8 @@ static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double
     return parts;
 }
 
-static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
-                                 struct curve *curve, struct hatch_err *err)
+static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch, struct curve *curve,
+                                 struct hatch_err *err)
 {
     uint32_t most = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
     bool ended[HATCH_RPTAM_LAYERS_MAX] = {false};
@@ -184,8 +180,7 @@ static double covers_of(double darkness)
 }
 
 /* Turns the curve round: the way to tones at equal steps. */
-static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rptam *rptam,
-                                    struct hatch_err *err)
+static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rptam *rptam, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct curve curve;
@@ -209,16 +204,15 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
     return HATCH_OK;
 }
 
-enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds,
-                                   const struct hatch_rptam_style *style, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_rptam *rptam,
+enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds, const struct hatch_rptam_style *style,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_rptam *rptam,
                                    struct hatch_err *err)
 {
     struct hatch_rptam made = {.style = *style};
     assert(style->layer_count <= HATCH_RPTAM_LAYERS_MAX);
     if (seeds->layer_count < style->layer_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed set%s for %u layers: each needs its own",
-                          seeds->layer_count, seeds->layer_count == 1 ? "" : "s", style->layer_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed set%s for %u layers: each needs its own", seeds->layer_count,
+                          seeds->layer_count == 1 ? "" : "s", style->layer_count);
     for (uint32_t i = 0; i < style->layer_count; i++)
         HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made, err));
     HATCH_TRY(make_table(scratch, &made, err));

@@ -5,8 +5,8 @@
 #include "base/random.h"
 #include "seed/rptam.h"
 
-#define STROKE_TEXELS 2048.0    /* along an image of a stroke, at most */
-#define TEXELS_MOST 1048576.0   /* of all images of a stroke, if there are several */
+#define STROKE_TEXELS 2048.0  /* along an image of a stroke, at most */
+#define TEXELS_MOST 1048576.0 /* of all images of a stroke, if there are several */
 
 /* The mean of an image over a box. */
 static double mean_over(const struct hatch_image *image, double left, double right, double top, double bottom)
@@ -15,16 +15,15 @@ static double mean_over(const struct hatch_image *image, double left, double rig
     for (uint32_t row = (uint32_t)top; row < bottom && row < image->height; row++)
         for (uint32_t column = (uint32_t)left; column < right && column < image->width; column++)
             sum += (double)image->pixels[(size_t)row * image->width + column] *
-                   (fmin(right, column + 1.0) - fmax(left, column)) *
-                   (fmin(bottom, row + 1.0) - fmax(top, row));
+                   (fmin(right, column + 1.0) - fmax(left, column)) * (fmin(bottom, row + 1.0) - fmax(top, row));
     return sum / ((right - left) * (bottom - top));
 }
 
 /* Alpha without grain, row by row without a border. */
-static double *size_envelope(const struct hatch_image *from, uint32_t width, uint32_t height,
-                             struct hatch_arena *arena, struct hatch_err *err)
+static double *size_envelope(const struct hatch_image *from, uint32_t width, uint32_t height, struct hatch_arena *arena,
+                             struct hatch_err *err)
 {
-    double *means = HATCH_NEW(arena, double, (size_t)width * height, err);
+    double *means = HATCH_NEW(arena, double, (size_t)width *height, err);
     for (uint32_t y = 0; means && y < height; y++)
         for (uint32_t x = 0; x < width; x++)
             means[(size_t)y * width + x] =
@@ -64,9 +63,9 @@ enum hatch_status hatch_rptam_stroke(const struct hatch_rptam_layer_style *style
         for (uint32_t y = 0; y < height; y++) {
             float *row = made.pixels + ((size_t)i * (height + 2) + y + 1) * made.width + 1;
             for (uint32_t x = 0; x < width; x++) {
-                double alpha = means[(size_t)y * width + x] *
-                               grain_at(style->grain, i, (x + 0.5) * style->length_px / width,
-                                        (y + 0.5) * style->width_px / height);
+                double alpha =
+                    means[(size_t)y * width + x] * grain_at(style->grain, i, (x + 0.5) * style->length_px / width,
+                                                            (y + 0.5) * style->width_px / height);
                 row[x] = (float)(floor(alpha * 255 + 0.5) / 255);
             }
         }

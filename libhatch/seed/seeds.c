@@ -19,29 +19,27 @@ void hatch_seed_places(const struct hatch_seed_set *set, struct hatch_seed_place
     }
 }
 
-static enum hatch_status read_layer(struct hatch_text line, uint32_t number,
-                                    struct hatch_arena *arena, struct hatch_seed_set *set,
-                                    struct hatch_err *err)
+static enum hatch_status read_layer(struct hatch_text line, uint32_t number, struct hatch_arena *arena,
+                                    struct hatch_seed_set *set, struct hatch_err *err)
 {
     if (line.length < HATCH_CYCLE_MIN || line.length > HATCH_CYCLE_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu crumbs, want %u to %u",
-                          number, line.length, HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu crumbs, want %u to %u", number, line.length,
+                          HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
     set->count = (uint32_t)line.length;
     set->crumbs = HATCH_NEW(arena, uint8_t, line.length, err);
     if (!set->crumbs)
         return HATCH_LIMIT;
     for (size_t i = 0; i < line.length; i++) {
         if (line.at[i] < '0' || line.at[i] > '3')
-            return hatch_fail(err, HATCH_BAD_INPUT,
-                              "line %u, column %zu: not a crumb, which is 0, 1, 2 or 3", number,
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u, column %zu: not a crumb, which is 0, 1, 2 or 3", number,
                               i + 1);
         set->crumbs[i] = (uint8_t)(line.at[i] - '0');
     }
     return HATCH_OK;
 }
 
-enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                   struct hatch_seeds *seeds, struct hatch_err *err)
+enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_seeds *seeds,
+                                   struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(file), line;
     struct hatch_seeds found = {0};
@@ -54,8 +52,7 @@ enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *
         if (line.at + line.length == (const char *)file.data + file.size)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u does not end: the file is cut", number);
         if (found.layer_count == HATCH_SEED_LAYERS_MAX)
-            return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number,
-                              HATCH_SEED_LAYERS_MAX);
+            return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number, HATCH_SEED_LAYERS_MAX);
         HATCH_TRY(read_layer(line, number, arena, &found.layers[found.layer_count], err));
         found.layer_count++;
     }
@@ -65,8 +62,8 @@ enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *
     return HATCH_OK;
 }
 
-enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment,
-                                    struct hatch_buffer *file, struct hatch_err *err)
+enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment, struct hatch_buffer *file,
+                                    struct hatch_err *err)
 {
     if (comment)
         HATCH_TRY(hatch_buffer_print(file, err, "# %s\n", comment));

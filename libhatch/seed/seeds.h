@@ -33,11 +33,11 @@ void hatch_seed_places(const struct hatch_seed_set *set, struct hatch_seed_place
 /* seeds(5): one line per layer with its cycle as digits; lines that begin with # are comments.
  * HATCH_BAD_INPUT with the line's number for any other byte, a cycle that is too short or whose line does
  * not end (then the file is cut), no layer. */
-enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                   struct hatch_seeds *seeds, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_seeds *seeds,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* comment: one line that goes first, without its #; NULL for none. */
-enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment,
-                                    struct hatch_buffer *file, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment, struct hatch_buffer *file,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

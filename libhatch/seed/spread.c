@@ -34,8 +34,7 @@ static uint32_t cell_of(const struct cells *cells, const struct hatch_seed_place
 }
 
 static enum hatch_status sort_into_cells(const struct hatch_seed_place *places, uint32_t count,
-                                         struct hatch_arena *scratch, struct cells *cells,
-                                         struct hatch_err *err)
+                                         struct hatch_arena *scratch, struct cells *cells, struct hatch_err *err)
 {
     cells->bits = 0;
     while (ldexp(hatch_spread_bound(count), cells->bits + 1) <= 1.0)
@@ -55,8 +54,7 @@ static enum hatch_status sort_into_cells(const struct hatch_seed_place *places, 
     return HATCH_OK;
 }
 
-static double nearest_in(const struct cells *cells, const struct hatch_seed_place *places,
-                         uint32_t place, double best)
+static double nearest_in(const struct cells *cells, const struct hatch_seed_place *places, uint32_t place, double best)
 {
     uint32_t cell = cell_of(cells, &places[place]), mask = ((uint32_t)1 << cells->bits) - 1;
     uint32_t u = cell & mask, v = cell >> cells->bits;
@@ -70,8 +68,7 @@ static double nearest_in(const struct cells *cells, const struct hatch_seed_plac
 }
 
 enum hatch_status hatch_spread_distance(const struct hatch_seed_place *places, uint32_t count,
-                                        struct hatch_arena *scratch, double *distance,
-                                        struct hatch_err *err)
+                                        struct hatch_arena *scratch, double *distance, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct cells cells;
@@ -95,8 +92,7 @@ static int compare_u(const void *a, const void *b)
 
 /* Boxes [0, u) x [0, v) whose corners lie on the grid of the places' coordinates, without and with the
  * places on their upper borders: one of these is worst. levels: the v of the places so far, rising. */
-static double worst_box(const uint64_t *levels, uint32_t filled, uint32_t count, double open_u,
-                        double closed_u)
+static double worst_box(const uint64_t *levels, uint32_t filled, uint32_t count, double open_u, double closed_u)
 {
     double worst = 0;
     for (uint32_t i = 0; i <= filled; i++) {
@@ -110,8 +106,7 @@ static double worst_box(const uint64_t *levels, uint32_t filled, uint32_t count,
 }
 
 enum hatch_status hatch_spread_discrepancy(const struct hatch_seed_place *places, uint32_t count,
-                                           struct hatch_arena *scratch, double *discrepancy,
-                                           struct hatch_err *err)
+                                           struct hatch_arena *scratch, double *discrepancy, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_seed_place *sorted = HATCH_NEW(scratch, struct hatch_seed_place, count, err);

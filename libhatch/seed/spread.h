@@ -31,15 +31,13 @@ struct hatch_seeds_options {
  * square of the smallest distance within it over its bound, and the smallest distance among it and the
  * layers before it over theirs, so that layers do not put strokes on each other. *steps receives how many crumbs
  * backtracking tried. */
-enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_seeds *seeds, uint64_t *steps,
+enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_seeds *seeds, uint64_t *steps,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* The smallest of all layers' smallest distances, over the bound of each; and the smallest distance
  * between any two seeds of all layers, over their bound. */
-enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch,
-                                     double *within, double *together, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch, double *within,
+                                     double *together, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -101,8 +101,8 @@ static double form(double hessian[3][3], const double a[3], const double b[3])
     return sum;
 }
 
-bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3],
-                           double direction[3], double curvature[2])
+bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3], double direction[3],
+                           double curvature[2])
 {
     struct jet jet;
     double s[3], t[3];

@@ -20,8 +20,7 @@ static uint32_t row_count(const struct hatch_grid *grid)
 
 static bool is_pole(const struct hatch_grid *grid, uint32_t row)
 {
-    return (row == 0 && grid->surface.pole_first) ||
-           (row == row_count(grid) && grid->surface.pole_last);
+    return (row == 0 && grid->surface.pole_first) || (row == row_count(grid) && grid->surface.pole_last);
 }
 
 uint32_t hatch_grid_vertex_count(const struct hatch_grid *grid)
@@ -78,8 +77,8 @@ static double moved(double jitter, uint64_t seed, uint64_t stream, uint64_t poin
 }
 
 /* The parameters of a vertex, before wrapping. Borders and poles are not moved across themselves. */
-static void parameters(const struct hatch_grid *grid, const struct hatch_shape_options *options,
-                       uint64_t stream, uint32_t row, uint32_t column, double *u, double *v)
+static void parameters(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
+                       uint32_t row, uint32_t column, double *u, double *v)
 {
     const struct hatch_formula *surface = &grid->surface;
     struct row_place place = place_of(grid, row);
@@ -125,9 +124,8 @@ struct vertex_arrays {
     float *position, *normal, *tangent, *texcoord;
 };
 
-static void fill_vertex(const struct hatch_grid *grid, const struct hatch_shape_options *options,
-                        uint64_t stream, uint32_t row, uint32_t column,
-                        const struct vertex_arrays *arrays, size_t vertex)
+static void fill_vertex(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
+                        uint32_t row, uint32_t column, const struct vertex_arrays *arrays, size_t vertex)
 {
     const struct hatch_formula *surface = &grid->surface;
     bool last_column = surface->wraps_u && column == grid->columns;
@@ -162,8 +160,8 @@ static void add_face(uint32_t **index, uint32_t a, uint32_t b, uint32_t c)
 
 /* The faces of the strip below row: counter-clockwise seen from outside, where u runs right and v
  * down. */
-static void fill_strip(const struct hatch_grid *grid, const struct hatch_shape_options *options,
-                       uint64_t stream, uint32_t row, uint32_t first_vertex, uint32_t **index)
+static void fill_strip(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
+                       uint32_t row, uint32_t first_vertex, uint32_t **index)
 {
     uint32_t above = first_vertex + row_start(grid, row);
     uint32_t below = first_vertex + row_start(grid, row + 1);
@@ -174,8 +172,7 @@ static void fill_strip(const struct hatch_grid *grid, const struct hatch_shape_o
             add_face(index, a, d, c);
         } else if (is_pole(grid, row + 1)) {
             add_face(index, a, d, b);
-        } else if (options->jitter > 0 &&
-                   hatch_random_unit(options->seed, stream_of(stream, DIAGONAL), quad) < 0.5f) {
+        } else if (options->jitter > 0 && hatch_random_unit(options->seed, stream_of(stream, DIAGONAL), quad) < 0.5f) {
             add_face(index, a, d, b);
             add_face(index, b, d, c);
         } else {
@@ -185,13 +182,11 @@ static void fill_strip(const struct hatch_grid *grid, const struct hatch_shape_o
     }
 }
 
-void hatch_grid_fill(const struct hatch_grid *grid, const struct hatch_shape_options *options,
-                     uint64_t stream, uint32_t first_vertex, uint32_t first_face,
-                     struct hatch_mesh *mesh)
+void hatch_grid_fill(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
+                     uint32_t first_vertex, uint32_t first_face, struct hatch_mesh *mesh)
 {
-    const struct vertex_arrays arrays = {
-        hatch_mesh_find(mesh, "POSITION", 3), hatch_mesh_find(mesh, "NORMAL", 3),
-        hatch_mesh_find(mesh, "TANGENT", 4), hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
+    const struct vertex_arrays arrays = {hatch_mesh_find(mesh, "POSITION", 3), hatch_mesh_find(mesh, "NORMAL", 3),
+                                         hatch_mesh_find(mesh, "TANGENT", 4), hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
     size_t vertex = first_vertex;
     uint32_t *index = &mesh->indices[(size_t)first_face * 3];
     for (uint32_t row = 0; row <= row_count(grid); row++) {
@@ -212,18 +207,17 @@ static double normal_deviate(uint64_t seed, uint64_t stream, uint64_t index)
     return sum;
 }
 
-void hatch_grid_displace(const struct hatch_grid *grid, double distance, uint64_t seed,
-                         uint64_t stream, uint32_t first_vertex, struct hatch_mesh *mesh)
+void hatch_grid_displace(const struct hatch_grid *grid, double distance, uint64_t seed, uint64_t stream,
+                         uint32_t first_vertex, struct hatch_mesh *mesh)
 {
     float *position = &hatch_mesh_find(mesh, "POSITION", 3)[(size_t)first_vertex * 3];
     const float *normal = &hatch_mesh_find(mesh, "NORMAL", 3)[(size_t)first_vertex * 3];
     for (uint32_t row = 0; row <= row_count(grid); row++)
         for (uint32_t column = 0; column < row_vertices(grid, row); column++) {
             /* A pole's vertices may have many normals (a cone's apex) and stay together. */
-            double by = is_pole(grid, row)
-                            ? 0
-                            : distance * normal_deviate(seed, stream_of(stream, NOISE),
-                                                    point_number(grid, row, column));
+            double by = is_pole(grid, row) ? 0
+                                           : distance * normal_deviate(seed, stream_of(stream, NOISE),
+                                                                       point_number(grid, row, column));
             for (int k = 0; k < 3; k++)
                 position[k] = (float)((double)position[k] + by * (double)normal[k]);
             position += 3;

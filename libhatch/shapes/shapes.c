@@ -7,11 +7,9 @@
 #include "shapes/grid.h"
 
 static const char *const names[HATCH_SHAPE_COUNT] = {
-    [HATCH_SHAPE_TEAPOT] = "teapot",       [HATCH_SHAPE_SPHERE] = "sphere",
-    [HATCH_SHAPE_CYLINDER] = "cylinder",   [HATCH_SHAPE_CONE] = "cone",
-    [HATCH_SHAPE_TORUS] = "torus",         [HATCH_SHAPE_PLANE] = "plane",
-    [HATCH_SHAPE_ELLIPSOID] = "ellipsoid", [HATCH_SHAPE_SADDLE] = "saddle",
-    [HATCH_SHAPE_WAVE] = "wave",
+    [HATCH_SHAPE_TEAPOT] = "teapot",       [HATCH_SHAPE_SPHERE] = "sphere", [HATCH_SHAPE_CYLINDER] = "cylinder",
+    [HATCH_SHAPE_CONE] = "cone",           [HATCH_SHAPE_TORUS] = "torus",   [HATCH_SHAPE_PLANE] = "plane",
+    [HATCH_SHAPE_ELLIPSOID] = "ellipsoid", [HATCH_SHAPE_SADDLE] = "saddle", [HATCH_SHAPE_WAVE] = "wave",
 };
 
 const char *hatch_shape_name(enum hatch_shape shape)
@@ -137,8 +135,8 @@ static void fill_field(enum hatch_shape shape, struct hatch_mesh *mesh)
     }
 }
 
-static void fill(const struct surfaces *s, enum hatch_shape shape,
-                 const struct hatch_shape_options *options, struct hatch_mesh *mesh)
+static void fill(const struct surfaces *s, enum hatch_shape shape, const struct hatch_shape_options *options,
+                 struct hatch_mesh *mesh)
 {
     uint32_t vertex = 0, face = 0;
     for (uint32_t g = 0; g < s->count; g++) {
@@ -159,8 +157,8 @@ static void fill(const struct surfaces *s, enum hatch_shape shape,
 }
 
 enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_shape_options *options,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_mesh *mesh, struct hatch_err *err)
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_err *err)
 {
     assert(shape < HATCH_SHAPE_COUNT);
     assert(options->faces >= 2 && options->faces <= HATCH_SHAPE_FACES_MAX);

@@ -34,18 +34,18 @@ enum hatch_shape_uv {
 };
 
 struct hatch_shape_options {
-    uint32_t faces;   /* about how many, 2 .. HATCH_SHAPE_FACES_MAX; the result differs by a grid's
-                         rounding */
-    float jitter;     /* 0 .. 1: inner vertices move over the surface within jitter times half a grid
-                         step (a quarter each way: no triangle turns over), and the diagonals are
-                         turned at random: an irregular triangulation */
-    float noise;      /* 0 .. 1: standard deviation of a displacement along the normal, as a share of
-                         the mean edge; normals stay those of the smooth surface, poles stay */
+    uint32_t faces; /* about how many, 2 .. HATCH_SHAPE_FACES_MAX; the result differs by a grid's
+                       rounding */
+    float jitter;   /* 0 .. 1: inner vertices move over the surface within jitter times half a grid
+                       step (a quarter each way: no triangle turns over), and the diagonals are
+                       turned at random: an irregular triangulation */
+    float noise;    /* 0 .. 1: standard deviation of a displacement along the normal, as a share of
+                       the mean edge; normals stay those of the smooth surface, poles stay */
     uint64_t seed;
     enum hatch_shape_uv uv;
-    bool field;       /* also make _HATCH_DIR: the first principal direction by hatch_shape_curvature
-                         where the vertex stood before noise, confidence 1, or 0 and any tangent
-                         where none is defined */
+    bool field; /* also make _HATCH_DIR: the first principal direction by hatch_shape_curvature
+                   where the vertex stood before noise, confidence 1, or 0 and any tangent
+                   where none is defined */
 };
 
 /* "teapot" and so on; NULL beyond the last. */
@@ -54,15 +54,15 @@ const char *hatch_shape_name(enum hatch_shape shape);
 /* Makes the shape. Closed surfaces repeat the vertices of their seam, with the u of each side; poles
  * are one vertex per triangle. */
 enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_shape_options *options,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* The surface's unit normal and first principal direction (of largest |curvature|) at a vertex of a
  * shape made without noise, and both curvatures, the larger |one| first, positive where the surface
  * bends away from the normal (sphere: 1 1); for tests and measurements. false where the direction is
  * not defined (plane, sphere, an umbilic; direction is then zero) or the shape has no closed form
  * (teapot, a cone's apex; nothing is then written). */
-bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3],
-                           double direction[3], double curvature[2]);
+bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3], double direction[3],
+                           double curvature[2]);
 
 #endif

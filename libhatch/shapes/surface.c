@@ -9,8 +9,8 @@
 static const double semi_axes[3] = {1.0, 0.7, 0.5};
 
 /* A point of a surface of revolution around y: its radius and height, and the profile's normal. */
-static void revolve(double u, double radius, double height, double normal_radial,
-                    double normal_height, struct hatch_formula_point *point)
+static void revolve(double u, double radius, double height, double normal_radial, double normal_height,
+                    struct hatch_formula_point *point)
 {
     double c = cos(2 * PI * u), s = sin(2 * PI * u);
     *point = (struct hatch_formula_point){
@@ -20,8 +20,7 @@ static void revolve(double u, double radius, double height, double normal_radial
     };
 }
 
-static void sphere_at(const struct hatch_formula *surface, double u, double v,
-                      struct hatch_formula_point *point)
+static void sphere_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     bool pole = v <= 0 || v >= 1; /* where sin(π) would leave a tiny circle */
@@ -29,8 +28,7 @@ static void sphere_at(const struct hatch_formula *surface, double u, double v,
     revolve(u, radius, cos(PI * v), radius, cos(PI * v), point);
 }
 
-static void ellipsoid_at(const struct hatch_formula *surface, double u, double v,
-                         struct hatch_formula_point *point)
+static void ellipsoid_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     sphere_at(surface, u, v, point);
     for (int k = 0; k < 3; k++) {
@@ -42,38 +40,33 @@ static void ellipsoid_at(const struct hatch_formula *surface, double u, double v
     hatch_vec_normalize(point->along_u);
 }
 
-static void cylinder_at(const struct hatch_formula *surface, double u, double v,
-                        struct hatch_formula_point *point)
+static void cylinder_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     revolve(u, 1, 1 - 2 * v, 1, 0, point);
 }
 
-static void cone_at(const struct hatch_formula *surface, double u, double v,
-                    struct hatch_formula_point *point)
+static void cone_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     revolve(u, v, 1 - 2 * v, 2 / sqrt(5.0), 1 / sqrt(5.0), point);
 }
 
-static void torus_at(const struct hatch_formula *surface, double u, double v,
-                     struct hatch_formula_point *point)
+static void torus_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     double c = cos(2 * PI * v), s = -sin(2 * PI * v);
     revolve(u, 1 + TUBE * c, TUBE * s, c, s, point);
 }
 
-static void plane_at(const struct hatch_formula *surface, double u, double v,
-                     struct hatch_formula_point *point)
+static void plane_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
-    *point = (struct hatch_formula_point){
-        .position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
+    *point =
+        (struct hatch_formula_point){.position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
 }
 
-static void saddle_at(const struct hatch_formula *surface, double u, double v,
-                      struct hatch_formula_point *point)
+static void saddle_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v;
@@ -83,8 +76,7 @@ static void saddle_at(const struct hatch_formula *surface, double u, double v,
     hatch_vec_normalize(point->along_u);
 }
 
-static void wave_at(const struct hatch_formula *surface, double u, double v,
-                    struct hatch_formula_point *point)
+static void wave_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v, slope = cos(4 * x) / 2;
@@ -97,14 +89,12 @@ static void wave_at(const struct hatch_formula *surface, double u, double v,
 uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_formula *surfaces)
 {
     static const struct hatch_formula formulas[HATCH_SHAPE_COUNT] = {
-        [HATCH_SHAPE_SPHERE] = {.at = sphere_at, .wraps_u = true, .pole_first = true,
-                                .pole_last = true},
+        [HATCH_SHAPE_SPHERE] = {.at = sphere_at, .wraps_u = true, .pole_first = true, .pole_last = true},
         [HATCH_SHAPE_CYLINDER] = {.at = cylinder_at, .wraps_u = true},
         [HATCH_SHAPE_CONE] = {.at = cone_at, .wraps_u = true, .pole_first = true},
         [HATCH_SHAPE_TORUS] = {.at = torus_at, .wraps_u = true, .wraps_v = true},
         [HATCH_SHAPE_PLANE] = {.at = plane_at},
-        [HATCH_SHAPE_ELLIPSOID] = {.at = ellipsoid_at, .wraps_u = true, .pole_first = true,
-                                   .pole_last = true},
+        [HATCH_SHAPE_ELLIPSOID] = {.at = ellipsoid_at, .wraps_u = true, .pole_first = true, .pole_last = true},
         [HATCH_SHAPE_SADDLE] = {.at = saddle_at},
         [HATCH_SHAPE_WAVE] = {.at = wave_at},
     };
@@ -123,8 +113,8 @@ static void position_at(const struct hatch_formula *surface, double u, double v,
 }
 
 /* Adds one strip of cells between two lines of constant v. */
-static void measure_strip(const struct hatch_formula *surface, double v, double v_next,
-                          double *length_u, double *length_v, double *area)
+static void measure_strip(const struct hatch_formula *surface, double v, double v_next, double *length_u,
+                          double *length_v, double *area)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
     double step = (double)surface->u_pieces / n, a[3], b[3], c[3];

@@ -13,10 +13,9 @@ struct profile_point {
 };
 
 static const struct profile_point wall[] = {
-    {1.4, .784, 2.4},    {1.3375, .749, 2.53125}, {1.4375, .805, 2.53125}, {1.5, .84, 2.4},
-    {1.75, .98, 1.875},  {2.0, 1.12, 1.35},       {2.0, 1.12, 0.9},        {2.0, 1.12, 0.45},
-    {1.5, .84, 0.225},   {1.5, .84, 0.15},        {1.5, .84, 0.075},       {1.425, .798, 0.0},
-    {0.0, 0.0, 0.0},
+    {1.4, .784, 2.4},  {1.3375, .749, 2.53125}, {1.4375, .805, 2.53125}, {1.5, .84, 2.4},   {1.75, .98, 1.875},
+    {2.0, 1.12, 1.35}, {2.0, 1.12, 0.9},        {2.0, 1.12, 0.45},       {1.5, .84, 0.225}, {1.5, .84, 0.15},
+    {1.5, .84, 0.075}, {1.425, .798, 0.0},      {0.0, 0.0, 0.0},
 };
 
 static const struct profile_point lid[] = {
@@ -31,14 +30,14 @@ struct ring {
 };
 
 static const struct ring handle[] = {
-    {-1.6, 2.025, -1.5, 2.25, .3}, {-2.3, 2.025, -2.5, 2.25, .3},  {-2.7, 2.025, -3.0, 2.25, .3},
-    {-2.7, 1.8, -3.0, 1.8, .3},    {-2.7, 1.575, -3.0, 1.35, .3},  {-2.5, 1.125, -2.65, .9375, .3},
+    {-1.6, 2.025, -1.5, 2.25, .3}, {-2.3, 2.025, -2.5, 2.25, .3}, {-2.7, 2.025, -3.0, 2.25, .3},
+    {-2.7, 1.8, -3.0, 1.8, .3},    {-2.7, 1.575, -3.0, 1.35, .3}, {-2.5, 1.125, -2.65, .9375, .3},
     {-2.0, 0.9, -1.9, 0.6, .3},
 };
 
 static const struct ring spout[] = {
-    {1.7, 1.425, 1.7, 0.6, .66},  {2.6, 1.425, 3.1, .825, .66},    {2.3, 2.1, 2.4, 2.025, .25},
-    {2.7, 2.4, 3.3, 2.4, .25},    {2.8, 2.475, 3.525, 2.49375, .25}, {2.9, 2.475, 3.45, 2.5125, .15},
+    {1.7, 1.425, 1.7, 0.6, .66}, {2.6, 1.425, 3.1, .825, .66},      {2.3, 2.1, 2.4, 2.025, .25},
+    {2.7, 2.4, 3.3, 2.4, .25},   {2.8, 2.475, 3.525, 2.49375, .25}, {2.9, 2.475, 3.45, 2.5125, .15},
     {2.8, 2.4, 3.2, 2.4, .15},
 };
 
@@ -94,8 +93,8 @@ static void tube_control(const void *rows, int row, int piece, int i, double out
 }
 
 /* Position and the two partial derivatives, in the published frame. */
-static void evaluate(const struct hatch_formula *surface, control_point control, double u, double v,
-                     double p[3], double du[3], double dv[3])
+static void evaluate(const struct hatch_formula *surface, control_point control, double u, double v, double p[3],
+                     double du[3], double dv[3])
 {
     int column = (int)u, row = (int)v;
     if (column >= (int)surface->u_pieces)
@@ -153,27 +152,25 @@ static void patch_at(const struct hatch_formula *surface, control_point control,
     to_our_frame(point->along_u);
 }
 
-static void turned_at(const struct hatch_formula *surface, double u, double v,
-                      struct hatch_formula_point *point)
+static void turned_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     patch_at(surface, wall_control, u, v, point);
 }
 
-static void tube_at(const struct hatch_formula *surface, double u, double v,
-                    struct hatch_formula_point *point)
+static void tube_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
 {
     patch_at(surface, tube_control, u, v, point);
 }
 
 uint32_t hatch_teapot_surfaces(struct hatch_formula *surfaces)
 {
-    surfaces[0] = (struct hatch_formula){.at = turned_at, .context = wall, .u_pieces = 4,
-                                         .v_pieces = 4, .wraps_u = true, .pole_last = true};
-    surfaces[1] = (struct hatch_formula){.at = turned_at, .context = lid, .u_pieces = 4,
-                                         .v_pieces = 2, .wraps_u = true, .pole_first = true};
-    surfaces[2] = (struct hatch_formula){.at = tube_at, .context = handle, .u_pieces = 2,
-                                         .v_pieces = 2, .wraps_u = true};
-    surfaces[3] = (struct hatch_formula){.at = tube_at, .context = spout, .u_pieces = 2,
-                                         .v_pieces = 2, .wraps_u = true};
+    surfaces[0] = (struct hatch_formula){
+        .at = turned_at, .context = wall, .u_pieces = 4, .v_pieces = 4, .wraps_u = true, .pole_last = true};
+    surfaces[1] = (struct hatch_formula){
+        .at = turned_at, .context = lid, .u_pieces = 4, .v_pieces = 2, .wraps_u = true, .pole_first = true};
+    surfaces[2] =
+        (struct hatch_formula){.at = tube_at, .context = handle, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
+    surfaces[3] =
+        (struct hatch_formula){.at = tube_at, .context = spout, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
     return 4;
 }

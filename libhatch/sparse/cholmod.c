@@ -58,8 +58,7 @@ static enum hatch_status check_pivots(const cholmod_factor *factor, struct hatch
     const double *value = factor->x;
     for (size_t i = 0; i < factor->n; i++)
         if (!(value[first[i]] > 0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "a sparse matrix of size %zu is not positive definite",
-                              factor->n);
+            return hatch_fail(err, HATCH_BAD_INPUT, "a sparse matrix of size %zu is not positive definite", factor->n);
     return HATCH_OK;
 }
 
@@ -111,8 +110,8 @@ enum hatch_status hatch_sparse_factorize(const struct hatch_sparse *matrix, size
     return status;
 }
 
-enum hatch_status hatch_sparse_solve(const struct hatch_sparse_factor *factor, const double *right,
-                                     uint32_t columns, double *solution, struct hatch_err *err)
+enum hatch_status hatch_sparse_solve(const struct hatch_sparse_factor *factor, const double *right, uint32_t columns,
+                                     double *solution, struct hatch_err *err)
 {
     size_t size = factor->factor->n;
     union {

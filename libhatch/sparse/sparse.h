@@ -20,13 +20,12 @@ struct hatch_sparse {
 struct hatch_sparse_factor;
 
 enum hatch_status hatch_sparse_factorize(const struct hatch_sparse *matrix, size_t limit_bytes,
-                                         struct hatch_sparse_factor **factor, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                         struct hatch_sparse_factor **factor, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Solves matrix · x = right for `columns` right sides of size doubles each, one after another.
  * solution may be right. */
-enum hatch_status hatch_sparse_solve(const struct hatch_sparse_factor *factor, const double *right,
-                                     uint32_t columns, double *solution, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_sparse_solve(const struct hatch_sparse_factor *factor, const double *right, uint32_t columns,
+                                     double *solution, struct hatch_err *err) HATCH_MUST_USE;
 
 /* NULL is allowed. */
 void hatch_sparse_free(struct hatch_sparse_factor *factor);

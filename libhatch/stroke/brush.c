@@ -11,8 +11,7 @@
 
 const char *hatch_brush_name(enum hatch_brush_kind kind)
 {
-    static const char *const names[] = {"ink",      "pencil",  "crayon",
-                                        "charcoal", "stipple", "round"};
+    static const char *const names[] = {"ink", "pencil", "crayon", "charcoal", "stipple", "round"};
     return (unsigned)kind < sizeof names / sizeof *names ? names[kind] : NULL;
 }
 
@@ -115,20 +114,17 @@ static void draw_grain(struct hatch_brush *brush)
     }
     for (uint32_t y = 0; y < HATCH_GRAIN_SIZE; y++)
         for (uint32_t x = 0; x < HATCH_GRAIN_SIZE; x++) {
-            float tooth = 0.65f * value_noise(x, y, look.cell, 1) +
-                          0.35f * value_noise(x, y, 2 * look.cell, 2);
-            float held = smooth_step(look.threshold - look.softness / 2,
-                                     look.threshold + look.softness / 2, tooth);
+            float tooth = 0.65f * value_noise(x, y, look.cell, 1) + 0.35f * value_noise(x, y, 2 * look.cell, 2);
+            float held = smooth_step(look.threshold - look.softness / 2, look.threshold + look.softness / 2, tooth);
             brush->grain[y * HATCH_GRAIN_SIZE + x] = look.floor + (1 - look.floor) * held;
         }
 }
 
 /* The running sums across the stroke, from which any box filter across is two look-ups. */
-static enum hatch_status accumulate(struct hatch_arena *arena, struct hatch_brush *brush,
-                                    struct hatch_err *err)
+static enum hatch_status accumulate(struct hatch_arena *arena, struct hatch_brush *brush, struct hatch_err *err)
 {
     uint32_t rows = brush->height + 1;
-    brush->cumulative = HATCH_NEW(arena, float, (size_t)brush->width * rows, err);
+    brush->cumulative = HATCH_NEW(arena, float, (size_t)brush->width *rows, err);
     if (!brush->cumulative)
         return HATCH_LIMIT;
     for (uint32_t x = 0; x < brush->width; x++) {
@@ -141,17 +137,17 @@ static enum hatch_status accumulate(struct hatch_arena *arena, struct hatch_brus
     return HATCH_OK;
 }
 
-enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena,
-                                   struct hatch_brush *brush, struct hatch_err *err)
+enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena, struct hatch_brush *brush,
+                                   struct hatch_err *err)
 {
     assert(kind < HATCH_BRUSH_IMAGE);
     struct hatch_brush made = {.kind = kind, .width = ENVELOPE_WIDTH, .height = ENVELOPE_HEIGHT};
-    made.alpha = HATCH_NEW(arena, float, made.width * made.height, err);
+    made.alpha = HATCH_NEW(arena, float, made.width *made.height, err);
     if (!made.alpha)
         return HATCH_LIMIT;
     draw_envelope(&made);
     if (kind == HATCH_BRUSH_PENCIL || kind == HATCH_BRUSH_CRAYON || kind == HATCH_BRUSH_CHARCOAL) {
-        made.grain = HATCH_NEW(arena, float, HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE, err);
+        made.grain = HATCH_NEW(arena, float, HATCH_GRAIN_SIZE *HATCH_GRAIN_SIZE, err);
         if (!made.grain)
             return HATCH_LIMIT;
         draw_grain(&made);
@@ -185,8 +181,7 @@ enum hatch_status hatch_brush_from_image(const struct hatch_image *image, struct
                                          struct hatch_brush *brush, struct hatch_err *err)
 {
     size_t pixels = (size_t)image->width * image->height;
-    struct hatch_brush made = {
-        .kind = HATCH_BRUSH_IMAGE, .width = image->width, .height = image->height};
+    struct hatch_brush made = {.kind = HATCH_BRUSH_IMAGE, .width = image->width, .height = image->height};
     made.alpha = HATCH_NEW(arena, float, pixels, err);
     if (!made.alpha)
         return HATCH_LIMIT;

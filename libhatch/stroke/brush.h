@@ -34,13 +34,12 @@ const char *hatch_brush_name(enum hatch_brush_kind kind);
 
 /* A built-in brush, the same on every machine. kind: any but HATCH_BRUSH_IMAGE, which is made from an image. Its
  * arrays live in arena. */
-enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena,
-                                   struct hatch_brush *brush, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_arena *arena, struct hatch_brush *brush,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* From a grey image: alpha = 1 - Y (dark is ink), or the A channel where there is one that varies.
  * Colour is turned to luminance. HATCH_BAD_INPUT when no pixel holds ink. */
 enum hatch_status hatch_brush_from_image(const struct hatch_image *image, struct hatch_arena *arena,
-                                         struct hatch_brush *brush, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                         struct hatch_brush *brush, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

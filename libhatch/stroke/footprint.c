@@ -13,9 +13,8 @@ static double pixels_of(double length, uint32_t size_px, double width_px)
     return reach * across * 2 + reach * 4 + 64;
 }
 
-enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_px, float length,
-                                       float width_px, struct hatch_footprint *footprint,
-                                       struct hatch_err *err)
+enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_px, float length, float width_px,
+                                       struct hatch_footprint *footprint, struct hatch_err *err)
 {
     struct hatch_footprint made = {0};
     double whole = pixels_of((double)length, size_px, (double)width_px);
@@ -35,8 +34,8 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
     return HATCH_OK;
 }
 
-static void put(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float along,
-                float across, struct hatch_footprint *out)
+static void put(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float along, float across,
+                struct hatch_footprint *out)
 {
     float alpha = hatch_frame_alpha(f, brush, along, across);
     if (!(alpha > 0))
@@ -49,8 +48,8 @@ static void put(const struct hatch_frame *f, const struct hatch_brush *brush, ui
 }
 
 /* Along an arc and across it: polar coordinates around the middle of its circle. */
-static void put_on_arc(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx,
-                       float dy, struct hatch_footprint *out)
+static void put_on_arc(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx, float dy,
+                       struct hatch_footprint *out)
 {
     float reach = fabsf(f->radius), side = f->radius < 0 ? -1.0f : 1.0f;
     float along = dx * f->cosine + dy * f->sine;
@@ -61,8 +60,8 @@ static void put_on_arc(const struct hatch_frame *f, const struct hatch_brush *br
     put(f, brush, at, reach * (float)atan2((double)along, (double)inward), (reach - distance) * side, out);
 }
 
-static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *f, uint32_t size_px,
-                     int32_t y, float reach_x, struct hatch_footprint *out)
+static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *f, uint32_t size_px, int32_t y,
+                     float reach_x, struct hatch_footprint *out)
 {
     float dy = (float)y + 0.5f - f->centre_y;
     float low = -reach_x, high = reach_x; /* dx from the centre */
@@ -105,9 +104,8 @@ static void keep_darkest(struct hatch_footprint *out)
         out->entry_of[out->at[i]] = 0;
 }
 
-void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
-                          uint32_t size_px, float length_scale, float width_scale,
-                          struct hatch_footprint *footprint)
+void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_brush *brush, uint32_t size_px,
+                          float length_scale, float width_scale, struct hatch_footprint *footprint)
 {
     struct hatch_frame f = hatch_frame_of(stroke, brush, size_px, length_scale, width_scale);
     footprint->count = 0;

@@ -12,10 +12,10 @@
 #define PIECE_PX 0.25f
 
 struct piece {
-    float x, y;            /* its start, px from the stroke's middle */
+    float x, y; /* its start, px from the stroke's middle */
     float cosine, sine, length;
-    float start;           /* along the whole line, from its middle */
-    float stretch;         /* of the whole line: what joined pieces cut off is made up for */
+    float start;   /* along the whole line, from its middle */
+    float stretch; /* of the whole line: what joined pieces cut off is made up for */
     bool first, last;
 };
 
@@ -27,8 +27,7 @@ static float reach_of(const struct hatch_frame *f)
 
 /* Enters the pixel, or moves it to this piece when the piece is nearer. Until all pieces are through,
  * `alpha` holds how far across the pixel lies. */
-static void claim(const struct hatch_frame *f, uint32_t at, float along, float across,
-                  struct hatch_footprint *out)
+static void claim(const struct hatch_frame *f, uint32_t at, float along, float across, struct hatch_footprint *out)
 {
     uint32_t *entry = &out->entry_of[at];
     if (*entry == 0) {
@@ -127,8 +126,7 @@ static void draw_pieces(const struct hatch_stroke *stroke, const struct hatch_fr
 }
 
 void hatch_footprint_draw_path(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
-                               const struct hatch_frame *frame, uint32_t size_px,
-                               struct hatch_footprint *footprint)
+                               const struct hatch_frame *frame, uint32_t size_px, struct hatch_footprint *footprint)
 {
     draw_pieces(stroke, frame, size_px, footprint);
     uint32_t kept = 0;

@@ -6,8 +6,8 @@
 
 #define CAP_SAMPLES 8u
 
-struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
-                                  uint32_t size_px, float length_scale, float width_scale)
+struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush, uint32_t size_px,
+                                  float length_scale, float width_scale)
 {
     struct hatch_frame f;
     f.centre_x = stroke->x * (float)size_px;
@@ -47,8 +47,7 @@ static float cumulative_at(const float *column, uint32_t height, float across)
     return column[below] + (column[below + 1] - column[below]) * (row - (float)below);
 }
 
-static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along,
-                      float across)
+static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float across)
 {
     /* Half-pixel steps would blur the tooth away: nearest is what a rough paper looks like. */
     uint32_t x = (uint32_t)(int32_t)floorf(along + f->half_length) + f->grain_x;
@@ -66,8 +65,8 @@ static float covered_by(const struct hatch_brush *brush, uint32_t x, float from,
 /* The same, times the coverage along. Where pixels are smaller than columns the column under the pixel's
  * centre is taken, else the mean of all that lie in the pixel: taking one of many would lose or double
  * the ink of a stroke drawn small. */
-static float covered_around(const struct hatch_brush *brush, const struct hatch_frame *f, float along,
-                            float from, float to)
+static float covered_around(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float from,
+                            float to)
 {
     float place = (along * f->per_length + 0.5f) * f->columns;
     if (f->columns_per_px <= 1) {
@@ -113,8 +112,7 @@ static float covered_by_round(const struct hatch_frame *f, float along, float ac
 }
 
 /* Coverage × envelope × grain, box-filtered over a pixel. */
-float hatch_frame_alpha(const struct hatch_frame *f, const struct hatch_brush *brush, float along,
-                        float across)
+float hatch_frame_alpha(const struct hatch_frame *f, const struct hatch_brush *brush, float along, float across)
 {
     if (brush->kind == HATCH_BRUSH_ROUND)
         return covered_by_round(f, along, across) * f->opacity;

@@ -15,17 +15,16 @@ struct hatch_frame {
     float columns;                 /* of the brush image */
     float columns_per_px;
     float opacity;
-    float tone;                    /* times the width: what a difference of two sums is to become */
+    float tone; /* times the width: what a difference of two sums is to become */
     uint32_t grain_x, grain_y;
 };
 
 /* The arguments are those of hatch_footprint_draw. */
-struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
-                                  uint32_t size_px, float length_scale, float width_scale);
+struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush, uint32_t size_px,
+                                  float length_scale, float width_scale);
 
 /* The alpha of the pixel whose middle lies at (along, across) px from the stroke's middle. */
-float hatch_frame_alpha(const struct hatch_frame *frame, const struct hatch_brush *brush, float along,
-                        float across);
+float hatch_frame_alpha(const struct hatch_frame *frame, const struct hatch_brush *brush, float along, float across);
 
 /* Narrows [*low, *high] to the x for which |a x + b| <= reach; *low > *high where there is none. */
 void hatch_frame_clip(float a, float b, float reach, float *low, float *high);
@@ -41,7 +40,6 @@ struct hatch_footprint;
 
 /* hatch_footprint_draw for a stroke with a path. */
 void hatch_footprint_draw_path(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
-                               const struct hatch_frame *frame, uint32_t size_px,
-                               struct hatch_footprint *footprint);
+                               const struct hatch_frame *frame, uint32_t size_px, struct hatch_footprint *footprint);
 
 #endif

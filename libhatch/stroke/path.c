@@ -46,8 +46,7 @@ static double pieces_of(const double *from, const double *control, double tolera
     return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN: one, whose end is refused */
 }
 
-enum hatch_status hatch_path_cubic(struct hatch_path_builder *b, const double control[6],
-                                   struct hatch_err *err)
+enum hatch_status hatch_path_cubic(struct hatch_path_builder *b, const double control[6], struct hatch_err *err)
 {
     assert(b->count > 0 && b->tolerance > 0);
     double from[2] = {b->xy[2 * b->count - 2], b->xy[2 * b->count - 1]};
@@ -76,9 +75,8 @@ static void middle_of(const struct hatch_path_builder *b, double *middle, double
     *reach = fmax(high[0] - middle[0], high[1] - middle[1]);
 }
 
-static enum hatch_status points_of(const struct hatch_path_builder *b, const double *middle,
-                                   struct hatch_arena *arena, const struct hatch_path **path,
-                                   struct hatch_err *err)
+static enum hatch_status points_of(const struct hatch_path_builder *b, const double *middle, struct hatch_arena *arena,
+                                   const struct hatch_path **path, struct hatch_err *err)
 {
     struct hatch_path *made = HATCH_NEW(arena, struct hatch_path, 1, err);
     float *xy = made ? HATCH_NEW(arena, float, 2 * (size_t)b->count, err) : NULL;
@@ -114,8 +112,7 @@ enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct h
     double middle[2], reach;
     const struct hatch_path *path;
     middle_of(b, middle, &reach);
-    if (!(reach <= HATCH_PATH_REACH_MAX) ||
-        !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
+    if (!(reach <= HATCH_PATH_REACH_MAX) || !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a line that reaches over %g tiles", HATCH_PATH_REACH_MAX);
     HATCH_TRY(points_of(b, middle, arena, &path, err));
     float length = path ? hatch_path_length(path) : 0;

@@ -14,11 +14,21 @@ static const struct {
     const char *name;
     double low, high;
 } keys[KEYS] = {
-    [X] = {"x", -1e6, 1e6},       [Y] = {"y", -1e6, 1e6},   [LENGTH] = {"length", 0, (double)HATCH_PATH_LENGTH_MAX},
-    [ANGLE] = {"angle", -1e3, 1e3}, [WIDTH] = {"width", 1e-9, 4}, [TONE] = {"tone", 0, 1},
-    [RED] = {"r", 0, 1},          [GREEN] = {"g", 0, 1},    [BLUE] = {"b", 0, 1},
-    [ID] = {"id", 0, 16777216},   [COLUMN] = {"column", 0, 255}, [LEVEL] = {"level", 0, 31},
-    [GRAIN] = {"grain", 0, 4294967295.0}, [ENTERS] = {"enters", 0, 0}, [PATH] = {"path", 0, 0},
+    [X] = {"x", -1e6, 1e6},
+    [Y] = {"y", -1e6, 1e6},
+    [LENGTH] = {"length", 0, (double)HATCH_PATH_LENGTH_MAX},
+    [ANGLE] = {"angle", -1e3, 1e3},
+    [WIDTH] = {"width", 1e-9, 4},
+    [TONE] = {"tone", 0, 1},
+    [RED] = {"r", 0, 1},
+    [GREEN] = {"g", 0, 1},
+    [BLUE] = {"b", 0, 1},
+    [ID] = {"id", 0, 16777216},
+    [COLUMN] = {"column", 0, 255},
+    [LEVEL] = {"level", 0, 31},
+    [GRAIN] = {"grain", 0, 4294967295.0},
+    [ENTERS] = {"enters", 0, 0},
+    [PATH] = {"path", 0, 0},
     [BEND] = {"bend", -(double)HATCH_STROKE_BEND_MAX, (double)HATCH_STROKE_BEND_MAX},
 };
 
@@ -39,8 +49,7 @@ static struct extras extras_of(const struct hatch_stroke *strokes, uint32_t coun
     return extras;
 }
 
-static enum hatch_status print_header(const struct extras *extras, struct hatch_buffer *text,
-                                      struct hatch_err *err)
+static enum hatch_status print_header(const struct extras *extras, struct hatch_buffer *text, struct hatch_err *err)
 {
     for (int k = 0; k < REQUIRED; k++)
         HATCH_TRY(hatch_buffer_print(text, err, "%s\t", keys[k].name));
@@ -65,9 +74,8 @@ static enum hatch_status print_extras(const struct hatch_stroke *s, const struct
     return hatch_buffer_print(text, err, "\n");
 }
 
-enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_t count,
-                                     uint32_t size_px, const char *comment,
-                                     struct hatch_buffer *text, struct hatch_err *err)
+enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_t count, uint32_t size_px,
+                                     const char *comment, struct hatch_buffer *text, struct hatch_err *err)
 {
     struct extras extras = extras_of(strokes, count);
     if (comment)
@@ -76,10 +84,9 @@ enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_stroke *s = &strokes[i];
         HATCH_TRY(hatch_buffer_print(
-            text, err, "%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%u\t%u\t%u\t%u",
-            (double)s->x, (double)s->y, (double)s->length, (double)s->angle_rad,
-            (double)s->width_px / size_px, (double)s->tone, (double)s->rgb[0], (double)s->rgb[1],
-            (double)s->rgb[2], s->id, s->column, s->level, s->texture_seed));
+            text, err, "%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%u\t%u\t%u\t%u", (double)s->x,
+            (double)s->y, (double)s->length, (double)s->angle_rad, (double)s->width_px / size_px, (double)s->tone,
+            (double)s->rgb[0], (double)s->rgb[1], (double)s->rgb[2], s->id, s->column, s->level, s->texture_seed));
         HATCH_TRY(print_extras(s, &extras, text, err));
     }
     return HATCH_OK;
@@ -124,11 +131,11 @@ struct row {
 static enum hatch_status parse_number(struct hatch_text field, int key, double *number, struct hatch_err *err)
 {
     if (!hatch_text_number(field, number))
-        return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a number",
-                          (int)(field.length < 40 ? field.length : 40), field.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a number", (int)(field.length < 40 ? field.length : 40),
+                          field.at);
     if (!(*number >= keys[key].low && *number <= keys[key].high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want %g to %g", keys[key].name, *number,
-                          keys[key].low, keys[key].high);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want %g to %g", keys[key].name, *number, keys[key].low,
+                          keys[key].high);
     if (key >= ID && *number != floor(*number))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want a whole number", keys[key].name, *number);
     return HATCH_OK;
@@ -158,8 +165,7 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
             HATCH_TRY(parse_number(field, key, &row->numbers[key], err));
     }
     if (column != header->columns)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u field%s, want %u", column, column == 1 ? "" : "s",
-                          header->columns);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u field%s, want %u", column, column == 1 ? "" : "s", header->columns);
     return HATCH_OK;
 }
 
@@ -173,8 +179,7 @@ static struct hatch_text take_until(struct hatch_text *rest, char separator)
     return taken;
 }
 
-static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_stroke *stroke,
-                                      struct hatch_err *err)
+static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_stroke *stroke, struct hatch_err *err)
 {
     uint32_t levels = 0;
     for (; rest.length && levels < HATCH_STROKE_LEVELS_MAX; levels++) {
@@ -185,13 +190,13 @@ static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_strok
         stroke->delay[levels] = (uint8_t)(column - stroke->column);
     }
     if (rest.length || (levels && (levels != stroke->level + 1 || stroke->delay[0])))
-        return hatch_fail(err, HATCH_BAD_INPUT, "enters: does not agree with column %u and level %u",
-                          stroke->column, stroke->level);
+        return hatch_fail(err, HATCH_BAD_INPUT, "enters: does not agree with column %u and level %u", stroke->column,
+                          stroke->level);
     return HATCH_OK;
 }
 
-static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *arena,
-                                    struct hatch_stroke *stroke, struct hatch_err *err)
+static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *arena, struct hatch_stroke *stroke,
+                                    struct hatch_err *err)
 {
     uint32_t count = 1;
     for (size_t i = 0; i < rest.length; i++)
@@ -235,8 +240,7 @@ static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
 }
 
 static enum hatch_status parse_stroke(struct hatch_text line, const struct header *header, uint32_t size_px,
-                                      struct hatch_arena *arena, struct hatch_stroke *stroke,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *arena, struct hatch_stroke *stroke, struct hatch_err *err)
 {
     struct row row = {.numbers = {0}};
     HATCH_TRY(parse_row(line, header, &row, err));
@@ -246,9 +250,8 @@ static enum hatch_status parse_stroke(struct hatch_text line, const struct heade
     return row.path.length ? parse_path(row.path, arena, stroke, err) : HATCH_OK;
 }
 
-enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px,
-                                     struct hatch_arena *arena, struct hatch_stroke_list *strokes,
-                                     struct hatch_err *err)
+enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px, struct hatch_arena *arena,
+                                     struct hatch_stroke_list *strokes, struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(text), line;
     struct hatch_stroke_list list = {0};

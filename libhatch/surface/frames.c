@@ -18,8 +18,7 @@ struct corners {
     double *normal;      /* 3 a face: unit */
 };
 
-static void measure_face(const struct hatch_surface *surface, uint32_t face, struct corners *of,
-                         double *area)
+static void measure_face(const struct hatch_surface *surface, uint32_t face, struct corners *of, double *area)
 {
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *at[3];
@@ -37,8 +36,7 @@ static void measure_face(const struct hatch_surface *surface, uint32_t face, str
         double angle = c < 2 ? atan2(doubled, dot) : fmax(angles, 0);
         angles -= angle;
         of->angle[(size_t)face * 3 + (size_t)c] = angle;
-        of->cot[(size_t)face * 3 + (size_t)c] =
-            fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
+        of->cot[(size_t)face * 3 + (size_t)c] = fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
         area[corner[c]] += doubled / 6;
     }
 }
@@ -79,8 +77,7 @@ static void measure_ring(const struct hatch_surface *surface, const struct corne
         if (face == HATCH_NO_SIDE)
             continue;
         double angle = of->angle[corner_of(surface, face, point)];
-        hatch_vec_add_scaled(normal, surface->ring_flipped[i] ? -angle : angle,
-                             &of->normal[(size_t)face * 3], normal);
+        hatch_vec_add_scaled(normal, surface->ring_flipped[i] ? -angle : angle, &of->normal[(size_t)face * 3], normal);
         sum += angle;
     }
     bool open = surface->ring_face[end - 1] == HATCH_NO_SIDE;
@@ -90,8 +87,8 @@ static void measure_ring(const struct hatch_surface *surface, const struct corne
     /* Faces folded onto one another leave no normal: the first's is as good as any. */
     if (!(hatch_vec_normalize(normal) > 1e-12))
         for (int i = 0; i < 3; i++)
-            normal[i] = (surface->ring_flipped[first] ? -1 : 1) *
-                        of->normal[(size_t)surface->ring_face[first] * 3 + (size_t)i];
+            normal[i] =
+                (surface->ring_flipped[first] ? -1 : 1) * of->normal[(size_t)surface->ring_face[first] * 3 + (size_t)i];
 }
 
 void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames)
@@ -119,8 +116,8 @@ void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, 
 }
 
 /* The entry of the same edge in the neighbour's ring: found through a face that both rings hold. */
-static uint32_t find_mate(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                          uint32_t point, uint32_t i)
+static uint32_t find_mate(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+                          uint32_t i)
 {
     uint32_t q = surface->ring_point[i], face = surface->ring_face[i];
     if (face == HATCH_NO_SIDE)
@@ -132,8 +129,8 @@ static uint32_t find_mate(const struct hatch_surface *surface, const struct hatc
 }
 
 /* The cotangent of a face's corner across from an edge. */
-static double cot_across(const struct hatch_surface *surface, const struct corners *of, uint32_t face,
-                         uint32_t p, uint32_t q)
+static double cot_across(const struct hatch_surface *surface, const struct corners *of, uint32_t face, uint32_t p,
+                         uint32_t q)
 {
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     for (uint32_t c = 0; c < 3; c++)
@@ -142,8 +139,7 @@ static double cot_across(const struct hatch_surface *surface, const struct corne
     return 0;
 }
 
-static double edge_weight(const struct hatch_surface *surface, const struct corners *of, uint32_t p,
-                          uint32_t i)
+static double edge_weight(const struct hatch_surface *surface, const struct corners *of, uint32_t p, uint32_t i)
 {
     uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
     uint32_t after = surface->ring_face[i], before = surface->ring_face[i > first ? i - 1 : end - 1];
@@ -155,8 +151,7 @@ static double edge_weight(const struct hatch_surface *surface, const struct corn
     return sum / 2;
 }
 
-static void join_entries(const struct hatch_surface *surface, const struct corners *of,
-                         struct hatch_frames *frames)
+static void join_entries(const struct hatch_surface *surface, const struct corners *of, struct hatch_frames *frames)
 {
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
@@ -201,8 +196,7 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
 }
 
 enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct hatch_frames *frames,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
 {
     struct hatch_frames made = {0};
     struct corners of = {0};
@@ -222,8 +216,7 @@ enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct
 }
 
 enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_frames *frames,
-                                    struct hatch_err *err)
+                                    struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
 {
     HATCH_TRY(hatch_frames_begin(surface, arena, scratch, frames, err));
     for (uint32_t p = 0; p < surface->point_count; p++)
@@ -242,8 +235,7 @@ double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, con
     return fmax(fabs(x), fabs(y)) > HATCH_FRAMES_ROUNDING * along ? atan2(y, x) : 0;
 }
 
-void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,
-                            double direction[3])
+void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad, double direction[3])
 {
     const double *axis = &frames->axis[(size_t)point * 3];
     double side[3], c = cos(angle_rad), s = sin(angle_rad);
@@ -252,8 +244,8 @@ void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, d
         direction[i] = c * axis[i] + s * side[i];
 }
 
-double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                           uint32_t point, uint32_t i)
+double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+                           uint32_t i)
 {
     uint32_t next = i + 1 < surface->ring_first[point + 1] ? i + 1 : surface->ring_first[point];
     return frames->angle_rad[next] - frames->angle_rad[i] + (next > i ? 0 : TURN);

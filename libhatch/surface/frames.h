@@ -40,8 +40,8 @@ enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct
  * The fields that are solved on such frames do not follow the noise. normal: 3 a point, unit, on the sides of the
  * frames' own; may not be frames->normal. */
 enum hatch_status hatch_frames_lean(const struct hatch_surface *surface, const double *normal,
-                                    struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                    struct hatch_arena *scratch, struct hatch_frames *frames,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* By how much a direction that is carried around a face comes back turned: over all faces of a closed component 2π
  * times the Euler characteristic. */
@@ -62,11 +62,10 @@ enum hatch_status hatch_frames_turn_folds(const struct hatch_surface *surface, s
 /* The angle of a direction (any vector; its part in the plane counts) at a point, and back. A
  * vector along the normal has angle 0. */
 double hatch_frames_angle(const struct hatch_frames *frames, uint32_t point, const double direction[3]);
-void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad,
-                            double direction[3]);
+void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, double angle_rad, double direction[3]);
 
 /* The scaled angle of ring entry i's face at the point. i: an entry of the point's that has a face. */
-double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                           uint32_t point, uint32_t i);
+double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+                           uint32_t i);
 
 #endif

@@ -9,14 +9,12 @@
 /* The edge of ring entry i, laid into the plane that halves the angle between the tangent planes at its ends: from
  * there it falls onto both alike, so that the angles that it takes in them differ by the least turn that makes one
  * plane the other. */
-static void lay_edge(const struct hatch_surface *surface, const double *normal, uint32_t p, uint32_t i,
-                     double edge[3])
+static void lay_edge(const struct hatch_surface *surface, const double *normal, uint32_t p, uint32_t i, double edge[3])
 {
     uint32_t q = surface->ring_point[i];
     double middle[3];
     hatch_vec_sub(&surface->points[(size_t)q * 3], &surface->points[(size_t)p * 3], edge);
-    hatch_vec_add_scaled(&normal[(size_t)p * 3], surface->ring_turned[i] ? -1 : 1, &normal[(size_t)q * 3],
-                         middle);
+    hatch_vec_add_scaled(&normal[(size_t)p * 3], surface->ring_turned[i] ? -1 : 1, &normal[(size_t)q * 3], middle);
     hatch_vec_normalize(middle);
     hatch_vec_add_scaled(edge, -hatch_vec_dot(edge, middle), middle, edge);
 }

@@ -6,8 +6,8 @@
 #define TURNED 2u
 
 /* How a vertex's faces lie: KEPT and TURNED, or both. vertex: per corner. ways: zeros. */
-static void find_ways(const struct hatch_surface *s, const struct hatch_mesh *source,
-                      const uint32_t *vertex, uint8_t *ways)
+static void find_ways(const struct hatch_surface *s, const struct hatch_mesh *source, const uint32_t *vertex,
+                      uint8_t *ways)
 {
     for (uint32_t corner = 0; corner < 3 * s->face_count; corner++) {
         uint32_t face = corner / 3;
@@ -32,8 +32,8 @@ static void turn_normals(const uint8_t *ways, struct hatch_mesh *mesh)
 }
 
 static enum hatch_status build(const struct hatch_surface *s, const struct hatch_mesh *source,
-                               struct hatch_arena *arena, struct hatch_arena *scratch,
-                               struct hatch_mesh *mesh, uint32_t **vertex_point, struct hatch_err *err)
+                               struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                               uint32_t **vertex_point, struct hatch_err *err)
 {
     size_t corners = (size_t)s->face_count * 3;
     struct hatch_splits splits;
@@ -41,8 +41,8 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     uint32_t *vertex = HATCH_NEW(scratch, uint32_t, corners, err);
     if (!vertex)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_splits_make(s->corner_vertex, s->corners, corners, source->vertex_count, scratch,
-                                vertex, &splits, err));
+    HATCH_TRY(
+        hatch_splits_make(s->corner_vertex, s->corners, corners, source->vertex_count, scratch, vertex, &splits, err));
     uint32_t *number = HATCH_NEW(scratch, uint32_t, splits.count, err), count = 0;
     uint32_t *point = number ? HATCH_NEW(arena, uint32_t, splits.count, err) : NULL;
     if (!point)
@@ -68,9 +68,8 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
 }
 
 enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch,
-                                     struct hatch_mesh *mesh, uint32_t **vertex_point,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                     uint32_t **vertex_point, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = build(surface, source, arena, scratch, mesh, vertex_point, err);

@@ -27,8 +27,7 @@ uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double
     return nearest;
 }
 
-void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count,
-                                 uint32_t *points)
+void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count, uint32_t *points)
 {
     for (uint32_t v = 0; v < vertex_count; v++)
         points[v] = HATCH_NO_SIDE;

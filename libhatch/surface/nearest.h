@@ -10,7 +10,6 @@ uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double
 
 /* points[v]: the first point that vertex v of the mesh became, or HATCH_NO_SIDE when no face uses it.
  * points: vertex_count, the mesh's. */
-void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count,
-                                 uint32_t *points);
+void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count, uint32_t *points);
 
 #endif

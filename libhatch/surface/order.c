@@ -56,8 +56,8 @@ static void number_points(struct numbering *n)
     }
 }
 
-enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                      uint32_t *order, uint32_t *number, struct hatch_err *err)
+enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena, uint32_t *order,
+                                      uint32_t *number, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     struct numbering numbering = {.surface = surface, .order = order, .made = number};

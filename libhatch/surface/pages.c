@@ -39,8 +39,7 @@ static uint32_t join_edge(const struct hatch_surface_work *w, const uint32_t *si
     for (uint32_t i = 0; i < count; i++) {
         pages[i].side = sides[i];
         pages[i].component = w->component[sides[i] / 3];
-        pages[i].forward = (w->point[sides[i]] < w->point[hatch_side_end(sides[i])]) !=
-                           (w->flipped[sides[i] / 3] != 0);
+        pages[i].forward = (w->point[sides[i]] < w->point[hatch_side_end(sides[i])]) != (w->flipped[sides[i] / 3] != 0);
         hatch_side_direction(w->mesh, sides[i], pages[i].direction);
     }
     for (; find_pair(pages, count, &a, &b); pairs++) {

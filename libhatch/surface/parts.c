@@ -6,8 +6,7 @@
 #include "mesh/fans.h"
 #include "surface/work.h"
 
-static enum hatch_status allocate(const struct hatch_surface_work *w, struct hatch_surface *s,
-                                  struct hatch_err *err)
+static enum hatch_status allocate(const struct hatch_surface_work *w, struct hatch_surface *s, struct hatch_err *err)
 {
     size_t faces = s->face_count, points = s->point_count;
     s->components = HATCH_NEW(w->arena, struct hatch_component, s->component_count, err);
@@ -21,8 +20,7 @@ static enum hatch_status allocate(const struct hatch_surface_work *w, struct hat
 }
 
 /* new_face: per face of the mesh. */
-static void order_faces(const struct hatch_surface_work *w, struct hatch_surface *s,
-                        uint32_t *new_face)
+static void order_faces(const struct hatch_surface_work *w, struct hatch_surface *s, uint32_t *new_face)
 {
     for (uint32_t f = 0; f < w->mesh->face_count; f++)
         if (!w->dropped[f])
@@ -43,8 +41,7 @@ static void order_faces(const struct hatch_surface_work *w, struct hatch_surface
 }
 
 /* Points are numbered as the faces meet them. new_point: per fan, HATCH_NO_SIDE each. */
-static void number_points(const struct hatch_surface_work *w, struct hatch_surface *s,
-                          uint32_t *new_point)
+static void number_points(const struct hatch_surface_work *w, struct hatch_surface *s, uint32_t *new_point)
 {
     const float *positions = w->mesh->attributes[0].data;
     uint32_t count = 0;
@@ -76,8 +73,7 @@ static uint32_t new_side(const struct hatch_surface_work *w, const uint32_t *new
     return 3 * new_face[face] + (w->flipped[face] ? 2 - c : c);
 }
 
-static void join_sides(const struct hatch_surface_work *w, struct hatch_surface *s,
-                       const uint32_t *new_face)
+static void join_sides(const struct hatch_surface_work *w, struct hatch_surface *s, const uint32_t *new_face)
 {
     memset(s->opposite, 0xff, (size_t)s->face_count * 3 * sizeof *s->opposite);
     for (uint32_t side = 0; side < 3 * w->mesh->face_count; side++)
@@ -85,8 +81,8 @@ static void join_sides(const struct hatch_surface_work *w, struct hatch_surface 
             s->opposite[new_side(w, new_face, side)] = new_side(w, new_face, w->partner[side]);
 }
 
-enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w,
-                                        struct hatch_surface *surface, struct hatch_err *err)
+enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w, struct hatch_surface *surface,
+                                        struct hatch_err *err)
 {
     uint32_t *new_face = HATCH_NEW(w->scratch, uint32_t, w->mesh->face_count, err);
     uint32_t *new_point = new_face ? HATCH_NEW(w->scratch, uint32_t, w->fan_count, err) : NULL;
@@ -147,8 +143,7 @@ void hatch_surface_place(struct hatch_surface *s)
 }
 
 /* A border point has one fan, and so two border sides: its loop is what they join. */
-enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_arena *scratch,
-                                      struct hatch_err *err)
+enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t *loop = HATCH_NEW(scratch, uint32_t, s->point_count, err);
     uint8_t *on_border = loop ? HATCH_NEW(scratch, uint8_t, s->point_count, err) : NULL;
@@ -159,8 +154,7 @@ enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_aren
         struct hatch_component *part = &s->components[c];
         uint32_t edges = 0;
         part->orientable = true;
-        for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count);
-             side++) {
+        for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count); side++) {
             uint32_t other = s->opposite[side], end = hatch_side_end(side);
             edges += owns_edge(s, side);
             if (other == HATCH_NO_SIDE) {

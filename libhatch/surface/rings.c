@@ -35,8 +35,7 @@ static bool step(const struct hatch_surface *s, bool counter_clockwise, struct p
 
 /* The outside is that of the point's first face; an open ring starts at its clockwise end. Returns where
  * the ring ends. */
-static uint32_t walk(struct hatch_surface *s, uint32_t first_corner, uint32_t entry,
-                     uint8_t *corner_flipped)
+static uint32_t walk(struct hatch_surface *s, uint32_t first_corner, uint32_t entry, uint8_t *corner_flipped)
 {
     uint32_t point = s->corners[first_corner];
     struct place at = {.corner = first_corner};
@@ -82,8 +81,8 @@ static uint32_t count_entries(const struct hatch_surface *s)
     return count;
 }
 
-enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                      struct hatch_err *err)
 {
     size_t entries = count_entries(s);
     s->ring_first = HATCH_NEW(arena, uint32_t, (size_t)s->point_count + 1, err);
@@ -92,8 +91,7 @@ enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_aren
     s->ring_flipped = s->ring_face ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
     s->ring_turned = s->ring_flipped ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
     uint32_t *first_corner = s->ring_turned ? HATCH_NEW(scratch, uint32_t, s->point_count, err) : NULL;
-    uint8_t *corner_flipped =
-        first_corner ? HATCH_NEW(scratch, uint8_t, (size_t)s->face_count * 3, err) : NULL;
+    uint8_t *corner_flipped = first_corner ? HATCH_NEW(scratch, uint8_t, (size_t)s->face_count * 3, err) : NULL;
     if (!corner_flipped)
         return HATCH_LIMIT;
     for (uint32_t corner = 3 * s->face_count; corner-- > 0;)

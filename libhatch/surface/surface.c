@@ -18,16 +18,15 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
     HATCH_TRY(hatch_mesh_weld(mesh, w->scratch, vertex_to_point, &w->position_count, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
-    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch,
-                                         &notes->duplicate, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch, &notes->duplicate, err));
     if (notes->degenerate + notes->duplicate == mesh->face_count)
         return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
     return HATCH_OK;
 }
 
 /* Vertices that no face uses, and those of one position that faces do use. */
-static enum hatch_status count_vertices(struct hatch_surface_work *w,
-                                        struct hatch_surface_notes *notes, struct hatch_err *err)
+static enum hatch_status count_vertices(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                        struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
     uint8_t *vertex_used = HATCH_NEW(w->scratch, uint8_t, mesh->vertex_count, err);
@@ -47,12 +46,11 @@ static enum hatch_status count_vertices(struct hatch_surface_work *w,
     return HATCH_OK;
 }
 
-static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
-                                struct hatch_err *err)
+static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes, struct hatch_err *err)
 {
     struct hatch_orientation turned;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped,
-                                w->component, &turned, err));
+    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped, w->component,
+                                &turned, err));
     w->component_count = turned.components;
     notes->components = turned.components;
     notes->flipped = turned.faces_flipped;
@@ -85,12 +83,11 @@ static enum hatch_status find_sheets(struct hatch_surface_work *w, struct hatch_
     w->partner = w->fan ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
     if (!w->partner)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_edges_find(w->point, faces, w->position_count, w->dropped, w->scratch, w->scratch,
-                               &w->edges, err));
+    HATCH_TRY(hatch_edges_find(w->point, faces, w->position_count, w->dropped, w->scratch, w->scratch, &w->edges, err));
     HATCH_TRY(join_faces(w, notes, err));
     w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces, w->fan);
-    return hatch_mesh_count_pinched(w->point, faces, w->position_count, &w->edges, w->dropped,
-                                    w->scratch, &notes->points_split, err);
+    return hatch_mesh_count_pinched(w->point, faces, w->position_count, &w->edges, w->dropped, w->scratch,
+                                    &notes->points_split, err);
 }
 
 static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface *surface,
@@ -132,8 +129,7 @@ void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, do
 
 void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3])
 {
-    const struct hatch_component *component =
-        &surface->components[surface->point_component[point]];
+    const struct hatch_component *component = &surface->components[surface->point_component[point]];
     for (uint32_t k = 0; k < 3; k++)
         position[k] = component->center[k] + component->scale * surface->points[(size_t)point * 3 + k];
 }

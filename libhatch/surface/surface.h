@@ -20,24 +20,24 @@ struct hatch_component {
     uint32_t first_point, point_count;
     uint32_t first_face, face_count;
     uint32_t border_loops;
-    int32_t euler;      /* points - edges + faces */
+    int32_t euler; /* points - edges + faces */
     bool orientable;
-    double center[3];   /* of the box around it, in the mesh's units */
-    double scale;       /* the mesh's units for one unit here: the mean edge; over 0 */
+    double center[3]; /* of the box around it, in the mesh's units */
+    double scale;     /* the mesh's units for one unit here: the mean edge; over 0 */
 };
 
 /* Side 3 * f + c of face f runs from its corner c to corner (c + 1) % 3, as in mesh/edges.h. */
 struct hatch_surface {
     uint32_t point_count, face_count, component_count;
     struct hatch_component *components;
-    double *points;         /* 3 a point: (position - center) / scale */
-    uint32_t *corners;      /* 3 a face: points, counter-clockwise as far as neighbours can agree */
-    uint32_t *opposite;     /* per side: the side of the other face, or HATCH_NO_SIDE on a border. The two run
-                               against each other, but the same way across a contrary edge (a Möbius strip has
-                               some): then their faces look to different sides. */
+    double *points;     /* 3 a point: (position - center) / scale */
+    uint32_t *corners;  /* 3 a face: points, counter-clockwise as far as neighbours can agree */
+    uint32_t *opposite; /* per side: the side of the other face, or HATCH_NO_SIDE on a border. The two run
+                           against each other, but the same way across a contrary edge (a Möbius strip has
+                           some): then their faces look to different sides. */
     uint32_t *point_component;
-    uint32_t *corner_vertex;  /* 3 a face: the mesh's vertex there */
-    uint32_t *face_source;    /* per face: the mesh's face */
+    uint32_t *corner_vertex; /* 3 a face: the mesh's vertex there */
+    uint32_t *face_source;   /* per face: the mesh's face */
 
     /* The ring of a point p, counter-clockwise seen from the side that its ring takes for outside:
      * neighbours ring_point[ring_first[p]] .. ring_point[ring_first[p + 1] - 1]. ring_face[i] lies between
@@ -45,19 +45,19 @@ struct hatch_surface {
      * neighbours lie on the border. ring_flipped[i]: ring_face[i] is clockwise for this ring (a contrary edge
      * is near). A neighbour may stand in two rings of different outsides: ring_turned[i] is 1 when p's ring
      * and that of neighbour i look to different sides. All zero on orientable components. */
-    uint32_t *ring_first;   /* point_count + 1 */
+    uint32_t *ring_first; /* point_count + 1 */
     uint32_t *ring_point, *ring_face;
     uint8_t *ring_flipped, *ring_turned;
 };
 
 /* What was done, for one line of warning; 0 where nothing was. */
 struct hatch_surface_notes {
-    uint32_t welded;            /* vertices that stood where another did */
+    uint32_t welded;                              /* vertices that stood where another did */
     uint32_t degenerate, duplicate, unreferenced; /* faces, faces, vertices left out */
-    uint32_t flipped;           /* faces turned to agree with their neighbours */
-    uint32_t edges_cut;         /* of more than two faces */
-    uint32_t points_split;      /* where faces met that shared no edge */
-    uint32_t contrary;          /* edges whose faces cannot agree: components with but one side */
+    uint32_t flipped;                             /* faces turned to agree with their neighbours */
+    uint32_t edges_cut;                           /* of more than two faces */
+    uint32_t points_split;                        /* where faces met that shared no edge */
+    uint32_t contrary;                            /* edges whose faces cannot agree: components with but one side */
     uint32_t components;
 };
 
@@ -74,15 +74,14 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
  * *vertex_point: the point of each new vertex. Flipped faces keep the normals that the file gave
  * their vertices, turned where all of a vertex's faces were. */
 enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch,
-                                     struct hatch_mesh *mesh, uint32_t **vertex_point,
-                                     struct hatch_err *err) HATCH_MUST_USE;
+                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                     uint32_t **vertex_point, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Numbers the points so that neighbours lie near one another in memory: files order them as they like, and walks then
  * wait for memory most of the time. Components stay whole, in their order, each from its first point on. order: the
  * points by their new numbers; number: the new number of each point. A little memory: arena. */
-enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                      uint32_t *order, uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena, uint32_t *order,
+                                      uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The normal of a face, counter-clockwise, as long as twice its area. */
 void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3]);

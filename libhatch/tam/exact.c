@@ -46,8 +46,8 @@ static void fill(const struct hatch_tam *tam, const struct hatch_runs *runs, uin
 {
     uint32_t levels = runs->level_count;
     uint64_t first_run = index_word(tam->size_px, tam->tones, levels, levels);
-    const uint32_t head[] = {HATCH_EXACT_VERSION, tam->size_px, levels, tam->levels, tam->tones,
-                             (uint32_t)first_run, runs->count};
+    const uint32_t head[] = {HATCH_EXACT_VERSION, tam->size_px,        levels,     tam->levels,
+                             tam->tones,          (uint32_t)first_run, runs->count};
     for (uint32_t i = 0; i < sizeof head / sizeof *head; i++)
         put(words, i, head[i]);
     for (uint32_t c = 0; c < tam->tones; c++) {
@@ -68,22 +68,24 @@ static void fill(const struct hatch_tam *tam, const struct hatch_runs *runs, uin
     }
 }
 
-static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_runs *runs,
-                              struct hatch_arena *arena, struct hatch_exact *made, struct hatch_err *err)
+static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_runs *runs, struct hatch_arena *arena,
+                              struct hatch_exact *made, struct hatch_err *err)
 {
-    uint64_t words = index_word(tam->size_px, tam->tones, runs->level_count, runs->level_count) +
-                     ((uint64_t)runs->count + 1) / 2;
+    uint64_t words =
+        index_word(tam->size_px, tam->tones, runs->level_count, runs->level_count) + ((uint64_t)runs->count + 1) / 2;
     uint64_t rows = (words + HATCH_EXACT_WIDTH - 1) / HATCH_EXACT_WIDTH;
-    made->texels = (struct hatch_texels){.width = HATCH_EXACT_WIDTH, .height = (uint32_t)rows, .channels = 1,
-                                         .level_count = 1, .code = HATCH_TEXELS_R32UI};
+    made->texels = (struct hatch_texels){.width = HATCH_EXACT_WIDTH,
+                                         .height = (uint32_t)rows,
+                                         .channels = 1,
+                                         .level_count = 1,
+                                         .code = HATCH_TEXELS_R32UI};
     HATCH_TRY(hatch_texels_make(arena, &made->texels, err));
     fill(tam, runs, made->texels.texels[0]);
     return HATCH_OK;
 }
 
-enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_exact *exact, struct hatch_err *err)
+enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_exact *exact, struct hatch_err *err)
 {
     struct hatch_runs runs;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -92,8 +94,11 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
         hatch_arena_rewind(scratch, mark);
         return status;
     }
-    struct hatch_exact made = {.size_px = tam->size_px, .level_count = runs.level_count,
-                               .levels = tam->levels, .columns = tam->tones, .run_count = runs.count};
+    struct hatch_exact made = {.size_px = tam->size_px,
+                               .level_count = runs.level_count,
+                               .levels = tam->levels,
+                               .columns = tam->tones,
+                               .run_count = runs.count};
     status = make(tam, &runs, arena, &made, err);
     if (status == HATCH_OK)
         *exact = made;
@@ -102,8 +107,7 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
 }
 
 /* That all indices rise, and end where the runs do. */
-static enum hatch_status check_indices(const struct hatch_exact *exact, const uint8_t *words,
-                                       struct hatch_err *err)
+static enum hatch_status check_indices(const struct hatch_exact *exact, const uint8_t *words, struct hatch_err *err)
 {
     uint32_t before = 0;
     for (uint32_t level = 0; level < exact->level_count; level++) {
@@ -127,22 +131,24 @@ enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, str
 {
     const uint8_t *words = texels->texels[0];
     uint64_t count = (uint64_t)texels->width * texels->height;
-    if (texels->code != HATCH_TEXELS_R32UI || texels->width != HATCH_EXACT_WIDTH || texels->depth ||
-        texels->layers || get(words, WORD_VERSION) != HATCH_EXACT_VERSION)
+    if (texels->code != HATCH_TEXELS_R32UI || texels->width != HATCH_EXACT_WIDTH || texels->depth || texels->layers ||
+        get(words, WORD_VERSION) != HATCH_EXACT_VERSION)
         return hatch_fail(err, HATCH_BAD_INPUT, "no exact runs: see tamthresh(5)");
-    struct hatch_exact made = {.texels = *texels, .size_px = get(words, WORD_SIZE),
-                               .level_count = get(words, WORD_LEVELS), .levels = get(words, WORD_DRAWN),
-                               .columns = get(words, WORD_COLUMNS), .run_count = get(words, WORD_RUN_COUNT)};
+    struct hatch_exact made = {.texels = *texels,
+                               .size_px = get(words, WORD_SIZE),
+                               .level_count = get(words, WORD_LEVELS),
+                               .levels = get(words, WORD_DRAWN),
+                               .columns = get(words, WORD_COLUMNS),
+                               .run_count = get(words, WORD_RUN_COUNT)};
     if (made.size_px < 1 || made.size_px > HATCH_TAM_SIZE_MAX || made.columns < 1 ||
-        made.columns > HATCH_TAM_TONES_MAX ||
-        made.level_count != hatch_mip_chain_length(made.size_px, made.size_px) || made.levels < 1 ||
-        made.levels > made.level_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels, %u of %u levels, %u columns", made.size_px,
-                          made.levels, made.level_count, made.columns);
+        made.columns > HATCH_TAM_TONES_MAX || made.level_count != hatch_mip_chain_length(made.size_px, made.size_px) ||
+        made.levels < 1 || made.levels > made.level_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels, %u of %u levels, %u columns", made.size_px, made.levels,
+                          made.level_count, made.columns);
     uint64_t first = index_word(made.size_px, made.columns, made.level_count, made.level_count);
     if (get(words, WORD_RUNS) != first || first + ((uint64_t)made.run_count + 1) / 2 > count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u runs from word %u on do not fit %llu words",
-                          made.run_count, get(words, WORD_RUNS), (unsigned long long)count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u runs from word %u on do not fit %llu words", made.run_count,
+                          get(words, WORD_RUNS), (unsigned long long)count);
     HATCH_TRY(check_indices(&made, words, err));
     *exact = made;
     return HATCH_OK;
@@ -191,8 +197,8 @@ float hatch_exact_sample(const struct hatch_exact *exact, float u, float v, floa
         struct hatch_taps taps = hatch_taps_at(u, v, size, size);
         uint64_t word = index_word(exact->size_px, exact->columns, exact->level_count, level + i);
         for (int tap = 0; tap < 4; tap++)
-            darkness += (i ? share : 1 - share) * taps.weight[tap] *
-                        darkness_at(exact, word + taps.texel[tap], column, part);
+            darkness +=
+                (i ? share : 1 - share) * taps.weight[tap] * darkness_at(exact, word + taps.texel[tap], column, part);
     }
     return 1 - darkness;
 }

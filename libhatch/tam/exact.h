@@ -44,9 +44,9 @@ struct hatch_exact {
 
 /* Each value within half a step of 8 bits of the map's. HATCH_BAD_INPUT for a coloured map, and where
  * a texel gets lighter (hatch_tam_check_nesting); HATCH_LIMIT at 2^32 runs. */
-enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_exact *exact, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_exact *exact,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* Takes a file's texture over (nothing is copied) and checks every offset in it, so that sampling cannot
  * leave it. HATCH_BAD_INPUT where it is none. */

@@ -10,8 +10,7 @@ static uint8_t code_of(float reflectance, bool ink_is_one)
 }
 
 /* Channel c of a level to every stride-th byte from out on. */
-static void pack_channel(const struct hatch_image *image, uint32_t c, bool ink_is_one, uint8_t *out,
-                         size_t stride)
+static void pack_channel(const struct hatch_image *image, uint32_t c, bool ink_is_one, uint8_t *out, size_t stride)
 {
     size_t texels = (size_t)image->width * image->height;
     const float *in = image->pixels + c;
@@ -31,17 +30,14 @@ uint32_t hatch_tam_rgb_count(const struct hatch_tam *tam)
 }
 
 enum hatch_status hatch_tam_pack_rgb(const struct hatch_tam *tam, uint32_t index, bool ink_is_one,
-                                     struct hatch_arena *arena, struct hatch_texels *texture,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *arena, struct hatch_texels *texture, struct hatch_err *err)
 {
     assert(index < hatch_tam_rgb_count(tam));
     if (tam->color)
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "the map is coloured: three of its tones do not fit red, green and blue");
-    struct hatch_texels made = {.width = tam->size_px,
-                                .height = tam->size_px,
-                                .channels = 4,
-                                .level_count = tam->columns[0].level_count};
+    struct hatch_texels made = {
+        .width = tam->size_px, .height = tam->size_px, .channels = 4, .level_count = tam->columns[0].level_count};
     HATCH_TRY(hatch_texels_make(arena, &made, err));
     uint8_t paper = code_of(1, ink_is_one);
     for (uint32_t level = 0; level < made.level_count; level++) {
@@ -49,8 +45,7 @@ enum hatch_status hatch_tam_pack_rgb(const struct hatch_tam *tam, uint32_t index
         for (uint32_t c = 0; c < HATCH_PACK_TONES_PER_TEXTURE; c++) {
             uint32_t tone = index * HATCH_PACK_TONES_PER_TEXTURE + c;
             if (tone < tam->tones)
-                pack_channel(&tam->columns[tone].levels[level], 0, ink_is_one,
-                             made.texels[level] + c, made.channels);
+                pack_channel(&tam->columns[tone].levels[level], 0, ink_is_one, made.texels[level] + c, made.channels);
             else
                 fill(texels, paper, made.texels[level] + c, made.channels);
         }
@@ -60,9 +55,8 @@ enum hatch_status hatch_tam_pack_rgb(const struct hatch_tam *tam, uint32_t index
     return HATCH_OK;
 }
 
-enum hatch_status hatch_tam_pack_array(const struct hatch_tam *tam, bool ink_is_one,
-                                       struct hatch_arena *arena, struct hatch_texels *texture,
-                                       struct hatch_err *err)
+enum hatch_status hatch_tam_pack_array(const struct hatch_tam *tam, bool ink_is_one, struct hatch_arena *arena,
+                                       struct hatch_texels *texture, struct hatch_err *err)
 {
     struct hatch_texels made = {.width = tam->size_px,
                                 .height = tam->size_px,

@@ -23,8 +23,7 @@ enum hatch_status hatch_tam_pack_rgb(const struct hatch_tam *tam, uint32_t index
 
 /* All tones as layers of one 2D array, lightest first: R8, or RGBA8 with alpha 255 for a coloured
  * map. */
-enum hatch_status hatch_tam_pack_array(const struct hatch_tam *tam, bool ink_is_one,
-                                       struct hatch_arena *arena, struct hatch_texels *texture,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_tam_pack_array(const struct hatch_tam *tam, bool ink_is_one, struct hatch_arena *arena,
+                                       struct hatch_texels *texture, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -11,10 +11,10 @@
 struct job {
     const struct hatch_tam *tam;
     uint32_t level, size, channel;
-    uint8_t *darkest;   /* size² texels: the largest so far */
-    uint8_t *codes;     /* size rows of columns x size */
-    uint32_t *count;    /* size²: runs of each texel, then the number of its next one */
-    uint32_t *fault;    /* size rows: first column that gets lighter, and at which texel; 0: none does */
+    uint8_t *darkest; /* size² texels: the largest so far */
+    uint8_t *codes;   /* size rows of columns x size */
+    uint32_t *count;  /* size²: runs of each texel, then the number of its next one */
+    uint32_t *fault;  /* size rows: first column that gets lighter, and at which texel; 0: none does */
     struct hatch_run *runs;
 };
 
@@ -182,9 +182,9 @@ static enum hatch_status sum_counts(const uint32_t *count, size_t texels, uint64
     return HATCH_OK;
 }
 
-static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch,
-                                     struct job *jobs, struct hatch_runs *made, struct hatch_err *err)
+static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct job *jobs, struct hatch_runs *made,
+                                     struct hatch_err *err)
 {
     uint64_t total = 0;
     for (uint32_t level = 0; level < made->level_count; level++) {
@@ -211,9 +211,8 @@ static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_p
     return HATCH_OK;
 }
 
-enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_runs *runs, struct hatch_err *err)
+enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_runs *runs, struct hatch_err *err)
 {
     if (tam->color)
         return hatch_fail(err, HATCH_BAD_INPUT, "the map is coloured: steps of darkness tell of grey alone");

@@ -22,8 +22,8 @@ struct hatch_runs {
 /* HATCH_BAD_INPUT for a coloured map and where a texel gets lighter, as hatch_tam_check_nesting says;
  * by a single step of 8 bits it may, and stays as dark then. HATCH_LIMIT at 2^32 runs. arena
  * and scratch are two. */
-enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool *pool,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_runs *runs, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_runs *runs,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

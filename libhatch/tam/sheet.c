@@ -22,9 +22,8 @@ static uint32_t tone_at(const struct hatch_tam_sheet *sheet, uint32_t place)
     return (uint32_t)((uint64_t)(place + 1) * sheet->tones / sheet->shown) - 1;
 }
 
-enum hatch_status hatch_tam_sheet_make(uint32_t size_px, uint32_t levels, uint32_t tones, bool color,
-                                       uint32_t shown, struct hatch_arena *arena,
-                                       struct hatch_tam_sheet *sheet, struct hatch_err *err)
+enum hatch_status hatch_tam_sheet_make(uint32_t size_px, uint32_t levels, uint32_t tones, bool color, uint32_t shown,
+                                       struct hatch_arena *arena, struct hatch_tam_sheet *sheet, struct hatch_err *err)
 {
     assert(shown >= 1 && shown <= tones && levels >= 1);
     struct hatch_tam_sheet made = {.size_px = size_px, .levels = levels, .tones = tones, .shown = shown};
@@ -37,8 +36,7 @@ enum hatch_status hatch_tam_sheet_make(uint32_t size_px, uint32_t levels, uint32
     return HATCH_OK;
 }
 
-static void copy_level(struct hatch_tam_sheet *sheet, uint32_t place, uint32_t level,
-                       const struct hatch_image *image)
+static void copy_level(struct hatch_tam_sheet *sheet, uint32_t place, uint32_t level, const struct hatch_image *image)
 {
     uint32_t channels = sheet->picture.channel_count;
     uint32_t left = GAP_PX + place * (sheet->size_px + GAP_PX) + (sheet->size_px - image->width) / 2;

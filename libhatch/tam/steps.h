@@ -22,8 +22,8 @@ static inline void hatch_step_codes(const struct hatch_tam *tam, uint8_t *code)
 }
 
 /* The steps of a texel, of which there are the tones of the map at most; returns how many. */
-static inline uint32_t hatch_steps_of(const struct hatch_runs *runs, const uint8_t *code, uint32_t level,
-                                      size_t texel, struct hatch_step *steps)
+static inline uint32_t hatch_steps_of(const struct hatch_runs *runs, const uint8_t *code, uint32_t level, size_t texel,
+                                      struct hatch_step *steps)
 {
     const struct hatch_run *run = runs->runs + runs->first[level][texel];
     uint32_t count = runs->first[level][texel + 1] - runs->first[level][texel], before = 0;
@@ -44,7 +44,6 @@ static inline void hatch_bin_codes(const float *border, uint32_t bins, uint32_t 
 /* Fits bins + 1 borders to a map's steps: those that make the expected error of merging steps, and of
  * interpolating between neighbours, least, by dynamic programming over the codes. */
 enum hatch_status hatch_steps_fit(const struct hatch_tam *tam, const struct hatch_runs *runs, uint32_t bins,
-                                  struct hatch_arena *scratch, float *border, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                  struct hatch_arena *scratch, float *border, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

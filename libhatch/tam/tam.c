@@ -29,16 +29,13 @@ static enum hatch_status check_shape(const struct hatch_mipmap *part, const stru
 {
     const struct hatch_image *finest = &part->levels[0];
     if (finest->width != finest->height)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%u pixels, want a square", finest->width,
-                          finest->height);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%u pixels, want a square", finest->width, finest->height);
     if (finest->width != first->levels[0].width || part->level_count != first->level_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels in %u levels, where %s has %u in %u",
-                          finest->width, part->level_count, first->name, first->levels[0].width,
-                          first->level_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels in %u levels, where %s has %u in %u", finest->width,
+                          part->level_count, first->name, first->levels[0].width, first->level_count);
     uint32_t chain = hatch_mip_chain_length(finest->width, finest->height);
     if (part->level_count != chain)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u mip levels, want the whole chain of %u",
-                          part->level_count, chain);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u mip levels, want the whole chain of %u", part->level_count, chain);
     bool grey = hatch_image_channel(finest, "Y") == 0;
     bool rgb = hatch_image_channel(finest, "R") == 0 && hatch_image_channel(finest, "G") == 1 &&
                hatch_image_channel(finest, "B") == 2;
@@ -71,8 +68,8 @@ static enum hatch_status check_pixels(const struct hatch_mipmap *part, struct ha
     return HATCH_OK;
 }
 
-static enum hatch_status check_attributes(const struct hatch_mipmap *part, struct hatch_tam *tam,
-                                          uint32_t tone, struct hatch_err *err)
+static enum hatch_status check_attributes(const struct hatch_mipmap *part, struct hatch_tam *tam, uint32_t tone,
+                                          struct hatch_err *err)
 {
     const struct hatch_attribute *target = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_TONE);
     const struct hatch_attribute *levels = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_LEVELS);
@@ -81,8 +78,8 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
     if (!(target->number >= 0 && target->number <= 1))
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_TONE " %g, want 0 to 1", target->number);
     if (tone && !((float)target->number >= tam->target[tone - 1]))
-        return hatch_fail(err, HATCH_BAD_INPUT, "tone %g is lighter than the column before it, %g",
-                          target->number, (double)tam->target[tone - 1]);
+        return hatch_fail(err, HATCH_BAD_INPUT, "tone %g is lighter than the column before it, %g", target->number,
+                          (double)tam->target[tone - 1]);
     if (levels && levels->type != HATCH_ATTRIBUTE_INT)
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " is no whole number");
     if (levels && !(levels->number >= 1 && levels->number <= part->level_count))
@@ -91,28 +88,25 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
     tam->target[tone] = (float)target->number;
     uint32_t drawn = levels ? (uint32_t)levels->number : part->level_count;
     if (tone && drawn != tam->levels)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u drawn levels, where the first column has %u", drawn,
-                          tam->levels);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u drawn levels, where the first column has %u", drawn, tam->levels);
     tam->levels = drawn;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count,
-                                         struct hatch_tam *tam, struct hatch_err *err)
+enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
+                                         struct hatch_err *err)
 {
     if (count < 1 || count > HATCH_TAM_TONES_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u parts, want 1 to %u tones", count,
-                          HATCH_TAM_TONES_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u parts, want 1 to %u tones", count, HATCH_TAM_TONES_MAX);
     struct hatch_tam made = {.tones = count, .columns = parts, .size_px = parts[0].levels[0].width};
     for (uint32_t tone = 0; tone < count; tone++) {
         char name[HATCH_NAME_MAX];
         snprintf(name, sizeof name, "tone.%03u", tone);
         if (strcmp(parts[tone].name, name) != 0)
-            return hatch_fail(err, HATCH_BAD_INPUT, "part %u is named '%s', want %s: not a tonal art map",
-                              tone, parts[tone].name, name);
+            return hatch_fail(err, HATCH_BAD_INPUT, "part %u is named '%s', want %s: not a tonal art map", tone,
+                              parts[tone].name, name);
         if (check_shape(&parts[tone], &parts[0], err) != HATCH_OK ||
-            check_attributes(&parts[tone], &made, tone, err) != HATCH_OK ||
-            check_pixels(&parts[tone], err) != HATCH_OK)
+            check_attributes(&parts[tone], &made, tone, err) != HATCH_OK || check_pixels(&parts[tone], err) != HATCH_OK)
             return hatch_fail_at(err, "%s: ", name);
     }
     made.color = hatch_image_channel(&parts[0].levels[0], "R") == 0;

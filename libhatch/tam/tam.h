@@ -19,7 +19,7 @@
 struct hatch_tam {
     uint32_t size_px;
     uint32_t tones;
-    uint32_t levels;        /* levels that hold strokes; coarser ones are box-filtered */
+    uint32_t levels; /* levels that hold strokes; coarser ones are box-filtered */
     bool color;
     bool ids;
     float target[HATCH_TAM_TONES_MAX]; /* darkness that each column aims at, rising, 0 .. 1 */
@@ -29,16 +29,15 @@ struct hatch_tam {
 /* The attributes of the file format tam(5). */
 #define HATCH_TAM_ATTR_TONE "hatch:tone"
 #define HATCH_TAM_ATTR_LEVELS "hatch:levels"
-#define HATCH_TAM_ATTR_SEED "hatch:seed"   /* text: EXR's integers have 32 bits, seeds 64 */
+#define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, seeds 64 */
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 
 /* Checks that the parts of a file are a tonal art map and takes them over (nothing is copied):
  * names tone.000 upwards without gaps, equal square sizes, powers of two not required, full chains,
  * rising targets, finite pixels. HATCH_BAD_INPUT names the part. */
-enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count,
-                                         struct hatch_tam *tam, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
+                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Whether no pixel gets lighter with tone, in any colour, by more than a step when rounded to 8 bits:
  * HATCH_BAD_INPUT names the first that does. pool: NULL is one thread. */

@@ -18,10 +18,10 @@ struct job {
     const uint8_t *code;   /* x of each column */
     const uint32_t *first; /* codes at which the bins begin */
     uint32_t level, size;
-    uint8_t *settled;      /* eight a texel */
+    uint8_t *settled; /* eight a texel */
     struct sums {
         uint64_t steps, merged, error, error_max; /* error: of 255² */
-    } *rows;
+    } * rows;
 };
 
 /* Bin b's x (value 0) or height (value 1) of a texel. */
@@ -211,8 +211,7 @@ static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, s
     return HATCH_OK;
 }
 
-static void sum_figures(const struct hatch_tam *tam, const struct sums *sums,
-                        struct hatch_threshold_figures *figures)
+static void sum_figures(const struct hatch_tam *tam, const struct sums *sums, struct hatch_threshold_figures *figures)
 {
     double texels = 0;
     for (uint32_t level = 0; level < tam->levels; level++) {
@@ -240,22 +239,23 @@ static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_th
         HATCH_TRY(hatch_steps_fit(tam, &runs, options->bins, scratch, made->border, err));
     hatch_step_codes(tam, code);
     hatch_bin_codes(made->border, options->bins, first);
-    struct job job = {.tam = tam, .options = options, .runs = &runs, .texels = &made->texels, .code = code,
-                      .first = first};
+    struct job job = {
+        .tam = tam, .options = options, .runs = &runs, .texels = &made->texels, .code = code, .first = first};
     return make_levels(&job, pool, scratch, sums, err);
 }
 
-enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam,
-                                        const struct hatch_threshold_options *options,
-                                        struct hatch_pool *pool, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_thresholds *thresholds,
-                                        struct hatch_threshold_figures *figures, struct hatch_err *err)
+enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
+                                        struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_thresholds *thresholds, struct hatch_threshold_figures *figures,
+                                        struct hatch_err *err)
 {
     assert(options->bins >= 1 && options->bins <= HATCH_THRESHOLD_BINS);
     struct sums sums = {0};
     struct hatch_thresholds made = {.levels = tam->levels, .bins = options->bins};
-    made.texels = (struct hatch_texels){.width = tam->size_px, .height = tam->size_px,
-                                        .layers = HATCH_THRESHOLD_LAYERS, .channels = 4,
+    made.texels = (struct hatch_texels){.width = tam->size_px,
+                                        .height = tam->size_px,
+                                        .layers = HATCH_THRESHOLD_LAYERS,
+                                        .channels = 4,
                                         .level_count = tam->columns[0].level_count};
     HATCH_TRY(hatch_texels_make(arena, &made.texels, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

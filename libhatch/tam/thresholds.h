@@ -32,11 +32,11 @@ enum hatch_threshold_layer {
 };
 
 struct hatch_threshold_options {
-    uint32_t bins;                                /* 1 .. HATCH_THRESHOLD_BINS; others stay empty */
-    const float *border;                          /* bins + 1 tones, rising from 0 to 1; NULL: fitted, so
-                                                     that merging and interpolating steps errs least */
+    uint32_t bins;       /* 1 .. HATCH_THRESHOLD_BINS; others stay empty */
+    const float *border; /* bins + 1 tones, rising from 0 to 1; NULL: fitted, so
+                            that merging and interpolating steps errs least */
     uint64_t seed;
-    const struct hatch_image *modulation, *mask;  /* first channel, 0 .. 1; resampled to the map; NULL: 1 */
+    const struct hatch_image *modulation, *mask; /* first channel, 0 .. 1; resampled to the map; NULL: 1 */
 };
 
 struct hatch_thresholds {
@@ -48,11 +48,11 @@ struct hatch_thresholds {
 
 /* Of the drawn levels, before interpolation. */
 struct hatch_threshold_figures {
-    double steps;      /* mean number of steps of a texel in the map */
-    double merged;     /* share of them that are in a bin with others */
-    double error;      /* mean over texels and tones 0 .. 1 of |reflectance - the map's|, where the map is
-                          a stair that changes half-way between two columns */
-    double error_max;  /* the largest of a texel, mean over tones */
+    double steps;     /* mean number of steps of a texel in the map */
+    double merged;    /* share of them that are in a bin with others */
+    double error;     /* mean over texels and tones 0 .. 1 of |reflectance - the map's|, where the map is
+                         a stair that changes half-way between two columns */
+    double error_max; /* the largest of a texel, mean over tones */
 };
 
 /* Every level from the map's own. A step lies half-way between the tones of two columns (rounded down
@@ -61,26 +61,22 @@ struct hatch_threshold_figures {
  * chance in proportion to its height (so that the mean stays true): one lot, by seed and bin, for all texels
  * in which the same up to four steps meet, as along strokes; one for each texel with more.
  * HATCH_BAD_INPUT for a coloured map, and where a texel gets lighter (hatch_tam_check_nesting). */
-enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam,
-                                        const struct hatch_threshold_options *options,
-                                        struct hatch_pool *pool, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_thresholds *thresholds,
-                                        struct hatch_threshold_figures *figures, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
+                                        struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_thresholds *thresholds, struct hatch_threshold_figures *figures,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* The keys of the file beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_THRESHOLD_KEY_BORDERS "hatch:bins" /* bins + 1 numbers, separated by blanks */
 
 /* Takes a file's texture over (nothing is copied). key_values: keys and values alternate,
  * NULL-terminated, as hatch_ktx2_read_keys gives them. HATCH_BAD_INPUT where it is none. */
-enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels,
-                                               const char *const *key_values,
-                                               struct hatch_thresholds *thresholds, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels, const char *const *key_values,
+                                               struct hatch_thresholds *thresholds,
+                                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* The reflectance, 0 .. 1, at (u, v), repeating, tone and level of detail lod (0 is the finest): steps
  * bilinear within a level, linear between two, then compared. */
-float hatch_thresholds_sample(const struct hatch_thresholds *thresholds, float u, float v, float tone,
-                              float lod);
+float hatch_thresholds_sample(const struct hatch_thresholds *thresholds, float u, float v, float tone, float lod);
 
 #endif

@@ -78,8 +78,8 @@ static void sum_up(struct costs *costs)
 {
     for (uint32_t length = 2; length <= CODES; length++)
         for (uint32_t a = 0, b = length - 1; b < CODES; a++, b++)
-            costs->sums[a][b] += costs->sums[a + 1][b] + costs->sums[a][b - 1] -
-                                 (length > 2 ? costs->sums[a + 1][b - 1] : 0);
+            costs->sums[a][b] +=
+                costs->sums[a + 1][b] + costs->sums[a][b - 1] - (length > 2 ? costs->sums[a + 1][b - 1] : 0);
 }
 
 /* The cheapest cut of the codes below end into so many bins, for all of both. The latest cut of equally

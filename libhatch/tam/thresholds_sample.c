@@ -3,19 +3,17 @@
 #include "tam/taps.h"
 #include "tam/thresholds.h"
 
-enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels,
-                                               const char *const *key_values,
+enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels, const char *const *key_values,
                                                struct hatch_thresholds *thresholds, struct hatch_err *err)
 {
     const char *levels = hatch_texels_value(key_values, HATCH_TAM_ATTR_LEVELS);
     const char *borders = hatch_texels_value(key_values, HATCH_THRESHOLD_KEY_BORDERS);
-    if (texels->code != HATCH_TEXELS_PLAIN || texels->layers != HATCH_THRESHOLD_LAYERS ||
-        texels->channels != 4 || !levels || !borders)
+    if (texels->code != HATCH_TEXELS_PLAIN || texels->layers != HATCH_THRESHOLD_LAYERS || texels->channels != 4 ||
+        !levels || !borders)
         return hatch_fail(err, HATCH_BAD_INPUT, "no threshold textures: see tamthresh(5)");
     struct hatch_thresholds made = {.texels = *texels, .levels = (uint32_t)strtoul(levels, NULL, 10)};
     if (made.levels < 1 || made.levels > texels->level_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, want 1 to %u", levels,
-                          texels->level_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, want 1 to %u", levels, texels->level_count);
     const char *at = borders;
     uint32_t count = 0;
     for (char *end; count <= HATCH_THRESHOLD_BINS; count++, at = end) {
@@ -26,16 +24,15 @@ enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels
             return hatch_fail(err, HATCH_BAD_INPUT, HATCH_THRESHOLD_KEY_BORDERS " '%s' do not rise", borders);
     }
     if (count < 2)
-        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_THRESHOLD_KEY_BORDERS " '%s', want 2 numbers or more",
-                          borders);
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_THRESHOLD_KEY_BORDERS " '%s', want 2 numbers or more", borders);
     made.bins = count - 1;
     *thresholds = made;
     return HATCH_OK;
 }
 
 /* Adds the interpolated x and heights of a level, weighted. */
-static void add_level(const struct hatch_texels *texels, uint32_t level, float u, float v, float weight,
-                      float x[8], float height[8])
+static void add_level(const struct hatch_texels *texels, uint32_t level, float u, float v, float weight, float x[8],
+                      float height[8])
 {
     uint32_t width = hatch_mip_size(texels->width, level), rows = hatch_mip_size(texels->height, level);
     size_t layer = (size_t)width * rows * 4;
@@ -48,8 +45,7 @@ static void add_level(const struct hatch_texels *texels, uint32_t level, float u
         }
 }
 
-float hatch_thresholds_sample(const struct hatch_thresholds *thresholds, float u, float v, float tone,
-                              float lod)
+float hatch_thresholds_sample(const struct hatch_thresholds *thresholds, float u, float v, float tone, float lod)
 {
     float x[8] = {0}, height[8] = {0}, share, darkness = 0;
     uint32_t level = hatch_tap_levels(lod, thresholds->texels.level_count, &share);

@@ -61,8 +61,8 @@ static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, ui
 }
 
 /* Some texels of one channel: gathered, blended, coded, and spread, each in a plain loop. NULL is paper. */
-static void fill_piece(const float *below, const float *above, float share, size_t stride, size_t count,
-                       uint8_t *out, size_t out_stride)
+static void fill_piece(const float *below, const float *above, float share, size_t stride, size_t count, uint8_t *out,
+                       size_t out_stride)
 {
     float values[PIECE], others[PIECE];
     uint8_t codes[PIECE];
@@ -83,8 +83,7 @@ static void fill_slice(void *context, uint32_t number)
     const struct job *job = context;
     const struct slice *slice = &job->slices[number];
     const struct hatch_texels *texels = job->texels;
-    size_t count = (size_t)hatch_mip_size(texels->width, slice->level) *
-                   hatch_mip_size(texels->height, slice->level);
+    size_t count = (size_t)hatch_mip_size(texels->width, slice->level) * hatch_mip_size(texels->height, slice->level);
     size_t stride = job->tam->columns[0].levels[0].channel_count, out_stride = texels->channels;
     uint8_t *out = texels->texels[slice->level] + slice->index * count * out_stride;
     const float *pixels[2];
@@ -131,8 +130,8 @@ static void filter_level(const struct hatch_texels *texels, uint32_t level)
 }
 
 /* The slices that come from columns: of an array all, of a volume those of the drawn levels. */
-static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels,
-                                     uint32_t levels, struct hatch_pool *pool, struct hatch_arena *arena,
+static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t levels,
+                                     struct hatch_pool *pool, struct hatch_arena *arena,
                                      struct hatch_volume_figures *figures, struct hatch_err *err)
 {
     uint32_t count = 0, layers = texels->layers;
@@ -154,9 +153,8 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
 }
 
 enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_volume *volume, struct hatch_volume_figures *figures,
-                                    struct hatch_err *err)
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_volume *volume,
+                                    struct hatch_volume_figures *figures, struct hatch_err *err)
 {
     uint32_t tones = options->tones;
     bool array = options->layout == HATCH_VOLUME_ARRAY;

@@ -28,7 +28,7 @@ enum hatch_volume_layout { HATCH_VOLUME_3D, HATCH_VOLUME_ARRAY };
 struct hatch_volume_options {
     uint32_t tones; /* D: a power of two, HATCH_VOLUME_TONES_MIN .. MAX */
     enum hatch_volume_layout layout;
-    bool alpha;     /* coloured maps: RGBA8, alpha 255, in place of RGB8 */
+    bool alpha; /* coloured maps: RGBA8, alpha 255, in place of RGB8 */
 };
 
 /* Reflectance, 255 paper and 0 ink: R8 of a grey map; RGB8 or RGBA8 of a coloured one. */
@@ -53,9 +53,8 @@ struct hatch_volume_figures {
  * the result is the same. */
 #define HATCH_VOLUME_DISTANCE_MAX 0.25
 enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
-                                    struct hatch_pool *pool, struct hatch_arena *arena,
-                                    struct hatch_volume *volume, struct hatch_volume_figures *figures,
-                                    struct hatch_err *err) HATCH_MUST_USE;
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_volume *volume,
+                                    struct hatch_volume_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The keys of the file beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_VOLUME_KEY_DARKEST "hatch:darkest"
@@ -73,7 +72,7 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
  *
  * In a shader, with CLAMP_TO_EDGE in r, h = 0.5 exp2(lod) / D (0.5 / D for an array):
  *     mix(1, mix(texture, 0, darkest < 1 ? 0 : max(0, t - 1 + h) / h), min(1, t / h)) */
-void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod,
-                         bool corrected, float *value);
+void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod, bool corrected,
+                         float *value);
 
 #endif

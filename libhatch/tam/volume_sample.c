@@ -12,8 +12,8 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
         return hatch_fail(err, HATCH_BAD_INPUT, "no volume: see tamvol(5)");
     struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL)};
     if (made.levels < 1 || made.levels > texels->level_count || !(made.darkest >= 0 && made.darkest <= 1))
-        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, " HATCH_VOLUME_KEY_DARKEST " %s",
-                          levels, darkest);
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, " HATCH_VOLUME_KEY_DARKEST " %s", levels,
+                          darkest);
     *volume = made;
     return HATCH_OK;
 }
@@ -36,8 +36,8 @@ static float sample_level(const struct hatch_texels *texels, uint32_t level, uin
     return sum / 255;
 }
 
-void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod,
-                         bool corrected, float *value)
+void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod, bool corrected,
+                         float *value)
 {
     const struct hatch_texels *texels = &volume->texels;
     float held = tone > 0 ? (tone < 1 ? tone : 1) : 0, share;
@@ -46,8 +46,8 @@ void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, fl
         value[c] = 0;
     for (uint32_t i = 0; i < (share > 0 ? 2u : 1u); i++) {
         uint32_t at = level + i, depth = finest ? hatch_mip_size(finest, at) : texels->layers;
-        struct hatch_taps taps = hatch_taps_at(u, v, hatch_mip_size(texels->width, at),
-                                               hatch_mip_size(texels->height, at));
+        struct hatch_taps taps =
+            hatch_taps_at(u, v, hatch_mip_size(texels->width, at), hatch_mip_size(texels->height, at));
         for (uint32_t c = 0; c < texels->channels; c++)
             value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, held, c);
     }

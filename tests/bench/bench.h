@@ -21,10 +21,10 @@ static inline int hatch_bench_main(const char *name, const TTest *measure)
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-#define HATCH_BENCH_MAIN(name, measure)                                                            \
-    int main(void)                                                                                 \
-    {                                                                                              \
-        return hatch_bench_main(name, measure);                                                    \
+#define HATCH_BENCH_MAIN(name, measure)                                                                                \
+    int main(void)                                                                                                     \
+    {                                                                                                                  \
+        return hatch_bench_main(name, measure);                                                                        \
     }
 
 #endif

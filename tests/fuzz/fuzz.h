@@ -32,7 +32,8 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+    int
+    LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 /* Small limits: an input of a few bytes that asks for more is refused, and the run stays fast. */
 #define FUZZ_LIMIT_BYTES ((size_t)64 << 20)
@@ -56,8 +57,7 @@ static inline void fuzz_arenas_free(struct fuzz_arenas *arenas)
 }
 
 /* A failure has its sentence; scratch is empty either way. */
-static inline void fuzz_check(enum hatch_status status, const struct hatch_err *err,
-                              const struct fuzz_arenas *arenas)
+static inline void fuzz_check(enum hatch_status status, const struct hatch_err *err, const struct fuzz_arenas *arenas)
 {
     if (status != HATCH_OK && (err->status != status || !err->text[0]))
         abort();

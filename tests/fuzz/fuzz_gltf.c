@@ -2,8 +2,8 @@
 #include "mesh.h"
 
 /* A companion file of some bytes, whatever its name. */
-static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
-                                 struct hatch_bytes *bytes, struct hatch_err *err)
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                                 struct hatch_err *err)
 {
     (void)context;
     FUZZ_MUST_HOLD(uri[0] != '/');
@@ -55,8 +55,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct hatch_scene scene;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err = {HATCH_OK, ""};
-    enum hatch_status status = hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL,
-                                               &arenas.keep, &arenas.scratch, &scene, &notes, &err);
+    enum hatch_status status = hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &arenas.keep,
+                                               &arenas.scratch, &scene, &notes, &err);
     fuzz_check(status, &err, &arenas);
     if (status == HATCH_OK)
         use_scene(&scene, &arenas);

@@ -8,8 +8,8 @@ static void check(const struct hatch_layers *layers)
     for (uint32_t i = 0; i < layers->count; i++) {
         const struct hatch_layer_line *line = &layers->lines[i];
         bool tone = !line->tone_given || (line->low >= 0 && line->low < line->high && line->high <= 1);
-        bool sizes = line->length_px >= 0 && line->width_px >= 0 && line->length_px <= 4096 &&
-                     line->width_px <= 4096 && line->tile_px >= 0 && line->ink >= 0 && line->ink <= 1;
+        bool sizes = line->length_px >= 0 && line->width_px >= 0 && line->length_px <= 4096 && line->width_px <= 4096 &&
+                     line->tile_px >= 0 && line->ink >= 0 && line->ink <= 1;
         if (!tone || !sizes || (line->stroke && !line->stroke[0]))
             abort();
     }

@@ -21,9 +21,8 @@ static bool is_same(struct hatch_stroke stroke, const struct hatch_stroke *other
 {
     if (!stroke.path != !other->path)
         return false;
-    if (stroke.path &&
-        (stroke.path->count != other->path->count ||
-         memcmp(stroke.path->xy, other->path->xy, 2 * sizeof(float) * stroke.path->count) != 0))
+    if (stroke.path && (stroke.path->count != other->path->count ||
+                        memcmp(stroke.path->xy, other->path->xy, 2 * sizeof(float) * stroke.path->count) != 0))
         return false;
     stroke.path = other->path;
     return memcmp(&stroke, other, sizeof stroke) == 0;

@@ -25,8 +25,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct fuzz_arenas arenas = fuzz_arenas_make();
     struct hatch_seeds seeds;
     struct hatch_err err;
-    enum hatch_status status =
-        hatch_seeds_read((struct hatch_bytes){data, size}, &arenas.keep, &seeds, &err);
+    enum hatch_status status = hatch_seeds_read((struct hatch_bytes){data, size}, &arenas.keep, &seeds, &err);
     if (status == HATCH_OK)
         check(&seeds, &arenas);
     fuzz_check(status, &err, &arenas);

@@ -6,10 +6,9 @@
 static void check(const struct hatch_style *style)
 {
     float target[HATCH_TAM_TONES_MAX];
-    bool fits = style->width_px >= 0.5f && style->width_px <= 64 && style->length_min >= 0 &&
-                style->length_max <= 4 && style->length_min <= style->length_max &&
-                style->jitter_rad >= 0 && style->ink > 0 && style->ink <= 1 && style->tone_max > 0 &&
-                style->tone_max <= 1 && style->direction_count >= 1 &&
+    bool fits = style->width_px >= 0.5f && style->width_px <= 64 && style->length_min >= 0 && style->length_max <= 4 &&
+                style->length_min <= style->length_max && style->jitter_rad >= 0 && style->ink > 0 && style->ink <= 1 &&
+                style->tone_max > 0 && style->tone_max <= 1 && style->direction_count >= 1 &&
                 style->direction_count <= HATCH_STYLE_DIRECTIONS_MAX && style->candidates_light >= 1 &&
                 style->candidates_dark >= 1;
     if (!fits || style->name[sizeof style->name - 1] || style->brush_file[sizeof style->brush_file - 1])

@@ -32,8 +32,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct hatch_err err;
     struct hatch_bytes file = {data, size};
     (void)hatch_svg_is(file);
-    enum hatch_status status =
-        hatch_svg_read(file, SIZE_PX, &arenas.keep, &arenas.scratch, &strokes, &notes, &err);
+    enum hatch_status status = hatch_svg_read(file, SIZE_PX, &arenas.keep, &arenas.scratch, &strokes, &notes, &err);
     fuzz_check(status, &err, &arenas);
     for (uint32_t i = 0; status == HATCH_OK && i < strokes.count; i++)
         check_stroke(&strokes.items[i]);

@@ -7,10 +7,10 @@
 #include "io/mesh/file.h"
 #include "measure/mesh_figures.h"
 
-#define FUZZ_MUST_HOLD(condition)                                                                  \
-    do {                                                                                           \
-        if (!(condition))                                                                          \
-            abort();                                                                               \
+#define FUZZ_MUST_HOLD(condition)                                                                                      \
+    do {                                                                                                               \
+        if (!(condition))                                                                                              \
+            abort();                                                                                                   \
     } while (0)
 
 /* Measures, cleans and completes a mesh; any step may fail by a limit, the checks must hold. */
@@ -43,8 +43,8 @@ static inline int fuzz_mesh_file(enum hatch_mesh_format format, const uint8_t *d
     double origin[3];
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err = {HATCH_OK, ""};
-    enum hatch_status status = hatch_mesh_read((struct hatch_bytes){data, size}, format, &arenas.keep,
-                                               &arenas.scratch, &mesh, origin, &notes, &err);
+    enum hatch_status status = hatch_mesh_read((struct hatch_bytes){data, size}, format, &arenas.keep, &arenas.scratch,
+                                               &mesh, origin, &notes, &err);
     fuzz_check(status, &err, &arenas);
     if (status == HATCH_OK)
         fuzz_use_mesh(&mesh, &arenas);

@@ -8,8 +8,7 @@
 #include <OpenImageIO/imageio.h>
 
 // One channel as floats; whole numbers as they are, where OpenImageIO would scale them to 0 .. 1.
-static bool read_channel(OIIO::ImageInput &input, int part, int level, int channel,
-                         std::vector<float> &values)
+static bool read_channel(OIIO::ImageInput &input, int part, int level, int channel, std::vector<float> &values)
 {
     OIIO::ImageSpec spec = input.spec(part, level);
     values.resize(size_t(spec.width) * size_t(spec.height));
@@ -49,8 +48,7 @@ int main(int argc, char **argv)
     for (int part = 0; input->seek_subimage(part, 0); part++)
         for (int level = 0; input->seek_subimage(part, level); level++)
             if (!write_level(*input, part, level, argc - 2, argv + 2)) {
-                std::fprintf(stderr, "oiio_texels: part %d level %d: %s\n", part, level,
-                             input->geterror().c_str());
+                std::fprintf(stderr, "oiio_texels: part %d level %d: %s\n", part, level, input->geterror().c_str());
                 return 3;
             }
     return 0;

@@ -23,8 +23,7 @@ static void check(enum hatch_status status)
     exit((int)status);
 }
 
-static void save(const char *folder, const char *name, const char *ending, const void *data,
-                 size_t size)
+static void save(const char *folder, const char *name, const char *ending, const void *data, size_t size)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s%s", folder, name, ending);
@@ -102,15 +101,14 @@ static float texel(const struct hatch_channel *channel, uint64_t stream, uint64_
     return index % 7 < 3 ? 1 : hatch_float_from_half((uint16_t)(bits & 0xbfff));
 }
 
-static void fill_part(size_t kind, uint32_t part, struct hatch_mipmap *mipmap,
-                      struct hatch_buffer *raw)
+static void fill_part(size_t kind, uint32_t part, struct hatch_mipmap *mipmap, struct hatch_buffer *raw)
 {
     uint32_t width = pictures[kind].width, height = pictures[kind].height;
     mipmap->level_count = pictures[kind].mips ? hatch_mip_chain_length(width, height) : 1;
     for (uint32_t l = 0; l < mipmap->level_count; l++) {
         struct hatch_image *level = &mipmap->levels[l];
-        check(hatch_image_make(&arena, hatch_mip_size(width, l), hatch_mip_size(height, l),
-                               pictures[kind].letters, level, &err));
+        check(hatch_image_make(&arena, hatch_mip_size(width, l), hatch_mip_size(height, l), pictures[kind].letters,
+                               level, &err));
         int id = hatch_image_channel(level, "i"), t = hatch_image_channel(level, "t");
         if (id >= 0)
             level->channels[id] = (struct hatch_channel){"id", HATCH_UINT};
@@ -141,8 +139,7 @@ static void save_pictures(const char *folder)
         check(hatch_exr_end(writer, &file, &err));
         save(folder, pictures[i].name, ".exr", file.data, file.size);
         save(folder, pictures[i].name, ".exr.raw", raw.data, raw.size);
-        save(folder, pictures[i].name, ".exr.channels", pictures[i].channels,
-             strlen(pictures[i].channels));
+        save(folder, pictures[i].name, ".exr.channels", pictures[i].channels, strlen(pictures[i].channels));
     }
 }
 
@@ -191,12 +188,23 @@ static void save_scene(const char *folder)
     struct hatch_node nodes[6];
     const uint32_t parents[] = {HATCH_NONE, HATCH_NONE, HATCH_NONE, 1, 1, 2};
     for (uint32_t i = 0; i < 6; i++)
-        nodes[i] = (struct hatch_node){.parent = parents[i], .translation = {0.5f * (float)i}, .scale = {1, 1, 1},
-                                       .rotation = {0, 0.6f, 0, 0.8f}, .skin = i ? HATCH_NONE : 0,
-                                       .camera = i == 5 ? 0 : i == 3 ? 1 : HATCH_NONE,
-                                       .light = i == 2 ? 2 : i == 4 ? 0 : HATCH_NONE};
-    nodes[0] = (struct hatch_node){.parent = HATCH_NONE, .scale = {1, 1, 1}, .rotation = {0, 0, 0, 1},
-                                   .mesh_count = 1, .camera = HATCH_NONE, .light = 1};
+        nodes[i] = (struct hatch_node){.parent = parents[i],
+                                       .translation = {0.5f * (float)i},
+                                       .scale = {1, 1, 1},
+                                       .rotation = {0, 0.6f, 0, 0.8f},
+                                       .skin = i ? HATCH_NONE : 0,
+                                       .camera = i == 5   ? 0
+                                                 : i == 3 ? 1
+                                                          : HATCH_NONE,
+                                       .light = i == 2   ? 2
+                                                : i == 4 ? 0
+                                                         : HATCH_NONE};
+    nodes[0] = (struct hatch_node){.parent = HATCH_NONE,
+                                   .scale = {1, 1, 1},
+                                   .rotation = {0, 0, 0, 1},
+                                   .mesh_count = 1,
+                                   .camera = HATCH_NONE,
+                                   .light = 1};
     nodes[1].mesh_count = nodes[3].mesh_count = nodes[1].first_mesh = nodes[3].first_mesh = 1;
     nodes[1].has_matrix = true;
     nodes[1].matrix[0] = nodes[1].matrix[10] = nodes[1].matrix[15] = 1;
@@ -207,34 +215,32 @@ static void save_scene(const char *folder)
         turns[4 * i + i] = 1;
     for (uint32_t i = 0; i < 8; i++)
         bind[i / 4 * 16 + i % 4 * 5] = 1;
-    struct hatch_animation_channel channels[] = {
-        {2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
-        {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns, 0},
-        {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
-        {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
+    struct hatch_animation_channel channels[] = {{2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
+                                                 {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns, 0},
+                                                 {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
+                                                 {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
     struct hatch_texture texture;
-    struct hatch_material materials[] = {
-        {.base_color = {1, 0.5f, 0.25f, 1},
-         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
-         .base.placed = true,
-         .base.scale = {2, 3},
-         .base.turn_rad = 0.5f,
-         .base.offset = {0.25f, 0}},
-        {.base_color = {1, 1, 1, 1},
-         .base.texture = HATCH_NONE,
-         .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
-         .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 0.5f},
-         .double_sided = true,
-         .alpha_cutoff = 0.5f,
-         .blend = true}};
+    struct hatch_material materials[] = {{.base_color = {1, 0.5f, 0.25f, 1},
+                                          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
+                                          .base.placed = true,
+                                          .base.scale = {2, 3},
+                                          .base.turn_rad = 0.5f,
+                                          .base.offset = {0.25f, 0}},
+                                         {.base_color = {1, 1, 1, 1},
+                                          .base.texture = HATCH_NONE,
+                                          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+                                          .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 0.5f},
+                                          .double_sided = true,
+                                          .alpha_cutoff = 0.5f,
+                                          .blend = true}};
     struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
     struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
                                    {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
                                    {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
     struct hatch_skin skin = {2, joints, bind};
     struct hatch_animation animation = {4, channels, 2};
-    const struct hatch_scene scene = {2, 6, 2, 1, 2, 3, 1, 1, meshes, nodes, materials, &texture, cameras, lights,
-                                      &skin, &animation};
+    const struct hatch_scene scene = {2,      6,     2,         1,        2,       3,      1,     1,
+                                      meshes, nodes, materials, &texture, cameras, lights, &skin, &animation};
     struct hatch_buffer file = {.arena = &arena};
     make_meshes(meshes);
     make_texture(&texture);

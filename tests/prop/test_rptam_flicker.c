@@ -41,8 +41,8 @@ static const struct {
     bool size;
     double overlap;
 } fades[] = {{HATCH_FADE_EVEN, false, 0},   {HATCH_FADE_EVEN, false, 0.3}, {HATCH_FADE_EVEN, false, 1},
-             {HATCH_FADE_EVEN, true, 0.3}, {HATCH_FADE_PAPER, false, 1},
-             {HATCH_FADE_WEIGHTED, false, 0.3}, {HATCH_FADE_WEIGHTED, true, 1}};
+             {HATCH_FADE_EVEN, true, 0.3},  {HATCH_FADE_PAPER, false, 1},  {HATCH_FADE_WEIGHTED, false, 0.3},
+             {HATCH_FADE_WEIGHTED, true, 1}};
 enum { FADES = sizeof fades / sizeof *fades };
 
 static const double amounts[] = {1, 0.5, 0.2};

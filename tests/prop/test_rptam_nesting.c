@@ -20,7 +20,10 @@ static double ink_at(uint32_t seed, uint32_t tile_u, uint32_t tile_v, double dep
 static const struct {
     enum hatch_fade_law law;
     double overlap;
-} fades[] = {{HATCH_FADE_EVEN, 0}, {HATCH_FADE_EVEN, 0.3}, {HATCH_FADE_EVEN, 1}, {HATCH_FADE_PAPER, 0.5},
+} fades[] = {{HATCH_FADE_EVEN, 0},
+             {HATCH_FADE_EVEN, 0.3},
+             {HATCH_FADE_EVEN, 1},
+             {HATCH_FADE_PAPER, 0.5},
              {HATCH_FADE_WEIGHTED, 0.3}};
 enum { FADES = sizeof fades / sizeof *fades };
 

@@ -11,8 +11,7 @@ static struct hatch_rptam rptam;
 static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
 {
     static const double angles_rad[4] = {0, 1.5, 0.4, 2};
-    const struct hatch_seeds_options how = {
-        .cycle = {.count = 64, .seed = 1}, .layers = 4, .candidates = 50};
+    const struct hatch_seeds_options how = {.cycle = {.count = 64, .seed = 1}, .layers = 4, .candidates = 50};
     struct hatch_rptam_style style = {.law = law, .fade_size = fade_size, .overlap = overlap, .layer_count = 4};
     struct hatch_seeds seeds;
     struct hatch_image stroke;
@@ -63,8 +62,8 @@ static const struct {
     enum hatch_fade_law law;
     bool size;
     double overlap;
-} modes[] = {{HATCH_FADE_EVEN, false, 1},     {HATCH_FADE_EVEN, true, 1},       {HATCH_FADE_EVEN, false, 0.3},
-             {HATCH_FADE_EVEN, true, 0.3},    {HATCH_FADE_EVEN, false, 0},      {HATCH_FADE_WEIGHTED, false, 0.3},
+} modes[] = {{HATCH_FADE_EVEN, false, 1},      {HATCH_FADE_EVEN, true, 1},      {HATCH_FADE_EVEN, false, 0.3},
+             {HATCH_FADE_EVEN, true, 0.3},     {HATCH_FADE_EVEN, false, 0},     {HATCH_FADE_WEIGHTED, false, 0.3},
              {HATCH_FADE_WEIGHTED, true, 0.3}, {HATCH_FADE_WEIGHTED, false, 1}, {HATCH_FADE_WEIGHTED, true, 0}};
 enum { MODES = sizeof modes / sizeof *modes };
 

@@ -87,7 +87,7 @@ static const struct {
     {HATCH_SHAPE_PLANE, 1000, 77, &odd_bounds, {0.1, 0.3, 0.6}, 1.2},
     {HATCH_SHAPE_TORUS, 2000, 640, &frame_unit, {0.3, 0.3, 0.4}, 0.5},
     {HATCH_SHAPE_TEAPOT, 3000, 1000, &odd_bounds, {0.2, 0.5, 0.3}, 0.3},
-    {HATCH_SHAPE_TORUS, 2000, 640, &frame_unit, {1, 0, 0}, 0.5},   /* a corner */
+    {HATCH_SHAPE_TORUS, 2000, 640, &frame_unit, {1, 0, 0}, 0.5},     /* a corner */
     {HATCH_SHAPE_TORUS, 2000, 640, &odd_bounds, {0.5, 0.5, 0}, 0.1}, /* an edge */
 };
 enum { SURFACES = sizeof surfaces / sizeof *surfaces };
@@ -244,10 +244,10 @@ START_TEST(a_hand_zooms_without_end)
     hatch_orbit_look_at(&orbit, 0.5 * orbit.distance);
     hatch_orbit_zoom(&orbit, 1);
     for (int k = 0; k < 3; k++) /* a new middle on the same line of sight is no step */
-        ck_assert_double_le(fabs(hatch_pair_round(hatch_pair_sub(
-                                (struct hatch_pair){low.eye[k], low.eye_rest[k]},
-                                (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_rest[k]}))),
-                            1e-14 * orbit.distance);
+        ck_assert_double_le(
+            fabs(hatch_pair_round(hatch_pair_sub((struct hatch_pair){low.eye[k], low.eye_rest[k]},
+                                                 (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_rest[k]}))),
+            1e-14 * orbit.distance);
     while (orbit.distance < 1)
         hatch_orbit_zoom(&orbit, 2);
     check_places(&orbit.view, 0.05, 1);

@@ -10,8 +10,7 @@ static struct test_map map;
 static struct hatch_tam_image_figures figures_of(uint32_t tone, uint32_t level)
 {
     struct hatch_tam_image_figures figures;
-    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err), &map_err);
     return figures;
 }
 
@@ -24,9 +23,8 @@ static double stroke_darkness(uint32_t level)
 {
     double darkness;
     struct hatch_tam_strokes strokes = strokes_of();
-    HATCH_TEST_OK(
-        hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch, &darkness, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch, &darkness, &map_err),
+                  &map_err);
     return darkness;
 }
 
@@ -34,8 +32,7 @@ static void check_nesting(void)
 {
     uint64_t missing = 1;
     struct hatch_tam_strokes strokes = strokes_of();
-    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &missing, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &missing, &map_err), &map_err);
     ck_assert_uint_eq(missing, 0);
     for (uint32_t tone = 0; tone < map.tam.tones; tone++)
         for (uint32_t level = 0; level < map.tam.columns[tone].level_count; level++)
@@ -60,8 +57,8 @@ static void check_tones(void)
         double allowed = fmax(level ? 0.02 : 0.003, stroke_darkness(level));
         for (uint32_t tone = 0; tone < map.tam.tones; tone++) {
             double error = figures_of(tone, level).error;
-            ck_assert_msg(fabs(error) <= allowed, "%s, tone %u, level %u: %g, allowed %g", map.style.name, tone,
-                          level, error, allowed);
+            ck_assert_msg(fabs(error) <= allowed, "%s, tone %u, level %u: %g, allowed %g", map.style.name, tone, level,
+                          error, allowed);
         }
     }
 }
@@ -142,9 +139,8 @@ START_TEST(no_seed_overshoots)
         for (uint32_t level = 0; level < 2; level++) {
             double stroke = stroke_darkness(level);
             for (uint32_t tone = 0; tone < 6; tone++)
-                ck_assert_msg(figures_of(tone, level).error <= stroke,
-                              "seed %d, tone %u, level %u: %g over by %g", (int)seed, tone, level,
-                              figures_of(tone, level).error, stroke);
+                ck_assert_msg(figures_of(tone, level).error <= stroke, "seed %d, tone %u, level %u: %g over by %g",
+                              (int)seed, tone, level, figures_of(tone, level).error, stroke);
         }
         hatch_arena_rewind(&map_arena, mark);
     }
@@ -162,8 +158,7 @@ static void add_evenness(enum hatch_fill_method method, uint64_t seed, double *s
     map.options.seed = seed;
     map_fill(&map);
     struct hatch_tam_strokes strokes = strokes_of();
-    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err), &map_err);
     for (uint32_t i = 0; i < 6 * HATCH_EVENNESS_BOXES; i++)
         sum[i % HATCH_EVENNESS_BOXES] += ratio[i] / 6;
 }
@@ -174,8 +169,7 @@ START_TEST(strokes_are_even)
 {
     static const double bars[HATCH_EVENNESS_BOXES] = {0.62, 0.56, 0.50, 0.40};
     uint64_t compared = getenv("LONG") ? 5 : 1;
-    double sum[HATCH_EVENNESS_BOXES] = {0}, first[HATCH_EVENNESS_BOXES],
-           paper[HATCH_EVENNESS_BOXES] = {0};
+    double sum[HATCH_EVENNESS_BOXES] = {0}, first[HATCH_EVENNESS_BOXES], paper[HATCH_EVENNESS_BOXES] = {0};
     for (uint64_t seed = 1; seed <= 5; seed++) {
         add_evenness(HATCH_FILL_FIELD, seed, sum);
         if (seed == compared)
@@ -184,11 +178,10 @@ START_TEST(strokes_are_even)
             add_evenness(HATCH_FILL_EXHAUSTIVE, seed, paper);
     }
     for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++) {
-        ck_assert_msg(sum[box] / 5 <= bars[box], "box N/%u: %g, want %g",
-                      hatch_evenness_divisors[box], sum[box] / 5, bars[box]);
-        ck_assert_msg(first[box] <= paper[box], "box N/%u: %g, exhaustively %g",
-                      hatch_evenness_divisors[box], first[box] / (double)compared,
-                      paper[box] / (double)compared);
+        ck_assert_msg(sum[box] / 5 <= bars[box], "box N/%u: %g, want %g", hatch_evenness_divisors[box], sum[box] / 5,
+                      bars[box]);
+        ck_assert_msg(first[box] <= paper[box], "box N/%u: %g, exhaustively %g", hatch_evenness_divisors[box],
+                      first[box] / (double)compared, paper[box] / (double)compared);
     }
 }
 END_TEST

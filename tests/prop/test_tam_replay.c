@@ -23,8 +23,7 @@ static void read_drawing(void)
     ck_assert_msg(file != NULL, "cannot open %s", path);
     struct hatch_bytes bytes = {(const uint8_t *)text, fread(text, 1, 1 << 20, file)};
     fclose(file);
-    HATCH_TEST_OK(hatch_svg_read(bytes, map.options.size_px, &map_arena, &map_scratch, &map.strokes, &notes,
-                                 &map_err),
+    HATCH_TEST_OK(hatch_svg_read(bytes, map.options.size_px, &map_arena, &map_scratch, &map.strokes, &notes, &map_err),
                   &map_err);
     free(text);
     ck_assert_uint_gt(map.strokes.count, 500);
@@ -36,14 +35,14 @@ static void prepare(const char *lines)
     map_style("drawing", lines, &map);
     map.options.size_px = 256;
     read_drawing();
-    options = (struct hatch_replay_options){
-        .size_px = 256, .tones = 6, .levels = 4, .seed = 1, .color = true, .keep = 1};
+    options =
+        (struct hatch_replay_options){.size_px = 256, .tones = 6, .levels = 4, .seed = 1, .color = true, .keep = 1};
 }
 
 static void replay(const float *targets)
 {
-    HATCH_TEST_OK(hatch_tam_replay(&map.style, &map.brush, &options, targets, &map.strokes, &map_arena,
-                                   &map_scratch, map_keep, &map, &result, &map_err),
+    HATCH_TEST_OK(hatch_tam_replay(&map.style, &map.brush, &options, targets, &map.strokes, &map_arena, &map_scratch,
+                                   map_keep, &map, &result, &map_err),
                   &map_err);
     HATCH_TEST_OK(hatch_tam_from_mipmaps(map.columns, options.tones, &map.tam, &map_err), &map_err);
 }
@@ -81,8 +80,7 @@ static double check_figures(void)
         chroma_of(tone, 0, finest);
         for (uint32_t level = 0; level < options.levels; level++) {
             struct hatch_tam_image_figures figures;
-            HATCH_TEST_OK(
-                hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err), &map_err);
+            HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err), &map_err);
             ck_assert_uint_eq(figures.lighter_pixels, 0);
             tone_error = fmax(tone_error, fabs(figures.error));
             finest_error = fmax(finest_error, level ? 0 : fabs(figures.error));
@@ -106,8 +104,8 @@ static const struct {
     uint32_t tones, levels;
     float keep;
     bool fit, color;
-} ways[] = {{6, 4, 1, false, false},  {6, 4, 1, false, true},   {6, 4, 0.5f, false, true}, {6, 4, 1, true, true},
-            {64, 4, 1, false, false}, {64, 4, 0.4f, false, true}, {64, 3, 1, true, true},  {255, 4, 1, true, true},
+} ways[] = {{6, 4, 1, false, false},  {6, 4, 1, false, true},     {6, 4, 0.5f, false, true}, {6, 4, 1, true, true},
+            {64, 4, 1, false, false}, {64, 4, 0.4f, false, true}, {64, 3, 1, true, true},    {255, 4, 1, true, true},
             {1, 4, 1, true, true},    {6, 1, 1, true, true}};
 
 START_TEST(strokes_nest_and_tones_are_met)
@@ -192,8 +190,7 @@ START_TEST(strokes_of_a_map_make_its_darkest_image_again)
     map.options.levels = 3;
     map_fill(&map);
     const float *filled = map.columns[5].levels[0].pixels;
-    options = (struct hatch_replay_options){
-        .size_px = 128, .tones = 6, .levels = 3, .seed = 1, .keep = 1};
+    options = (struct hatch_replay_options){.size_px = 128, .tones = 6, .levels = 3, .seed = 1, .keep = 1};
     replay(NULL);
     ck_assert_mem_eq(map.columns[5].levels[0].pixels, filled, 128 * 128 * sizeof(float));
     check_nesting();
@@ -204,8 +201,7 @@ static enum hatch_status make(void *context, struct hatch_arena *keep, struct ha
                               struct hatch_err *err)
 {
     struct hatch_stroke_list list = map.strokes;
-    return hatch_tam_replay(&map.style, &map.brush, &options, NULL, &list, keep, scratch, map_keep, &map, context,
-                            err);
+    return hatch_tam_replay(&map.style, &map.brush, &options, NULL, &list, keep, scratch, map_keep, &map, context, err);
 }
 
 START_TEST(every_failed_allocation_is_a_status)

@@ -126,8 +126,9 @@ static uint32_t count_turned(const struct field_case *of, const struct hatch_lap
     uint32_t count = 0;
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         struct hatch_mesh mesh;
-        HATCH_TEST_OK(hatch_lapped_mesh(&of->surface, &of->mesh, lapped, p, of->direction, of->confidence, tile,
-                                        &keep, &scratch, &mesh, &err), &err);
+        HATCH_TEST_OK(hatch_lapped_mesh(&of->surface, &of->mesh, lapped, p, of->direction, of->confidence, tile, &keep,
+                                        &scratch, &mesh, &err),
+                      &err);
         const float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
         for (uint32_t f = 0; f < mesh.face_count; f++) {
             double x[2][2];

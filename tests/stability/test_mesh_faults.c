@@ -7,7 +7,6 @@
 #include "measure/mesh_figures.h"
 #include "meshes.h"
 
-
 static struct hatch_mesh sphere(float scale)
 {
     struct hatch_mesh mesh =
@@ -30,8 +29,7 @@ static float *plain_normals(const struct hatch_mesh *mesh)
             a[k] = p[i[1] * 3 + (uint32_t)k] - p[i[0] * 3 + (uint32_t)k];
             b[k] = p[i[2] * 3 + (uint32_t)k] - p[i[0] * 3 + (uint32_t)k];
         }
-        float n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                      a[0] * b[1] - a[1] * b[0]};
+        float n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
         float length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         for (uint32_t c = 0; c < 3; c++)
             for (uint32_t k = 0; k < 3; k++)
@@ -104,13 +102,12 @@ END_TEST
 /* A cube whose squares are cut as they come: at a corner one face may have one triangle or two. */
 START_TEST(corners_of_unequal_triangles)
 {
-    static const char cube[] =
-        "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
-        "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    static const char cube[] = "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+                               "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     struct hatch_mesh mesh;
     struct hatch_mesh_notes notes = {0};
-    HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)cube, sizeof cube - 1},
-                                  HATCH_MESH_OBJ, &keep, &scratch, &mesh, NULL, &notes, &err),
+    HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)cube, sizeof cube - 1}, HATCH_MESH_OBJ, &keep,
+                                  &scratch, &mesh, NULL, &notes, &err),
                   &err);
     ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 15);
     ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 1e-4);
@@ -131,10 +128,9 @@ START_TEST(polygons_that_are_not_convex)
         struct hatch_mesh mesh;
         struct hatch_mesh_figures figures;
         struct hatch_mesh_notes notes = {0};
-        HATCH_TEST_OK(
-            hatch_mesh_read((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])},
-                            HATCH_MESH_OBJ, &keep, &scratch, &mesh, NULL, &notes, &err),
-            &err);
+        HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}, HATCH_MESH_OBJ,
+                                      &keep, &scratch, &mesh, NULL, &notes, &err),
+                      &err);
         HATCH_TEST_OK(hatch_measure_mesh(&mesh, &scratch, &figures, &err), &err);
         areas[i] = figures.area;
     }

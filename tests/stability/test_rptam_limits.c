@@ -18,9 +18,8 @@ START_TEST(levels_meet)
         enum hatch_fade_law law;
         bool size;
         double overlap;
-    } fades[] = {{HATCH_FADE_EVEN, false, 0.3}, {HATCH_FADE_EVEN, true, 0.3}, {HATCH_FADE_EVEN, false, 1},
-                 {HATCH_FADE_PAPER, true, 1}, {HATCH_FADE_WEIGHTED, false, 0.3},
-                 {HATCH_FADE_WEIGHTED, true, 1}};
+    } fades[] = {{HATCH_FADE_EVEN, false, 0.3}, {HATCH_FADE_EVEN, true, 0.3},      {HATCH_FADE_EVEN, false, 1},
+                 {HATCH_FADE_PAPER, true, 1},   {HATCH_FADE_WEIGHTED, false, 0.3}, {HATCH_FADE_WEIGHTED, true, 1}};
     static const double amounts[] = {1, 0.6, 0.1};
     static const uint32_t counts[] = {2, 16, 37, 64};
     struct model_how model = how;
@@ -66,8 +65,15 @@ static void make_bent(bool own_corners, struct hatch_mesh *mesh)
     mesh->attributes[2] = (struct hatch_mesh_attribute){.name = "TEXCOORD_0", .components = 2, .data = uv};
 }
 
-static const struct hatch_view front = {.eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1},
-                                  .half_height = 0.25, .aspect = 1, .near = 0.01, .far = 100, .pivot = 2};
+static const struct hatch_view front = {.eye = {0, 0, 2},
+                                        .right = {1, 0, 0},
+                                        .up = {0, 1, 0},
+                                        .back = {0, 0, 1},
+                                        .half_height = 0.25,
+                                        .aspect = 1,
+                                        .near = 0.01,
+                                        .far = 100,
+                                        .pivot = 2};
 
 /* Mean difference of ink between the two sides of the edge, at the same places of it. */
 static double cut(struct raster *raster)

@@ -23,17 +23,15 @@ static struct hatch_stroke random_stroke(uint64_t i, float length)
 static struct hatch_canvas canvas_of(uint32_t size_px)
 {
     struct hatch_canvas canvas;
-    HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, size_px, 1, false, false, &canvas, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, size_px, 1, false, false, &canvas, &map_err),
+                  &map_err);
     return canvas;
 }
 
 static double mean_of(uint32_t tone, uint32_t level)
 {
     struct hatch_tam_image_figures figures;
-    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err), &map_err);
     return figures.mean;
 }
 
@@ -43,15 +41,12 @@ static void check_map(double over)
 {
     uint64_t missing = 1;
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
-    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &missing, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &missing, &map_err), &map_err);
     ck_assert_uint_eq(missing, 0);
     for (uint32_t tone = 0; tone < map.tam.tones; tone++)
         for (uint32_t level = 0; level < map.tam.levels; level++) {
             struct hatch_tam_image_figures f;
-            HATCH_TEST_OK(
-                hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &f, &map_err),
-                &map_err);
+            HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &f, &map_err), &map_err);
             ck_assert_uint_eq(f.lighter_pixels, 0);
             ck_assert_msg(f.error <= over, "tone %u, level %u: %g too dark", tone, level, f.error);
         }
@@ -114,9 +109,7 @@ START_TEST(ours_stops_where_another_stroke_would_be_further_off)
         map_fill(&map);
         struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
         double stroke;
-        HATCH_TEST_OK(
-            hatch_measure_stroke_darkness(&map.tam, &strokes, 1, &map_scratch, &stroke, &map_err),
-            &map_err);
+        HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, 1, &map_scratch, &stroke, &map_err), &map_err);
         /* half of the longest stroke, which is half as long again as the mean one */
         check_map(fmax(0.02, 0.75 * stroke));
         hatch_arena_rewind(&map_arena, mark);
@@ -163,8 +156,8 @@ END_TEST
 
 START_TEST(ours_ends_where_no_stroke_darkens)
 {
-    static const char *const lines[] = {"ink 0.3\noverlap flat\ndarkest 1",
-                                        "ink 0.01\ndarkest 1\ncandidates 5 5", "ink 1\ndarkest 1"};
+    static const char *const lines[] = {"ink 0.3\noverlap flat\ndarkest 1", "ink 0.01\ndarkest 1\ncandidates 5 5",
+                                        "ink 1\ndarkest 1"};
     map_style(NULL, lines[_i], &map);
     map_fill(&map);
     check_map(0.01);
@@ -210,8 +203,7 @@ START_TEST(one_candidate_is_more_even_than_chance)
     map.options.method = _i ? HATCH_FILL_EXHAUSTIVE : HATCH_FILL_FIELD;
     map_fill(&map);
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
-    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err), &map_err);
     for (uint32_t i = 0; i < 6; i++)
         mean += ratio[i * HATCH_EVENNESS_BOXES] / 6;
     if (_i)
@@ -250,8 +242,7 @@ START_TEST(a_stroke_image_with_empty_ends_is_laid_evenly)
     map.options.tones = 4;
     map_fill(&map);
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
-    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 4, &map_scratch, ratio, &map_err), &map_err);
     for (uint32_t i = 0; i < 4; i++)
         mean += ratio[i * HATCH_EVENNESS_BOXES + 1] / 4;
     ck_assert_double_lt(mean, 0.5);

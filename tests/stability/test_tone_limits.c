@@ -33,8 +33,7 @@ static struct hatch_tone_figures measure(const struct hatch_tam *map, hatch_tone
                                          float lod)
 {
     struct hatch_tone_figures found;
-    HATCH_TEST_OK(hatch_measure_tones(map, sampler, what, lod, 20000, NULL, &map_scratch, &found, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tones(map, sampler, what, lod, 20000, NULL, &map_scratch, &found, &map_err), &map_err);
     return found;
 }
 
@@ -80,8 +79,8 @@ START_TEST(ours_the_bands_of_a_ramp_have_its_mean_tone)
         double sum = 0;
         float tone = (float)i / 100;
         for (uint32_t t = 0; t < 4096; t++)
-            sum += (double)hatch_thresholds_sample(&made, ((float)(t % 64) + 0.5f) / 64,
-                                                   ((float)(t / 64) + 0.5f) / 64, tone, 0);
+            sum += (double)hatch_thresholds_sample(&made, ((float)(t % 64) + 0.5f) / 64, ((float)(t / 64) + 0.5f) / 64,
+                                                   tone, 0);
         worst = fmax(worst, fabs(sum / 4096 - (1 - (double)tone)));
     }
     ck_assert_double_lt(worst, 0.012);
@@ -130,7 +129,7 @@ END_TEST
 static float side_by_side(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)v, (void)level, (void)channel;
-    bool left = u > 0.25f && u < 0.5f, right = u > 0.5f && u < 0.75f;
+    bool left = u > 0.25f && u<0.5f, right = u> 0.5f && u < 0.75f;
     return (left && tone > 0.2f) || (right && tone > 0.8f) ? 0 : 1;
 }
 

@@ -20,9 +20,8 @@ static struct figures measure(float noise, double radius, uint32_t degree, bool 
             const struct hatch_field_data data = {found.direction, found.confidence, NULL, true};
             struct hatch_field field;
             HATCH_TEST_OK(hatch_frames_lean(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
-            HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch,
-                                            &field, &err),
-                          &err);
+            HATCH_TEST_OK(
+                hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err), &err);
             direction = field.direction;
         }
         add_angles(&angles, &of, direction, false);

@@ -6,8 +6,8 @@
 /* Every note but those that a test sets to 0 first. */
 static uint32_t other_notes(void)
 {
-    return notes.welded + notes.degenerate + notes.duplicate + notes.unreferenced + notes.flipped +
-           notes.edges_cut + notes.points_split + notes.contrary;
+    return notes.welded + notes.degenerate + notes.duplicate + notes.unreferenced + notes.flipped + notes.edges_cut +
+           notes.points_split + notes.contrary;
 }
 
 static void expect(const struct hatch_surface *s, uint32_t components, int euler, uint32_t loops)
@@ -29,8 +29,9 @@ static struct plain read_plainly(const struct hatch_mesh *mesh)
 {
     struct hatch_edges edges;
     struct plain seen = {0};
-    HATCH_TEST_OK(hatch_edges_find(mesh->indices, mesh->face_count, mesh->vertex_count, NULL, &scratch,
-                                   &scratch, &edges, &err), &err);
+    HATCH_TEST_OK(
+        hatch_edges_find(mesh->indices, mesh->face_count, mesh->vertex_count, NULL, &scratch, &scratch, &edges, &err),
+        &err);
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
         uint32_t faces = edges.first[e + 1] - edges.first[e];
@@ -365,8 +366,7 @@ START_TEST(what_is_no_mesh_is_refused)
         struct hatch_mesh mesh = mesh_of(positions, 3, face, 1);
         struct hatch_surface surface = {.face_count = 7};
         notes.components = 7;
-        ck_assert_int_eq(hatch_surface_make(&mesh, &keep, &scratch, &surface, &notes, &err),
-                         HATCH_BAD_INPUT);
+        ck_assert_int_eq(hatch_surface_make(&mesh, &keep, &scratch, &surface, &notes, &err), HATCH_BAD_INPUT);
         ck_assert_str_eq(err.text, bad[i].says);
         ck_assert_uint_eq(surface.face_count, 7);
         ck_assert_uint_eq(notes.components, 7);

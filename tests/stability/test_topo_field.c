@@ -14,8 +14,7 @@ static struct field_case noisy(enum hatch_shape shape, double noise_rad, double 
 }
 
 /* The share of points whose line is within a limit of the truth. */
-static double share_within(const struct field_case *of, const double *direction, const double *truth,
-                           double limit_rad)
+static double share_within(const struct field_case *of, const double *direction, const double *truth, double limit_rad)
 {
     uint32_t count = 0;
     for (uint32_t p = 0; p < of->surface.point_count; p++)
@@ -101,8 +100,9 @@ START_TEST(needles_do_not_push_neighbours_apart)
         uint32_t other = of.surface.opposite[side];
         if (other == HATCH_NO_SIDE)
             continue;
-        negative += plain_cotangent(&of, side / 3, (side % 3 + 2) % 3) +
-                        plain_cotangent(&of, other / 3, (other % 3 + 2) % 3) < 0;
+        negative +=
+            plain_cotangent(&of, side / 3, (side % 3 + 2) % 3) + plain_cotangent(&of, other / 3, (other % 3 + 2) % 3) <
+            0;
     }
     ck_assert_uint_gt(negative, of.surface.face_count / 10);
     for (uint32_t i = 0; i < of.surface.ring_first[of.surface.point_count]; i++)

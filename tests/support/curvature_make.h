@@ -10,8 +10,7 @@ static const enum hatch_shape bent[5] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOI
 
 static inline struct field_case case_with_truth(enum hatch_shape shape, uint32_t faces, float noise)
 {
-    const struct hatch_shape_options options = {
-        .faces = faces, .jitter = 1, .noise = noise, .seed = 3, .field = true};
+    const struct hatch_shape_options options = {.faces = faces, .jitter = 1, .noise = noise, .seed = 3, .field = true};
     struct hatch_mesh mesh = shape_with(shape, options);
     struct field_case of = case_of(mesh);
     const float *field = hatch_mesh_find(&mesh, "_HATCH_DIR", 4);
@@ -28,8 +27,7 @@ static inline struct hatch_curvature estimate_case(const struct field_case *of, 
 {
     struct hatch_curvature found;
     const struct hatch_curvature_options options = {radius, degree};
-    HATCH_TEST_OK(hatch_curvature_estimate(&of->surface, &of->frames, &options, NULL, &keep, &scratch, &found,
-                                           &err),
+    HATCH_TEST_OK(hatch_curvature_estimate(&of->surface, &of->frames, &options, NULL, &keep, &scratch, &found, &err),
                   &err);
     return found;
 }
@@ -53,8 +51,7 @@ static inline int by_size(const void *a, const void *b)
 }
 
 /* Adds the angles between two fields, where the truth is defined; of border points alone when asked. */
-static inline void add_angles(struct angles *angles, const struct field_case *of, const double *direction,
-                              bool border)
+static inline void add_angles(struct angles *angles, const struct field_case *of, const double *direction, bool border)
 {
     double *more = HATCH_NEW(&keep, double, (size_t)angles->count + of->surface.point_count, &err);
     ck_assert_ptr_nonnull(more);

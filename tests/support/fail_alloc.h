@@ -25,11 +25,10 @@
 
 #include "base/arena.h"
 
-typedef enum hatch_status (*hatch_test_call)(void *context, struct hatch_arena *keep,
-                                             struct hatch_arena *scratch, struct hatch_err *err);
+typedef enum hatch_status (*hatch_test_call)(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                             struct hatch_err *err);
 
-static inline uint64_t hatch_test_fail_alloc(hatch_test_call call, void *context, void *outputs,
-                                             size_t outputs_size)
+static inline uint64_t hatch_test_fail_alloc(hatch_test_call call, void *context, void *outputs, size_t outputs_size)
 {
     uint64_t failures = 0;
     unsigned char *before = malloc(outputs_size + 1);
@@ -49,11 +48,10 @@ static inline uint64_t hatch_test_fail_alloc(hatch_test_call call, void *context
                           "scratch was not rewound (allocation %d of arena %d)", (int)n, which);
             if (status != HATCH_OK) {
                 ck_assert_msg(status == HATCH_LIMIT && said.status == HATCH_LIMIT && said.text[0],
-                              "allocation %d of arena %d: status %d, sentence '%s'", (int)n, which,
-                              (int)status, said.text);
+                              "allocation %d of arena %d: status %d, sentence '%s'", (int)n, which, (int)status,
+                              said.text);
                 ck_assert_msg(!outputs_size || memcmp(before, outputs, outputs_size) == 0,
-                              "outputs changed by a failure (allocation %d of arena %d)", (int)n,
-                              which);
+                              "outputs changed by a failure (allocation %d of arena %d)", (int)n, which);
                 failures++;
             }
             hatch_arena_free(&arenas[1]);

@@ -12,7 +12,6 @@
 
 #define PI 3.14159265358979323846
 
-
 struct field_case {
     struct hatch_mesh mesh;
     struct hatch_surface surface;
@@ -41,8 +40,7 @@ static inline struct field_case case_of_shape(enum hatch_shape shape, uint32_t f
 }
 
 /* The true principal directions of a shape, each turned at random (a normal deviation of noise_rad). */
-static inline void follow_truth(struct field_case *of, enum hatch_shape shape, double noise_rad,
-                                double confidence)
+static inline void follow_truth(struct field_case *of, enum hatch_shape shape, double noise_rad, double confidence)
 {
     for (size_t i = 0; i < 3 * (size_t)of->surface.face_count; i++) {
         uint32_t p = of->surface.corners[i];
@@ -62,8 +60,7 @@ static inline struct hatch_field solve_case(const struct field_case *of, enum ha
     struct hatch_field field;
     const struct hatch_field_data data = {of->direction, of->confidence, NULL, false};
     const struct hatch_field_options options = {method, solver, smooth, 1e-8, 2000};
-    HATCH_TEST_OK(hatch_field_solve(&of->surface, &of->frames, &data, &options, NULL, &keep, &scratch, &field,
-                                    &err),
+    HATCH_TEST_OK(hatch_field_solve(&of->surface, &of->frames, &data, &options, NULL, &keep, &scratch, &field, &err),
                   &err);
     return field;
 }
@@ -71,8 +68,7 @@ static inline struct hatch_field solve_case(const struct field_case *of, enum ha
 static inline struct hatch_singularities singularities_of(const struct field_case *of, const double *direction)
 {
     struct hatch_singularities found;
-    HATCH_TEST_OK(hatch_field_singularities(&of->surface, &of->frames, direction, &keep, &scratch, &found, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_field_singularities(&of->surface, &of->frames, direction, &keep, &scratch, &found, &err), &err);
     return found;
 }
 

@@ -18,8 +18,9 @@ static inline struct hatch_lapped cover(const struct field_case *of, const struc
                                         const struct hatch_lapped_options *options)
 {
     struct hatch_lapped lapped;
-    HATCH_TEST_OK(hatch_lapped_make(&of->surface, &of->frames, of->direction, of->confidence, outline, options,
-                                    NULL, &keep, &scratch, &lapped, &err), &err);
+    HATCH_TEST_OK(hatch_lapped_make(&of->surface, &of->frames, of->direction, of->confidence, outline, options, NULL,
+                                    &keep, &scratch, &lapped, &err),
+                  &err);
     return lapped;
 }
 

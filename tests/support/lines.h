@@ -19,8 +19,7 @@ static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
         const struct hatch_mesh_attribute *from = &mesh->attributes[i];
         data = apart.attributes[0].data;
         if (i > 0)
-            HATCH_TEST_OK(
-                hatch_mesh_add(&keep, &apart, from->name, from->components, &data, &err), &err);
+            HATCH_TEST_OK(hatch_mesh_add(&keep, &apart, from->name, from->components, &data, &err), &err);
         for (uint32_t c = 0; c < 3 * mesh->face_count; c++)
             memcpy(data + from->components * c, from->data + from->components * mesh->indices[c],
                    from->components * sizeof *data);
@@ -30,8 +29,7 @@ static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
     return apart;
 }
 
-static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t kinds,
-                                        double crease_rad)
+static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t kinds, double crease_rad)
 {
     static const double origin[3] = {0, 0, 0};
     const struct hatch_line_choice choice = {kinds, crease_rad, false};
@@ -54,16 +52,16 @@ static inline struct hatch_view view_from(double x, double y, double z, bool ort
 static inline struct hatch_line_shape shape_in_place(const struct hatch_line_mesh *lines)
 {
     struct hatch_line_shape shape = {.lines = lines,
-                               .positions = lines->mesh.attributes[0].data,
-                               .normals = hatch_mesh_find(&lines->mesh, "NORMAL", 3),
-                               .double_sided = true};
+                                     .positions = lines->mesh.attributes[0].data,
+                                     .normals = hatch_mesh_find(&lines->mesh, "NORMAL", 3),
+                                     .double_sided = true};
     for (int i = 0; i < 16; i += 5)
         shape.to_unit[i] = 1;
     return shape;
 }
 
 static inline struct hatch_line_trace silhouettes_of(const struct hatch_line_shape *shape,
-                                               const struct hatch_view *view)
+                                                     const struct hatch_view *view)
 {
     const struct hatch_line_eye eye = {view, 200 / view->half_height};
     struct hatch_line_trace trace = {.node_count = 0};
@@ -73,8 +71,7 @@ static inline struct hatch_line_trace silhouettes_of(const struct hatch_line_sha
 
 static inline struct hatch_line_chains chains_of(const struct hatch_line_trace *trace)
 {
-    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
-                                     trace->ends};
+    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
     struct hatch_line_chains chains = {.count = 0};
     HATCH_TEST_OK(hatch_line_chains_make(&graph, &keep, &scratch, &chains, &err), &err);
     return chains;
@@ -84,8 +81,7 @@ static inline double length_of(const struct hatch_line_trace *trace)
 {
     double length = 0;
     for (uint32_t s = 0; s < trace->segment_count; s++)
-        length += hatch_vec_distance(&trace->nodes[3 * trace->ends[2 * s]],
-                                     &trace->nodes[3 * trace->ends[2 * s + 1]]);
+        length += hatch_vec_distance(&trace->nodes[3 * trace->ends[2 * s]], &trace->nodes[3 * trace->ends[2 * s + 1]]);
     return length;
 }
 

@@ -94,8 +94,7 @@ static inline struct hatch_mesh soup(const struct hatch_mesh *from)
         uint32_t source = from->face_count * 3 - 1 - i;
         source = source - source % 3 + (2 - source % 3); /* corners in order again */
         mesh.indices[i] = i;
-        memcpy(&mesh.attributes[0].data[i * 3], &from->attributes[0].data[from->indices[source] * 3],
-               12);
+        memcpy(&mesh.attributes[0].data[i * 3], &from->attributes[0].data[from->indices[source] * 3], 12);
     }
     return mesh;
 }
@@ -125,12 +124,11 @@ static inline void turn(struct hatch_mesh *mesh, uint32_t face)
 }
 
 /* Both in one mesh, a's vertices and faces first. */
-static inline struct hatch_mesh both(const struct hatch_mesh *a,
-                                     const struct hatch_mesh *b)
+static inline struct hatch_mesh both(const struct hatch_mesh *a, const struct hatch_mesh *b)
 {
     struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, a->vertex_count + b->vertex_count,
-                                  a->face_count + b->face_count, &mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, a->vertex_count + b->vertex_count, a->face_count + b->face_count, &mesh, &err),
+                  &err);
     memcpy(mesh.attributes[0].data, a->attributes[0].data, a->vertex_count * 12);
     memcpy(mesh.attributes[0].data + 3 * a->vertex_count, b->attributes[0].data, b->vertex_count * 12);
     memcpy(mesh.indices, a->indices, a->face_count * 12);

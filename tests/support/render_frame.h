@@ -41,9 +41,7 @@ static inline void frame_begin_scene(const struct hatch_patch_mesh *patches, con
 {
     struct hatch_err *err = &frame->err;
     HATCH_TEST_OK(context_open_headless(&frame->context, 2, err), err);
-    HATCH_TEST_OK(scene_upload(&frame->scene, patches, bounds, &frame->arena, &frame->scratch,
-                               &frame->gpu, err),
-                  err);
+    HATCH_TEST_OK(scene_upload(&frame->scene, patches, bounds, &frame->arena, &frame->scratch, &frame->gpu, err), err);
     HATCH_TEST_OK(scene_set_pose(&frame->gpu, HATCH_NONE, 0, &frame->scratch, err), err);
     frame->renderer = (struct renderer){
         .shaders = {NULL, &frame->scratch},
@@ -135,15 +133,14 @@ static inline struct hatch_view frame_view(struct test_frame *frame, double aspe
     static const struct hatch_pose_span span = {.animation = HATCH_NONE, .moments = 1};
     struct hatch_view view;
     HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, &span, &frame->gpu.bounds, aspect, &frame->scratch, &view,
-                            &frame->err),
+                                  &frame->err),
                   &frame->err);
     return view;
 }
 
 /* Draws with a technique into an image of R G B, linear. */
-static inline void frame_draw(struct test_frame *frame, const char *technique,
-                              const struct hatch_view *view, uint32_t width, uint32_t height,
-                              uint32_t side, struct hatch_image *image)
+static inline void frame_draw(struct test_frame *frame, const char *technique, const struct hatch_view *view,
+                              uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
     struct hatch_err *err = &frame->err;
     uint32_t index = frame_technique(technique);

@@ -19,7 +19,7 @@ static struct hatch_patch_mesh *patches;
 /* How a surface is cut into patches. */
 struct cut {
     uint32_t count;
-    uint32_t materials; /* in turns */
+    uint32_t materials;                                   /* in turns */
     bool (*holds)(uint32_t patch, const double point[3]); /* a face with this middle? NULL: all */
     void (*place)(uint32_t patch, const float *position, float hatch[2], float outline[2]);
 };
@@ -40,8 +40,7 @@ static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const
     struct hatch_mesh made;
     uint32_t *now = HATCH_NEW(&frame.arena, uint32_t, surface->vertex_count, err); /* number + 1 */
     uint32_t *old = HATCH_NEW(&frame.arena, uint32_t, surface->vertex_count, err);
-    HATCH_TEST_OK(hatch_mesh_make(&frame.arena, surface->vertex_count, surface->face_count, &made, err),
-                  err);
+    HATCH_TEST_OK(hatch_mesh_make(&frame.arena, surface->vertex_count, surface->face_count, &made, err), err);
     made.vertex_count = made.face_count = 0;
     for (size_t f = 0; f < surface->face_count; f++) {
         double middle[3];
@@ -108,8 +107,7 @@ static inline void lend_outline(void)
 static inline void begin_lapped(const struct hatch_mesh *surface, const struct cut *cut)
 {
     make_scene(surface, cut);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
     frame_begin_scene(patches, &frame_unit, &map, &frame);
     lend_outline();
 }
@@ -153,8 +151,7 @@ static inline void black_map(void)
 {
     for (uint32_t t = 0; t < TONES; t++)
         for (uint32_t level = 0; level < map.columns[t].level_count; level++)
-            for (uint32_t i = 0; i < map.columns[t].levels[level].width *
-                                         map.columns[t].levels[level].height; i++)
+            for (uint32_t i = 0; i < map.columns[t].levels[level].width * map.columns[t].levels[level].height; i++)
                 map.columns[t].levels[level].pixels[i] = 0;
 }
 
@@ -203,13 +200,13 @@ static const struct cut caps = {.count = CAPS, .materials = 1, .holds = cap_hold
 static inline void draw_in_tiles(const char *technique, uint32_t tile_px, uint32_t side, struct hatch_image *image)
 {
     const struct hatch_view view = {.eye = {0, 0, 4},
-                              .right = {1, 0, 0},
-                              .up = {0, 1, 0},
-                              .back = {0, 0, 1},
-                              .half_height = 0.3,
-                              .aspect = 1,
-                              .near = 0.1,
-                              .pivot = 4};
+                                    .right = {1, 0, 0},
+                                    .up = {0, 1, 0},
+                                    .back = {0, 0, 1},
+                                    .half_height = 0.3,
+                                    .aspect = 1,
+                                    .near = 0.1,
+                                    .pivot = 4};
     uint32_t index = frame_technique(technique);
     struct hatch_err *err = &frame.err;
     struct target target;

@@ -11,14 +11,11 @@
 #include "tam/tam.h"
 
 /* Every level is random by itself: nothing that a wrong level or column would pass. */
-static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_arena *arena,
-                              struct hatch_tam *map)
+static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_arena *arena, struct hatch_tam *map)
 {
     struct hatch_err err;
-    *map = (struct hatch_tam){.size_px = size_px,
-                              .tones = tones,
-                              .levels = 3,
-                              .columns = HATCH_NEW(arena, struct hatch_mipmap, tones, &err)};
+    *map = (struct hatch_tam){
+        .size_px = size_px, .tones = tones, .levels = 3, .columns = HATCH_NEW(arena, struct hatch_mipmap, tones, &err)};
     for (uint32_t t = 0; t < tones; t++) {
         struct hatch_mipmap *column = &map->columns[t];
         column->level_count = hatch_mip_chain_length(size_px, size_px);
@@ -36,14 +33,14 @@ static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_are
 
 /* The square from -1 to 1 in x and y fills a square picture; v goes down, as the image's rows do. */
 static const struct hatch_view map_facing = {.eye = {0, 0, 2},
-                                       .right = {1, 0, 0},
-                                       .up = {0, 1, 0},
-                                       .back = {0, 0, 1},
-                                       .orthographic = true,
-                                       .half_height = 1,
-                                       .aspect = 1,
-                                       .near = 0.1,
-                                       .far = 10,
-                                       .pivot = 2};
+                                             .right = {1, 0, 0},
+                                             .up = {0, 1, 0},
+                                             .back = {0, 0, 1},
+                                             .orthographic = true,
+                                             .half_height = 1,
+                                             .aspect = 1,
+                                             .near = 0.1,
+                                             .far = 10,
+                                             .pivot = 2};
 
 #endif

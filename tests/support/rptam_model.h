@@ -12,17 +12,17 @@
 
 /* What a model is made of; numbers of 0 are what they say. */
 struct model_how {
-    uint32_t seeds;         /* 0: 64 */
-    uint32_t layers;        /* 0: 1 */
+    uint32_t seeds;  /* 0: 64 */
+    uint32_t layers; /* 0: 1 */
     double tile_px, length_px, width_px;
     double angle_rad[HATCH_RPTAM_LAYERS_MAX];
-    double ink;             /* 0: 1 */
+    double ink; /* 0: 1 */
     enum hatch_fade_law law;
     bool fade_size;
     double overlap;
-    bool solid;             /* strokes are rectangles of one darkness */
-    bool varied;            /* they differ, with a grain */
-    uint32_t candidates;    /* 0: 5 */
+    bool solid;          /* strokes are rectangles of one darkness */
+    bool varied;         /* they differ, with a grain */
+    uint32_t candidates; /* 0: 5 */
 };
 
 static inline void model_stroke(bool solid, struct hatch_arena *arena, struct hatch_image *stroke)
@@ -30,8 +30,7 @@ static inline void model_stroke(bool solid, struct hatch_arena *arena, struct ha
     struct hatch_err failed;
     HATCH_TEST_OK(hatch_image_make(arena, 64, 16, "A", stroke, &failed), &failed);
     for (uint32_t i = 0; i < 64 * 16; i++)
-        stroke->pixels[i] = solid ? 1.0f
-                                  : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
+        stroke->pixels[i] = solid ? 1.0f : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
 }
 
 /* Eleven by seven pixels by chance. */

@@ -75,7 +75,7 @@ static inline void raster_vertices(struct raster *raster, struct hatch_arena *ar
     double *sums = HATCH_NEW(arena, double, 7 * (size_t)mesh->vertex_count, &err);
     raster->vertices = HATCH_NEW(arena, struct raster_vertex, mesh->vertex_count, &err);
     ck_assert_ptr_nonnull(raster->vertices);
-    raster_span(mesh, (double (*)[7])sums);
+    raster_span(mesh, (double(*)[7])sums);
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         struct raster_vertex *to = &raster->vertices[v];
         double at[3], n[3];
@@ -99,8 +99,7 @@ static inline void raster_vertices(struct raster *raster, struct hatch_arena *ar
 }
 
 /* The face's share of one pixel: its corners' weights as perspective has them. */
-static inline void raster_pixel(const struct raster_vertex *const corner[3],
-                                struct raster_pixel *pixel)
+static inline void raster_pixel(const struct raster_vertex *const corner[3], struct raster_pixel *pixel)
 {
     double weight[3], area = 0, sum = 0;
     for (int k = 0; k < 3; k++) {

@@ -25,8 +25,7 @@
 #include "base/status.h"
 
 /* Fails with the library's own sentence. */
-#define HATCH_TEST_OK(call, err)                                                                   \
-    ck_assert_msg((call) == HATCH_OK, "%s failed: %s", #call, (err)->text)
+#define HATCH_TEST_OK(call, err) ck_assert_msg((call) == HATCH_OK, "%s failed: %s", #call, (err)->text)
 
 static inline int hatch_test_main(Suite *(*suite)(void))
 {
@@ -39,10 +38,10 @@ static inline int hatch_test_main(Suite *(*suite)(void))
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-#define HATCH_TEST_MAIN(suite)                                                                     \
-    int main(void)                                                                                 \
-    {                                                                                              \
-        return hatch_test_main(suite);                                                             \
+#define HATCH_TEST_MAIN(suite)                                                                                         \
+    int main(void)                                                                                                     \
+    {                                                                                                                  \
+        return hatch_test_main(suite);                                                                                 \
     }
 
 #endif

@@ -31,8 +31,8 @@ static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float 
             for (size_t i = 0; i < (size_t)size * size; i++)
                 for (uint32_t c = 0; c < image->channel_count; c++)
                     image->pixels[i * image->channel_count + c] =
-                        pixel(((float)(i % size) + 0.5f) / (float)size,
-                              ((float)(i / size) + 0.5f) / (float)size, level, target, c);
+                        pixel(((float)(i % size) + 0.5f) / (float)size, ((float)(i / size) + 0.5f) / (float)size, level,
+                              target, c);
         }
         const struct hatch_tam_label label = {drawn, "1", "made", 0};
         hatch_tam_label_column(&label, tone, target, column);

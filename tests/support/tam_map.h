@@ -13,8 +13,8 @@
 static struct hatch_arena map_arena, map_scratch;
 static struct hatch_err map_err;
 
-static const char *const map_styles[] = {"ink",   "pencil", "crayon", "charcoal", "stipple", "arcs",
-                                         "speckle", "chalk", "wash",   "marker",   "drafting"};
+static const char *const map_styles[] = {"ink",     "pencil", "crayon", "charcoal", "stipple", "arcs",
+                                         "speckle", "chalk",  "wash",   "marker",   "drafting"};
 enum { MAP_STYLES = sizeof map_styles / sizeof *map_styles };
 
 struct test_map {
@@ -55,21 +55,19 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
     }
     if (lines)
         size += (size_t)snprintf(text + size, sizeof text - size, "\n%s", lines);
-    HATCH_TEST_OK(
-        hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
+                  &map_err);
     HATCH_TEST_OK(hatch_brush_make(map->style.brush, &map_arena, &map->brush, &map_err), &map_err);
     map->options = (struct hatch_fill_options){
         .size_px = 64, .tones = 6, .levels = 2, .seed = 1, .color = map->style.color_count > 0};
 }
 
 /* A hatch_tam_sink that keeps the column with its pixels rounded as a file rounds them. */
-static inline enum hatch_status map_keep(void *context, uint32_t tone,
-                                         const struct hatch_mipmap *column, struct hatch_err *err)
+static inline enum hatch_status map_keep(void *context, uint32_t tone, const struct hatch_mipmap *column,
+                                         struct hatch_err *err)
 {
     struct test_map *map = context;
-    struct hatch_image *levels =
-        HATCH_NEW(&map_arena, struct hatch_image, column->level_count, err);
+    struct hatch_image *levels = HATCH_NEW(&map_arena, struct hatch_image, column->level_count, err);
     if (!levels)
         return HATCH_LIMIT;
     for (uint32_t level = 0; level < column->level_count; level++) {
@@ -82,8 +80,7 @@ static inline enum hatch_status map_keep(void *context, uint32_t tone,
         for (size_t i = 0; i < floats; i++) {
             float value = column->levels[level].pixels[i];
             bool half = levels[level].channels[i % channels].type == HATCH_HALF;
-            levels[level].pixels[i] =
-                half ? hatch_float_from_half(hatch_half_from_float(value)) : value;
+            levels[level].pixels[i] = half ? hatch_float_from_half(hatch_half_from_float(value)) : value;
         }
     }
     map->columns[tone] = *column;
@@ -95,11 +92,10 @@ static inline enum hatch_status map_keep(void *context, uint32_t tone,
 static inline void map_fill(struct test_map *map)
 {
     map->strokes = (struct hatch_stroke_list){0};
-    HATCH_TEST_OK(hatch_tam_fill(&map->style, &map->brush, &map->options, &map_arena, &map_scratch,
-                                 map_keep, map, &map->strokes, &map_err),
+    HATCH_TEST_OK(hatch_tam_fill(&map->style, &map->brush, &map->options, &map_arena, &map_scratch, map_keep, map,
+                                 &map->strokes, &map_err),
                   &map_err);
-    HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err), &map_err);
     ck_assert_uint_eq(map->tam.levels, map->options.levels);
 }
 

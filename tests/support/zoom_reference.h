@@ -28,7 +28,7 @@ struct zoom_ray {
 
 /* A picture of what lies at a distance from a point of the surface, seen along a direction. */
 static inline struct hatch_view zoomed_view(struct test_frame *frame, const double point[3], const double back[3],
-                                    double distance, double aspect)
+                                            double distance, double aspect)
 {
     struct hatch_view_choice choice = {.kind = HATCH_VIEW_EYE, .fov_rad = 0.5, .has_target = true};
     struct hatch_view view;
@@ -37,7 +37,7 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
         choice.eye[k] = point[k] + distance * back[k];
     }
     HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, NULL, &frame->gpu.bounds, aspect, &frame->scratch, &view,
-                            &frame->err),
+                                  &frame->err),
                   &frame->err);
     if (distance < 0x1p-50) /* nearer than the point's digits: from where it is, and no other way */
         hatch_view_set_back(&view, back);
@@ -145,8 +145,7 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
                 uv[k] = hatch_pair_add(uv[k], hatch_pair_mul(share[i], c[i]->uv[k]));
         }
         for (int k = 0; k < 6; k++)
-            span[k] = share[0].high * c[0]->span[k] + share[1].high * c[1]->span[k] +
-                      share[2].high * c[2]->span[k];
+            span[k] = share[0].high * c[0]->span[k] + share[1].high * c[1]->span[k] + share[2].high * c[2]->span[k];
     }
     return nearest;
 }

@@ -6,8 +6,7 @@
 
 enum { TEST, STROKE, OVER };
 
-enum hatch_status line_gl_compile(const struct shader_source *shaders, struct line_gl *gl,
-                                  struct hatch_err *err)
+enum hatch_status line_gl_compile(const struct shader_source *shaders, struct line_gl *gl, struct hatch_err *err)
 {
     static const struct shader_stages stages[LINE_PROGRAMS] = {
         [TEST] = {.vertex = "screen.vert", .fragment = "line_test.frag"},
@@ -22,8 +21,7 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
     return HATCH_OK;
 }
 
-static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint *texture,
-                         GLuint *framebuffer)
+static void make_texture(GLenum format, uint32_t width, uint32_t height, GLuint *texture, GLuint *framebuffer)
 {
     glCreateTextures(GL_TEXTURE_2D, 1, texture);
     glTextureStorage2D(*texture, 1, format, (GLsizei)width, (GLsizei)height);
@@ -65,12 +63,11 @@ static void upload(const struct line_gl *gl, const struct hatch_line_sample *sam
     if (rows)
         glTextureSubImage2D(gl->samples, 0, 0, 0, (GLsizei)LINE_BATCH, rows, GL_RGBA, GL_FLOAT, samples);
     if (rest)
-        glTextureSubImage2D(gl->samples, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT,
-                            samples + (size_t)rows * LINE_BATCH);
+        glTextureSubImage2D(gl->samples, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT, samples + (size_t)rows * LINE_BATCH);
 }
 
-void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct hatch_line_sample *samples, size_t count, uint8_t *seen)
+void line_gl_test(const struct line_gl *gl, const struct target *target, const struct hatch_line_sample *samples,
+                  size_t count, uint8_t *seen)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->result_framebuffer);
     glDisable(GL_DEPTH_TEST);
@@ -90,13 +87,11 @@ void line_gl_test(const struct line_gl *gl, const struct target *target,
         upload(gl, samples + done, batch);
         glViewport(0, 0, (GLsizei)LINE_BATCH, rows);
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glReadPixels(0, 0, (GLsizei)LINE_BATCH, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                     seen + done);
+        glReadPixels(0, 0, (GLsizei)LINE_BATCH, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE, seen + done);
     }
 }
 
-enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
-                                struct hatch_err *err)
+enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target, struct hatch_err *err)
 {
     if (gl->width != target->width || gl->height != target->height) {
         glDeleteTextures(1, &gl->coverage);
@@ -112,8 +107,7 @@ enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
     return HATCH_OK;
 }
 
-void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count,
-                    double width_px)
+void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count, double width_px)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, gl->coverage_framebuffer);
     glViewport(0, 0, (GLsizei)gl->width, (GLsizei)gl->height);
@@ -125,8 +119,7 @@ void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *s
     glUniform2f(0, (GLfloat)gl->width, (GLfloat)gl->height);
     glUniform1f(1, (GLfloat)width_px);
     glBindVertexArray(gl->array);
-    glNamedBufferData(gl->segments, (GLsizeiptr)(sizeof *segments * count), segments,
-                      GL_STREAM_DRAW);
+    glNamedBufferData(gl->segments, (GLsizeiptr)(sizeof *segments * count), segments, GL_STREAM_DRAW);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);

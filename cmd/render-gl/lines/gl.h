@@ -29,17 +29,15 @@ enum hatch_status line_gl_compile(const struct shader_source *shaders, struct li
  * texel around is not nearer than the limit; and those that haloes lie over. seen: per sample, sums of enum
  * line_seen; room for count rounded up to LINE_BATCH. */
 #define LINE_BATCH 1024u
-void line_gl_test(const struct line_gl *gl, const struct target *target,
-                  const struct hatch_line_sample *samples, size_t count, uint8_t *seen);
+void line_gl_test(const struct line_gl *gl, const struct target *target, const struct hatch_line_sample *samples,
+                  size_t count, uint8_t *seen);
 
 /* Empty coverage of the target's size. HATCH_LIMIT when the GPU has no memory for it. */
-enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target,
-                                struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status line_gl_begin(struct line_gl *gl, const struct target *target, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws segments with round ends into the coverage. Where they meet or cross the larger coverage counts, so
  * that joints are no darker than the rest. */
-void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count,
-                    double width_px);
+void line_gl_stroke(const struct line_gl *gl, const struct hatch_line_segment *segments, size_t count, double width_px);
 
 /* Puts a colour, in linear light, over the target's resolved picture where coverage says. */
 void line_gl_end(const struct line_gl *gl, const struct target *target, const float rgb[3]);

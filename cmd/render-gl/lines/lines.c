@@ -4,9 +4,9 @@
 
 #include "line/trace.h"
 
-#define GAP_PX 4.0    /* hidden for shorter than this: a surface that grazes the line */
-#define CRUMB_PX 6.0  /* visible for shorter than this, and alone: dirt */
-#define TRIM_PX 1.0   /* visible because the test looks around itself */
+#define GAP_PX 4.0   /* hidden for shorter than this: a surface that grazes the line */
+#define CRUMB_PX 6.0 /* visible for shorter than this, and alone: dirt */
+#define TRIM_PX 1.0  /* visible because the test looks around itself */
 
 /* Skins pose a mesh from where it lies in the file, other nodes from around its middle. */
 static struct hatch_line_mesh *mesh_of(const struct lines *lines, const struct gpu_item *item)
@@ -15,9 +15,8 @@ static struct hatch_line_mesh *mesh_of(const struct lines *lines, const struct g
 }
 
 enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *style,
-                             const struct shader_source *shaders, uint64_t max_memory,
-                             struct hatch_arena *arena, struct hatch_arena *scratch,
-                             struct lines *lines, struct hatch_err *err)
+                             const struct shader_source *shaders, uint64_t max_memory, struct hatch_arena *arena,
+                             struct hatch_arena *scratch, struct lines *lines, struct hatch_err *err)
 {
     static const double zero[3] = {0, 0, 0};
     struct lines made = {.style = *style, .scene = scene, .scratch = scratch};
@@ -32,8 +31,7 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
         const double *origin = item->posed ? zero : scene->meshes[item->mesh].origin;
         const struct hatch_scene_mesh *from = &scene->scene->meshes[item->mesh];
         const struct hatch_line_choice choice = {style->kinds, style->crease_rad, from->had_normals};
-        HATCH_TRY(hatch_line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch,
-                                 mesh, err));
+        HATCH_TRY(hatch_line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch, mesh, err));
     }
     HATCH_TRY(line_gl_make(shaders, style->haloes, &made.gl, err));
     hatch_arena_init(&made.frame, max_memory);
@@ -42,16 +40,16 @@ enum hatch_status lines_make(struct gpu_scene *scene, const struct line_style *s
 }
 
 /* The item's mesh where it stands: skinned ones are posed anew, others keep their vertices. */
-static enum hatch_status place(struct lines *lines, const struct gpu_item *item,
-                               struct hatch_line_shape *shape, struct hatch_err *err)
+static enum hatch_status place(struct lines *lines, const struct gpu_item *item, struct hatch_line_shape *shape,
+                               struct hatch_err *err)
 {
     const struct hatch_line_mesh *mesh = mesh_of(lines, item);
     const struct hatch_bounds *bounds = &lines->scene->bounds;
     *shape = (struct hatch_line_shape){.lines = mesh,
-                                 .positions = mesh->mesh.attributes[0].data,
-                                 .normals = hatch_mesh_find(&mesh->mesh, "NORMAL", 3),
-                                 .mirrored = item->mirrored,
-                                 .double_sided = item->double_sided};
+                                       .positions = mesh->mesh.attributes[0].data,
+                                       .normals = hatch_mesh_find(&mesh->mesh, "NORMAL", 3),
+                                       .mirrored = item->mirrored,
+                                       .double_sided = item->double_sided};
     for (int i = 0; i < 16; i++)
         shape->to_unit[i] = (double)item->to_unit[i];
     if (!item->posed)
@@ -91,20 +89,18 @@ static enum hatch_status add_trace(struct frame_lines *frame, const struct hatch
     struct part *part = HATCH_NEW(&lines->frame, struct part, 1, err);
     if (!part)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_line_strips_make(trace, chains, frame->view, frame->tile, lines->style.width_px + 2,
-                               &lines->frame, &part->strips, err));
+    HATCH_TRY(hatch_line_strips_make(trace, chains, frame->view, frame->tile, lines->style.width_px + 2, &lines->frame,
+                                     &part->strips, err));
     part->next = frame->parts;
     frame->parts = part;
     frame->piece_count += part->strips.piece_count;
     return HATCH_OK;
 }
 
-static enum hatch_status add_item(struct frame_lines *frame, const struct gpu_item *item,
-                                  struct hatch_err *err)
+static enum hatch_status add_item(struct frame_lines *frame, const struct gpu_item *item, struct hatch_err *err)
 {
     struct lines *lines = frame->lines;
-    const struct hatch_line_eye eye = {frame->view,
-                                 0.5 * frame->tile->full_height / frame->view->half_height};
+    const struct hatch_line_eye eye = {frame->view, 0.5 * frame->tile->full_height / frame->view->half_height};
     struct hatch_line_shape shape;
     struct hatch_line_trace trace;
     HATCH_TRY(place(lines, item, &shape, err));
@@ -122,8 +118,7 @@ static enum hatch_status add_item(struct frame_lines *frame, const struct gpu_it
     return add_trace(frame, &trace, &chains, err);
 }
 
-static enum hatch_status stroke(const struct frame_lines *frame, const struct target *target,
-                                struct hatch_err *err)
+static enum hatch_status stroke(const struct frame_lines *frame, const struct target *target, struct hatch_err *err)
 {
     struct lines *lines = frame->lines;
     double width_px = lines->style.width_px;
@@ -131,7 +126,8 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
     struct hatch_line_sample *samples = HATCH_NEW(&lines->frame, struct hatch_line_sample, count, err);
     uint8_t *seen = samples ? HATCH_NEW(&lines->frame, uint8_t, count + LINE_BATCH, err) : NULL;
     uint8_t *visible = seen ? HATCH_NEW(&lines->frame, uint8_t, count, err) : NULL;
-    struct hatch_line_segment *segments = visible ? HATCH_NEW(&lines->frame, struct hatch_line_segment, count, err) : NULL;
+    struct hatch_line_segment *segments =
+        visible ? HATCH_NEW(&lines->frame, struct hatch_line_segment, count, err) : NULL;
     if (!segments)
         return HATCH_LIMIT;
     for (const struct part *part = frame->parts; part; part = part->next) {
@@ -149,8 +145,7 @@ static enum hatch_status stroke(const struct frame_lines *frame, const struct ta
     return HATCH_OK;
 }
 
-static enum hatch_status draw(struct frame_lines *frame, const struct target *target,
-                              struct hatch_err *err)
+static enum hatch_status draw(struct frame_lines *frame, const struct target *target, struct hatch_err *err)
 {
     struct lines *lines = frame->lines;
     for (uint32_t i = 0; i < lines->scene->item_count; i++) {

@@ -52,8 +52,7 @@ static void set_place(const struct near_frame *frame, const double world[3], str
 }
 
 /* As hatch_texcoord of shaders/vertex.glsl. */
-static void set_uv(const double hatch[2], const float texcoord[2], const float repeat[2],
-                   struct hatch_pair uv[2])
+static void set_uv(const double hatch[2], const float texcoord[2], const float repeat[2], struct hatch_pair uv[2])
 {
     double tiles[2];
     for (int k = 0; k < 2; k++)
@@ -65,8 +64,7 @@ static void set_uv(const double hatch[2], const float texcoord[2], const float r
 static struct hatch_piece_view picture_of(const struct near_frame *frame, const struct hatch_tile *tile)
 {
     const struct hatch_view *view = frame->view;
-    struct hatch_piece_view picture = {
-        .orthographic = view->orthographic, .near = view->near, .ratio = RATIO};
+    struct hatch_piece_view picture = {.orthographic = view->orthographic, .near = view->near, .ratio = RATIO};
     double half[2] = {view->half_height * view->aspect, view->half_height};
     double begin[2] = {tile->x / tile->full_width, tile->y / tile->full_height};
     double size[2] = {tile->width / tile->full_width, tile->height / tile->full_height};
@@ -85,8 +83,7 @@ enum hatch_status near_cut_faces(const struct near_frame *frame, const struct ne
     static const float none[2] = {0, 0};
     struct cutting cutting = {.buffer = buffer};
     const struct hatch_piece_view picture = picture_of(frame, wish->tile);
-    const float *texcoord =
-        hatch_mesh_find(&frame->scene->scene->meshes[item->mesh].mesh, "TEXCOORD_0", 2);
+    const float *texcoord = hatch_mesh_find(&frame->scene->scene->meshes[item->mesh].mesh, "TEXCOORD_0", 2);
     for (uint32_t i = 0; i < choice->piece_count; i++) {
         struct hatch_piece_corner corner[3];
         for (size_t k = 0; k < 3; k++) {

@@ -62,8 +62,7 @@ static void corner_in_unit(const struct gpu_scene *scene, const struct near_shap
                            double point[3])
 {
     for (int k = 0; k < 3; k++)
-        point[k] = (shape->positions[3 * (size_t)vertex + (size_t)k] - scene->bounds.center[k]) /
-                   scene->bounds.radius;
+        point[k] = (shape->positions[3 * (size_t)vertex + (size_t)k] - scene->bounds.center[k]) / scene->bounds.radius;
 }
 
 static struct near_ball ball_around(const double low[3], const double high[3])
@@ -89,8 +88,8 @@ bool near_touches(const struct near_frame *frame, const struct gpu_item *item)
     return sqrt(square) < reach && ball_touches(frame, &ball, reach);
 }
 
-static void set_block(const struct gpu_scene *scene, const struct near_shape *shape,
-                      const struct near_faces *faces, size_t first, struct near_ball *ball)
+static void set_block(const struct gpu_scene *scene, const struct near_shape *shape, const struct near_faces *faces,
+                      size_t first, struct near_ball *ball)
 {
     struct hatch_box box = {.any = false};
     for (size_t i = 0; i < 3 * NEAR_BLOCK && first + i / 3 < faces->count; i++) {
@@ -102,14 +101,12 @@ static void set_block(const struct gpu_scene *scene, const struct near_shape *sh
 }
 
 static enum hatch_status make_posed(const struct gpu_scene *scene, const struct gpu_item *item,
-                                    struct hatch_arena *posed, struct near_shape *shape,
-                                    struct hatch_err *err)
+                                    struct hatch_arena *posed, struct near_shape *shape, struct hatch_err *err)
 {
     struct near_shape made = *shape;
     struct near_faces lists[2];
     struct hatch_pose pose = scene->pose;
-    made.positions =
-        HATCH_NEW(posed, double, 3 * (size_t)scene->scene->meshes[item->mesh].mesh.vertex_count, err);
+    made.positions = HATCH_NEW(posed, double, 3 * (size_t)scene->scene->meshes[item->mesh].mesh.vertex_count, err);
     if (!made.positions)
         return HATCH_LIMIT;
     hatch_pose_vertices(&pose, item->node, item->mesh, made.positions, NULL);
@@ -126,9 +123,8 @@ static enum hatch_status make_posed(const struct gpu_scene *scene, const struct 
     return HATCH_OK;
 }
 
-enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item,
-                                  struct hatch_arena *kept, struct hatch_arena *posed,
-                                  struct near_shape *shape, struct hatch_err *err)
+enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item, struct hatch_arena *kept,
+                                  struct hatch_arena *posed, struct near_shape *shape, struct hatch_err *err)
 {
     size_t count = scene->scene->meshes[item->mesh].mesh.vertex_count;
     if (item->repeats && shape->repeats_set != item->repeats_set) {
@@ -143,8 +139,8 @@ enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gp
     return shape->positions ? HATCH_OK : make_posed(scene, item, posed, shape, err);
 }
 
-static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept,
-                                     struct near_shape *shape, struct hatch_err *err)
+static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept, struct near_shape *shape,
+                                     struct hatch_err *err)
 {
     uint32_t count, *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
     shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
@@ -155,8 +151,8 @@ static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch
     return HATCH_OK;
 }
 
-static bool face_is_near(struct near_frame *frame, const struct near_shape *shape,
-                         const struct near_faces *faces, size_t face, double reach)
+static bool face_is_near(struct near_frame *frame, const struct near_shape *shape, const struct near_faces *faces,
+                         size_t face, double reach)
 {
     double unit[3], corner[3][3];
     for (size_t k = 0; k < 3; k++) {
@@ -168,8 +164,8 @@ static bool face_is_near(struct near_frame *frame, const struct near_shape *shap
     return distance < reach;
 }
 
-static void mark_face(const struct near_frame *frame, const struct near_shape *shape,
-                      const struct near_faces *faces, size_t face, struct hatch_box *marked)
+static void mark_face(const struct near_frame *frame, const struct near_shape *shape, const struct near_faces *faces,
+                      size_t face, struct hatch_box *marked)
 {
     for (size_t k = 0; k < 3; k++) {
         uint32_t vertex = near_corner(faces, face, k);
@@ -196,9 +192,8 @@ static uint32_t block_end(const struct near_faces *faces, uint32_t begin)
 }
 
 /* Near faces, and those that share a point with one. */
-static void choose_ring(const struct near_frame *frame, const struct near_shape *shape,
-                        const struct near_faces *faces, int which, const struct hatch_box *marked,
-                        struct near_choice *choice)
+static void choose_ring(const struct near_frame *frame, const struct near_shape *shape, const struct near_faces *faces,
+                        int which, const struct hatch_box *marked, struct near_choice *choice)
 {
     for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
         if (!ball_meets(&shape->blocks[which][begin / NEAR_BLOCK], marked))
@@ -214,9 +209,9 @@ static void choose_ring(const struct near_frame *frame, const struct near_shape 
 }
 
 /* Room for all the faces of the blocks that a ball, or a box where there is one, touches. */
-static enum hatch_status make_room(const struct near_frame *frame, const struct near_ball *blocks,
-                                   uint32_t face_count, double reach, const struct hatch_box *box,
-                                   struct hatch_arena *arena, uint32_t **faces, struct hatch_err *err)
+static enum hatch_status make_room(const struct near_frame *frame, const struct near_ball *blocks, uint32_t face_count,
+                                   double reach, const struct hatch_box *box, struct hatch_arena *arena,
+                                   uint32_t **faces, struct hatch_err *err)
 {
     size_t count = 0;
     for (uint32_t i = 0; i < (face_count + NEAR_BLOCK - 1) / NEAR_BLOCK; i++)
@@ -225,10 +220,9 @@ static enum hatch_status make_room(const struct near_frame *frame, const struct 
     return *faces ? HATCH_OK : HATCH_LIMIT;
 }
 
-enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
-                              struct near_shape *shape, const struct near_faces *faces, int which,
-                              struct hatch_arena *kept, struct hatch_arena *arena, struct near_choice *choice,
-                              struct hatch_err *err)
+enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item, struct near_shape *shape,
+                              const struct near_faces *faces, int which, struct hatch_arena *kept,
+                              struct hatch_arena *arena, struct near_choice *choice, struct hatch_err *err)
 {
     const struct near_ball *blocks = shape->blocks[which];
     struct hatch_box marked = {.any = false};

@@ -6,7 +6,7 @@
 
 #include "render-gl/near/parts.h"
 
-#define NEAREST 0x1p-60     /* the near plane of an eye on the surface */
+#define NEAREST 0x1p-60 /* the near plane of an eye on the surface */
 
 static void open_near(struct near *near, uint64_t max_memory)
 {
@@ -77,8 +77,8 @@ static enum hatch_status set_ranges(const struct near_faces *faces, const struct
 }
 
 static enum hatch_status cut_item(struct near *near, struct near_frame *frame, const struct near_wish *wish,
-                                  uint32_t index, const struct near_choice choices[2],
-                                  struct hatch_buffer *buffer, struct hatch_err *err)
+                                  uint32_t index, const struct near_choice choices[2], struct hatch_buffer *buffer,
+                                  struct hatch_err *err)
 {
     const struct gpu_item *item = &frame->scene->items[index];
     struct near_cut *cuts[2] = {&near->items[index].surface, &near->items[index].patches};
@@ -91,8 +91,7 @@ static enum hatch_status cut_item(struct near *near, struct near_frame *frame, c
         if (!cut->is_cut)
             continue;
         HATCH_TRY(set_ranges(&lists[which], &choices[which], &near->frame, cut, err));
-        HATCH_TRY(near_cut_faces(frame, wish, item, &near->shapes[index], &lists[which], &choices[which],
-                                 buffer, err));
+        HATCH_TRY(near_cut_faces(frame, wish, item, &near->shapes[index], &lists[which], &choices[which], buffer, err));
         cut->first = (GLint)begin;
         cut->count = (GLsizei)(buffer->size / sizeof(struct near_vertex) - begin);
     }
@@ -112,8 +111,8 @@ static enum hatch_status choose(struct near *near, struct near_frame *frame, str
         HATCH_TRY(near_shape_make(scene, item, &near->kept, &near->posed, &near->shapes[i], err));
         int list_count = near_lists(scene, item, lists);
         for (int which = 0; which < list_count; which++)
-            HATCH_TRY(near_choose(frame, item, &near->shapes[i], &lists[which], which, &near->kept,
-                                  &near->frame, &choices[2 * (size_t)i + (size_t)which], err));
+            HATCH_TRY(near_choose(frame, item, &near->shapes[i], &lists[which], which, &near->kept, &near->frame,
+                                  &choices[2 * (size_t)i + (size_t)which], err));
     }
     return HATCH_OK;
 }

@@ -11,17 +11,17 @@
 
 /* Where pieces' corners find what their face's corners hold, among texture units and uniforms: the same as
  * in shaders/pieces.glsl. */
-#define NEAR_UNIT 10u      /* vertices; then spans, repeats */
+#define NEAR_UNIT 10u /* vertices; then spans, repeats */
 #define NEAR_UNIFORM_LENS 20
 #define NEAR_UNIFORM_HAS 21
 
 /* How faces are drawn: ranges of the index buffer, and pieces. */
 struct near_cut {
-    bool is_cut;         /* else all faces are drawn as usual */
+    bool is_cut; /* else all faces are drawn as usual */
     uint32_t range_count;
     GLsizei *counts;
     const void **offsets;
-    GLint first;         /* of the pieces' corners */
+    GLint first; /* of the pieces' corners */
     GLsizei count;
 };
 
@@ -39,13 +39,13 @@ struct near {
     struct near_item *items;   /* of this frame; NULL: nothing is near */
     GLuint array, buffer, views[3];
     float lens[16];
-    double plane;              /* where the last frame's near plane was */
+    double plane; /* where the last frame's near plane was */
 };
 
 /* What is wanted of a frame. */
 struct near_wish {
-    bool pieces;                 /* else only the near plane is looked for */
-    double hatch[2];             /* how texture coordinates are turned and scaled: cosine and sine */
+    bool pieces;     /* else only the near plane is looked for */
+    double hatch[2]; /* how texture coordinates are turned and scaled: cosine and sine */
     const struct hatch_tile *tile;
 };
 

@@ -39,11 +39,11 @@ struct near_shape {
 struct near_frame {
     const struct gpu_scene *scene;
     const struct hatch_view *view;
-    double reach;        /* faces nearer than that are near, where uv_reach is below 2; orthographic: over 1
-                            floats hold nothing in the picture */
-    double half;         /* of the picture's diagonal, orthographic */
+    double reach; /* faces nearer than that are near, where uv_reach is below 2; orthographic: over 1
+                     floats hold nothing in the picture */
+    double half;  /* of the picture's diagonal, orthographic */
     uint32_t number;
-    double nearest;      /* distance of the nearest face so far */
+    double nearest; /* distance of the nearest face so far */
 };
 
 /* The faces of a list that are near, rising, and those that are to be pieces: they, and their ring. */
@@ -56,15 +56,15 @@ struct near_choice {
 bool near_touches(const struct near_frame *frame, const struct gpu_item *item);
 
 /* Makes of the item's shape what the pose and the repeats need. */
-enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item,
-                                  struct hatch_arena *kept, struct hatch_arena *posed,
-                                  struct near_shape *shape, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status near_shape_make(const struct gpu_scene *scene, const struct gpu_item *item, struct hatch_arena *kept,
+                                  struct hatch_arena *posed, struct near_shape *shape,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* which: 0 the surface's faces, 1 the patches'. Marks the points of near faces. kept: for the shape's points;
  * arena: for the choice. */
-enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item,
-                              struct near_shape *shape, const struct near_faces *faces, int which,
-                              struct hatch_arena *kept, struct hatch_arena *arena, struct near_choice *choice,
+enum hatch_status near_choose(struct near_frame *frame, const struct gpu_item *item, struct near_shape *shape,
+                              const struct near_faces *faces, int which, struct hatch_arena *kept,
+                              struct hatch_arena *arena, struct near_choice *choice,
                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* The item's lists of faces; returns how many it has: 1, or 2 with patches. */

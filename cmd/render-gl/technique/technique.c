@@ -2,16 +2,16 @@
 
 #include <stddef.h>
 
-extern const struct technique technique_tam, technique_tam_flat, technique_tam_face,
-    technique_tam_gouraud, technique_tam_triple, technique_tam_threshold, technique_gouraud,
-    technique_rptam, technique_volume, technique_threshold, technique_threshold_soft,
-    technique_probe, technique_patches, technique_field, technique_places;
+extern const struct technique technique_tam, technique_tam_flat, technique_tam_face, technique_tam_gouraud,
+    technique_tam_triple, technique_tam_threshold, technique_gouraud, technique_rptam, technique_volume,
+    technique_threshold, technique_threshold_soft, technique_probe, technique_patches, technique_field,
+    technique_places;
 
 const struct technique *const techniques[TECHNIQUE_COUNT] = {
-    &technique_tam,        &technique_tam_flat,      &technique_tam_face, &technique_tam_gouraud,
-    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,  &technique_rptam,
-    &technique_volume,     &technique_threshold,     &technique_threshold_soft,
-    &technique_probe,      &technique_patches,       &technique_field,    &technique_places};
+    &technique_tam,        &technique_tam_flat,      &technique_tam_face,       &technique_tam_gouraud,
+    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,        &technique_rptam,
+    &technique_volume,     &technique_threshold,     &technique_threshold_soft, &technique_probe,
+    &technique_patches,    &technique_field,         &technique_places};
 
 const char *const *technique_names(void)
 {

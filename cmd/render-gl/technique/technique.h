@@ -18,22 +18,22 @@
 
 /* What a technique makes of patches over a surface. */
 enum technique_patches {
-    PATCHES_BLEND,  /* each over those before it by its outline. A technique of several passes begins with
-                       black and adds in the others; its shaders put the outline into alpha */
-    PATCHES_COVER,  /* the uppermost hides the others: what is drawn is no colour */
-    PATCHES_UNSEEN  /* the surface is drawn instead, as if it had none */
+    PATCHES_BLEND, /* each over those before it by its outline. A technique of several passes begins with
+                      black and adds in the others; its shaders put the outline into alpha */
+    PATCHES_COVER, /* the uppermost hides the others: what is drawn is no colour */
+    PATCHES_UNSEEN /* the surface is drawn instead, as if it had none */
 };
 
 struct technique {
     const char *name;
-    const char *summary;          /* one line for the window's terminal help */
-    enum columns_form columns;    /* what it reads strokes from */
-    bool seeds;                   /* it draws strokes at seeds */
+    const char *summary;       /* one line for the window's terminal help */
+    enum columns_form columns; /* what it reads strokes from */
+    bool seeds;                /* it draws strokes at seeds */
     struct shader_stages stages;
-    const char *defines;          /* lines before each stage, "" for none */
-    bool pixel_light;             /* it can light each pixel: its shaders know PIXEL_LIGHT */
-    uint32_t samples;             /* a pixel, by default; 0: what the option says */
-    uint32_t pass_count;          /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
+    const char *defines; /* lines before each stage, "" for none */
+    bool pixel_light;    /* it can light each pixel: its shaders know PIXEL_LIGHT */
+    uint32_t samples;    /* a pixel, by default; 0: what the option says */
+    uint32_t pass_count; /* 1 .. TECHNIQUE_PASSES_MAX; shaders know it as `pass` */
     const char *pass_names[TECHNIQUE_PASSES_MAX];
     enum technique_patches patches;
     void (*begin_pass)(uint32_t pass); /* sets blending and depth other than the usual; or NULL */

@@ -21,9 +21,7 @@ static void resize(struct window *window)
         return;
     struct hatch_err err;
     target_free(&window->target);
-    cmd_check(target_make(wide, high, job->options.side, &job->renderer.shaders, &window->target,
-                          &err),
-              NULL, &err);
+    cmd_check(target_make(wide, high, job->options.side, &job->renderer.shaders, &window->target, &err), NULL, &err);
     job->options.width = wide;
     job->options.height = high;
     window->stale = true;
@@ -59,12 +57,9 @@ static void save(struct window *window, const struct hatch_view *view)
     if (!can_save(name))
         return;
     window->saved++;
-    cmd_check(hatch_image_make(keep, window->target.width, window->target.height, "RGB", &image,
-                               &err),
-              NULL, &err);
+    cmd_check(hatch_image_make(keep, window->target.width, window->target.height, "RGB", &image, &err), NULL, &err);
     struct cmd_output *output = cmd_open_output(name, true);
-    cmd_check(picture_draw(&job->renderer, window->technique, view, &window->target, &image, &err),
-              NULL, &err);
+    cmd_check(picture_draw(&job->renderer, window->technique, view, &window->target, &image, &err), NULL, &err);
     pictures_encode(name, &image, &job->args.scratch, &file);
     cmd_write(output, file.data, file.size);
     hatch_arena_rewind(keep, mark);
@@ -88,9 +83,7 @@ static void pose(struct window *window, struct hatch_view *view)
     struct job *job = window->job;
     double aspect = (double)window->target.width / window->target.height;
     struct hatch_err err;
-    cmd_check(scene_set_pose(&job->gpu, job->span.animation, window->time_s, &job->args.scratch,
-                             &err),
-              NULL, &err);
+    cmd_check(scene_set_pose(&job->gpu, job->span.animation, window->time_s, &job->args.scratch, &err), NULL, &err);
     if (!window->moved) {
         job_view(job, window->time_s, view);
         hatch_orbit_start(&window->orbit, view);
@@ -105,14 +98,13 @@ static void draw(struct window *window)
     struct hatch_view view;
     move_params(window);
     pose(window, &view);
-    struct hatch_tile tile = {0, 0, window->target.width, window->target.height, window->target.width,
-                        window->target.height};
+    struct hatch_tile tile = {
+        0, 0, window->target.width, window->target.height, window->target.width, window->target.height};
     double now_s = clock_now_s();
     bool timed = now_s - window->title_s > TITLE_EVERY_S;
     job->renderer.clock = timed ? &window->clock : NULL;
     struct hatch_err err;
-    cmd_check(renderer_draw(&job->renderer, window->technique, &view, &tile, &window->target, &err),
-              NULL, &err);
+    cmd_check(renderer_draw(&job->renderer, window->technique, &view, &tile, &window->target, &err), NULL, &err);
     job->renderer.clock = NULL;
     if (timed) {
         char title[160], param[96];

@@ -17,8 +17,8 @@ struct window {
     struct clock clock;
     struct hatch_orbit orbit;
     uint32_t technique, saved;
-    uint32_t param, component;     /* that keys change; PARAM_NONE: none yet */
-    double start[PARAMS_MAX][2];   /* what parameters were when they were first changed */
+    uint32_t param, component;   /* that keys change; PARAM_NONE: none yet */
+    double start[PARAMS_MAX][2]; /* what parameters were when they were first changed */
     bool has_start[PARAMS_MAX];
     enum drag drag;
     double x, y;           /* of the pointer */

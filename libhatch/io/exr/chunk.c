@@ -6,9 +6,8 @@
 
 #include "io/exr/zip.h"
 
-enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream,
-                                         exr_context_t context, int part, size_t raw_max,
-                                         const uint32_t *place, struct hatch_arena *scratch,
+enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream, exr_context_t context, int part,
+                                         size_t raw_max, const uint32_t *place, struct hatch_arena *scratch,
                                          struct hatch_exr_chunks *chunks, struct hatch_err *err)
 {
     *chunks = (struct hatch_exr_chunks){
@@ -18,8 +17,7 @@ enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream,
     if (!chunks->raw || !chunks->filtered)
         return HATCH_LIMIT;
     chunks->decompressor = libdeflate_alloc_decompressor();
-    return chunks->decompressor ? HATCH_OK
-                                : hatch_fail(err, HATCH_LIMIT, "out of memory for unpacking");
+    return chunks->decompressor ? HATCH_OK : hatch_fail(err, HATCH_LIMIT, "out of memory for unpacking");
 }
 
 void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks)
@@ -31,9 +29,8 @@ void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks)
 }
 
 /* RLE and PIZ: the core reads and unpacks, and leaves the bytes of the chunk in its own buffer. */
-static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks,
-                                        const exr_chunk_info_t *info, const uint8_t **raw,
-                                        struct hatch_err *err)
+static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
+                                        const uint8_t **raw, struct hatch_err *err)
 {
     exr_decode_pipeline_t *pipeline = &chunks->pipeline;
     exr_result_t result;
@@ -54,15 +51,13 @@ static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks,
 }
 
 /* The chunk's bytes as they were before packing, size of them, aligned for halves. */
-static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
-                                size_t size, const uint8_t **raw, struct hatch_err *err)
+static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info, size_t size,
+                                const uint8_t **raw, struct hatch_err *err)
 {
     size_t file_size = chunks->stream->file.size;
     if (info->data_offset > file_size || info->packed_size > file_size - info->data_offset)
-        return hatch_fail(err, HATCH_BAD_INPUT,
-                          "cut: the chunk at byte %llu has %llu bytes, file %zu",
-                          (unsigned long long)info->data_offset,
-                          (unsigned long long)info->packed_size, file_size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut: the chunk at byte %llu has %llu bytes, file %zu",
+                          (unsigned long long)info->data_offset, (unsigned long long)info->packed_size, file_size);
     const uint8_t *packed = chunks->stream->file.data + info->data_offset;
     *raw = chunks->raw;
     if (info->packed_size == size) {
@@ -70,8 +65,8 @@ static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk
         return HATCH_OK;
     }
     if (info->compression == EXR_COMPRESSION_ZIP || info->compression == EXR_COMPRESSION_ZIPS) {
-        if (hatch_exr_unzip(chunks->decompressor, packed, (size_t)info->packed_size,
-                            chunks->filtered, chunks->raw, size))
+        if (hatch_exr_unzip(chunks->decompressor, packed, (size_t)info->packed_size, chunks->filtered, chunks->raw,
+                            size))
             return HATCH_OK;
         return hatch_fail(err, HATCH_BAD_INPUT, "the ZIP chunk at byte %llu is damaged",
                           (unsigned long long)info->data_offset);
@@ -82,8 +77,7 @@ static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk
     return unpack_by_core(chunks, info, raw, err);
 }
 
-static void take_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t count,
-                     float *values, size_t stride)
+static void take_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t count, float *values, size_t stride)
 {
     if (type == HATCH_HALF) {
         hatch_floats_from_halves((const uint16_t *)(const void *)raw, count, values, stride);
@@ -99,10 +93,9 @@ static void take_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t 
     }
 }
 
-enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks,
-                                       const exr_chunk_info_t *info, struct hatch_image *image,
-                                       uint32_t left, uint32_t top, uint32_t width, uint32_t height,
-                                       struct hatch_err *err)
+enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
+                                       struct hatch_image *image, uint32_t left, uint32_t top, uint32_t width,
+                                       uint32_t height, struct hatch_err *err)
 {
     size_t texel = 0, stride = image->channel_count;
     for (uint32_t c = 0; c < image->channel_count; c++)

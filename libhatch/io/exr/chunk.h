@@ -19,18 +19,15 @@ struct hatch_exr_chunks {
 
 /* raw_max: at least the bytes of the part's largest chunk. place[n]: where the file's n-th channel
  * stands in the image; it must live as long as chunks. Buffers come from scratch. */
-enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream,
-                                         exr_context_t context, int part, size_t raw_max,
-                                         const uint32_t *place, struct hatch_arena *scratch,
-                                         struct hatch_exr_chunks *chunks,
-                                         struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream, exr_context_t context, int part,
+                                         size_t raw_max, const uint32_t *place, struct hatch_arena *scratch,
+                                         struct hatch_exr_chunks *chunks, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Decodes the chunk that info tells of into the width x height texels of image from (left, top) on;
  * width and height are what the format says of this chunk. */
-enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks,
-                                       const exr_chunk_info_t *info, struct hatch_image *image,
-                                       uint32_t left, uint32_t top, uint32_t width, uint32_t height,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
+                                       struct hatch_image *image, uint32_t left, uint32_t top, uint32_t width,
+                                       uint32_t height, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Frees what is not in the arena; also after a failed begin. */
 void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks);

@@ -15,9 +15,8 @@
  * the arena's limit before anything is allocated: HATCH_LIMIT. Pixels that are not finite are kept;
  * the caller decides. arena and scratch may be one. Parts are decoded on pool's threads, NULL: on one;
  * what comes out is the same. */
-enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool,
-                                 struct hatch_arena *arena, struct hatch_arena *scratch,
-                                 struct hatch_mipmap **parts, uint32_t *part_count,
+enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mipmap **parts, uint32_t *part_count,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_exr_writer;
@@ -25,14 +24,12 @@ struct hatch_exr_writer;
 /* Begins a file of part_count parts, all of base's size, levels and channels (its pixels are not
  * looked at). More than one level makes tiled mip-maps, ZIP compressed; one level makes scanlines.
  */
-enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count,
-                                  struct hatch_arena *arena, struct hatch_exr_writer **writer,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count, struct hatch_arena *arena,
+                                  struct hatch_exr_writer **writer, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Converts and compresses one part and keeps the compressed bytes, not the pixels. Different parts
  * may be added from different threads at once; each part once. */
-enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part,
-                                     const struct hatch_mipmap *mipmap,
+enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part, const struct hatch_mipmap *mipmap,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Writes the file's bytes into an empty buffer; whatever happens, the writer is done then. The

@@ -22,11 +22,11 @@ struct layout {
     const char *name;
     bool tiled;
     uint32_t width, height, level_count, channel_count;
-    uint32_t pack_ratio; /* its compression shrinks bytes at most to one in so many */
+    uint32_t pack_ratio;                /* its compression shrinks bytes at most to one in so many */
     uint32_t chunk_width, chunk_height; /* of a tile, or of rows that are packed together */
     int32_t top;                        /* scanlines count from the data window's top */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in the order of the image */
-    uint32_t place[HATCH_IMAGE_CHANNELS_MAX]; /* where the n-th channel of the file stands in it */
+    uint32_t place[HATCH_IMAGE_CHANNELS_MAX];                /* where the n-th channel of the file stands in it */
 };
 
 struct part {
@@ -40,11 +40,11 @@ static enum hatch_status bad(const struct reading *r, exr_result_t result)
     return hatch_exr_fail(&r->stream, result, HATCH_BAD_INPUT, r->err);
 }
 
-#define TRY_EXR(r, call)                                                                           \
-    do {                                                                                           \
-        exr_result_t try_result_ = (call);                                                         \
-        if (try_result_ != EXR_ERR_SUCCESS)                                                        \
-            return bad((r), try_result_);                                                          \
+#define TRY_EXR(r, call)                                                                                               \
+    do {                                                                                                               \
+        exr_result_t try_result_ = (call);                                                                             \
+        if (try_result_ != EXR_ERR_SUCCESS)                                                                            \
+            return bad((r), try_result_);                                                                              \
     } while (0)
 
 /* A file has its channels by name: B before G before R. Images have colours first, as people say
@@ -94,8 +94,8 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
     exr_tile_level_mode_t mode = EXR_TILE_ONE_LEVEL;
     exr_tile_round_mode_t rounding = EXR_TILE_ROUND_DOWN;
     layout->level_count = 1;
-    TRY_EXR(r, exr_get_tile_descriptor(r->context, part, &layout->chunk_width,
-                                       &layout->chunk_height, &mode, &rounding));
+    TRY_EXR(r,
+            exr_get_tile_descriptor(r->context, part, &layout->chunk_width, &layout->chunk_height, &mode, &rounding));
     if (layout->chunk_width == 0 || layout->chunk_height == 0)
         return hatch_fail(r->err, HATCH_BAD_INPUT, "tiles without texels");
     if (mode == EXR_TILE_ONE_LEVEL)
@@ -109,8 +109,7 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
         TRY_EXR(r, exr_get_level_sizes(r->context, part, level, level, &width, &height));
         if ((uint32_t)width != hatch_mip_size(layout->width, (uint32_t)level) ||
             (uint32_t)height != hatch_mip_size(layout->height, (uint32_t)level))
-            return hatch_fail(r->err, HATCH_BAD_INPUT, "mip level %d is %dx%d: rounded up", level,
-                              width, height);
+            return hatch_fail(r->err, HATCH_BAD_INPUT, "mip level %d is %dx%d: rounded up", level, width, height);
     }
     if (across < 1 || across > (int32_t)HATCH_MIP_LEVELS_MAX)
         return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels", across);
@@ -137,8 +136,7 @@ static enum hatch_status read_compression(const struct reading *r, int part, str
         layout->pack_ratio = 1032;
         return HATCH_OK;
     default:
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "compression %d is not lossless, or unknown",
-                          (int)compression);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "compression %d is not lossless, or unknown", (int)compression);
     }
 }
 
@@ -154,8 +152,7 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
     if (exr_get_name(r->context, part, &layout->name) != EXR_ERR_SUCCESS || !layout->name)
         layout->name = "";
     if (strlen(layout->name) >= HATCH_NAME_MAX)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "the name has more than %u bytes",
-                          HATCH_NAME_MAX - 1);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "the name has more than %u bytes", HATCH_NAME_MAX - 1);
     TRY_EXR(r, exr_get_data_window(r->context, part, &window));
     layout->top = window.min.y;
     layout->width = (uint32_t)((int64_t)window.max.x - window.min.x + 1);
@@ -176,72 +173,64 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
 
 /* The bytes that a part's floats take; grows *total, which must stay within the arena and what the
  * file can hold. */
-static enum hatch_status check_size(const struct reading *r, int part, const struct layout *layout,
-                                    uint64_t *total)
+static enum hatch_status check_size(const struct reading *r, int part, const struct layout *layout, uint64_t *total)
 {
     uint64_t texels = 0, texel_bytes = 0;
     for (uint32_t c = 0; c < layout->channel_count; c++)
         texel_bytes += hatch_exr_channel_bytes(layout->channels[c].type);
     for (uint32_t level = 0; level < layout->level_count; level++)
-        texels +=
-            (uint64_t)hatch_mip_size(layout->width, level) * hatch_mip_size(layout->height, level);
+        texels += (uint64_t)hatch_mip_size(layout->width, level) * hatch_mip_size(layout->height, level);
     int32_t chunks = 0;
     TRY_EXR(r, exr_get_chunk_count(r->context, part, &chunks));
     if (texels * texel_bytes / layout->pack_ratio > r->stream.file.size ||
         (uint64_t)chunks * CHUNK_TABLE_ENTRY > r->stream.file.size)
-        return hatch_fail(r->err, HATCH_BAD_INPUT,
-                          "%ux%u pixels in a file of %zu bytes: cut, or not true", layout->width,
-                          layout->height, r->stream.file.size);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%ux%u pixels in a file of %zu bytes: cut, or not true",
+                          layout->width, layout->height, r->stream.file.size);
     *total += texels * layout->channel_count * sizeof(float);
     size_t left = r->arena->limit_bytes - r->arena->used_bytes;
     if (*total > left)
-        return hatch_fail(r->err, HATCH_LIMIT, "%ux%u pixels need more than the %zu bytes allowed",
-                          layout->width, layout->height, left);
+        return hatch_fail(r->err, HATCH_LIMIT, "%ux%u pixels need more than the %zu bytes allowed", layout->width,
+                          layout->height, left);
     return HATCH_OK;
 }
 
 /* Attributes beyond those that the format itself needs, which the layout tells already. */
 static bool is_wanted(const exr_attribute_t *attribute)
 {
-    static const char *const own[] = {
-        "chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type", "version", "view"};
+    static const char *const own[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",
+                                      "version",    "view"};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (strcmp(attribute->name, own[i]) == 0)
             return false;
     return strlen(attribute->name) < HATCH_NAME_MAX &&
-           (attribute->type == EXR_ATTR_FLOAT || attribute->type == EXR_ATTR_INT ||
-            attribute->type == EXR_ATTR_STRING);
+           (attribute->type == EXR_ATTR_FLOAT || attribute->type == EXR_ATTR_INT || attribute->type == EXR_ATTR_STRING);
 }
 
-static enum hatch_status read_attributes(const struct reading *r, int part,
-                                         struct hatch_mipmap *mipmap)
+static enum hatch_status read_attributes(const struct reading *r, int part, struct hatch_mipmap *mipmap)
 {
     int32_t count = 0;
     TRY_EXR(r, exr_get_attribute_count(r->context, part, &count));
     for (int32_t i = 0; i < count; i++) {
         const exr_attribute_t *attribute = NULL;
-        TRY_EXR(r, exr_get_attribute_by_index(r->context, part, EXR_ATTR_LIST_FILE_ORDER, i,
-                                              &attribute));
+        TRY_EXR(r, exr_get_attribute_by_index(r->context, part, EXR_ATTR_LIST_FILE_ORDER, i, &attribute));
         if (mipmap->attribute_count == HATCH_MIPMAP_ATTRIBUTES_MAX || !is_wanted(attribute))
             continue;
         if (attribute->type == EXR_ATTR_STRING) {
-            const char *text = hatch_arena_text(r->arena, attribute->string->str,
-                                                (size_t)attribute->string->length, r->err);
+            const char *text =
+                hatch_arena_text(r->arena, attribute->string->str, (size_t)attribute->string->length, r->err);
             if (!text)
                 return HATCH_LIMIT;
             hatch_mipmap_set_text(mipmap, attribute->name, text);
         } else if (attribute->type == EXR_ATTR_INT) {
             hatch_mipmap_set_number(mipmap, attribute->name, attribute->i, HATCH_ATTRIBUTE_INT);
         } else {
-            hatch_mipmap_set_number(mipmap, attribute->name, (double)attribute->f,
-                                    HATCH_ATTRIBUTE_FLOAT);
+            hatch_mipmap_set_number(mipmap, attribute->name, (double)attribute->f, HATCH_ATTRIBUTE_FLOAT);
         }
     }
     return HATCH_OK;
 }
 
-static enum hatch_status make_levels(const struct reading *r, const struct layout *layout,
-                                     struct hatch_mipmap *mipmap)
+static enum hatch_status make_levels(const struct reading *r, const struct layout *layout, struct hatch_mipmap *mipmap)
 {
     memcpy(mipmap->name, layout->name, strlen(layout->name) + 1);
     mipmap->levels = HATCH_NEW(r->arena, struct hatch_image, layout->level_count, r->err);
@@ -267,8 +256,8 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static enum hatch_status read_tiles(const struct reading *r, const struct layout *layout,
-                                    struct hatch_mipmap *mipmap, struct hatch_exr_chunks *chunks)
+static enum hatch_status read_tiles(const struct reading *r, const struct layout *layout, struct hatch_mipmap *mipmap,
+                                    struct hatch_exr_chunks *chunks)
 {
     for (uint32_t l = 0; l < mipmap->level_count; l++) {
         struct hatch_image *image = &mipmap->levels[l];
@@ -276,26 +265,25 @@ static enum hatch_status read_tiles(const struct reading *r, const struct layout
         for (uint32_t top = 0; top < image->height; top += height)
             for (uint32_t left = 0; left < image->width; left += width) {
                 exr_chunk_info_t info;
-                TRY_EXR(r, exr_read_tile_chunk_info(r->context, chunks->part, (int)(left / width),
-                                                    (int)(top / height), (int)l, (int)l, &info));
-                HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, left, top,
-                                               smaller(width, image->width - left),
+                TRY_EXR(r, exr_read_tile_chunk_info(r->context, chunks->part, (int)(left / width), (int)(top / height),
+                                                    (int)l, (int)l, &info));
+                HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, left, top, smaller(width, image->width - left),
                                                smaller(height, image->height - top), r->err));
             }
     }
     return HATCH_OK;
 }
 
-static enum hatch_status read_scanlines(const struct reading *r, const struct layout *layout,
-                                        struct hatch_image *image, struct hatch_exr_chunks *chunks)
+static enum hatch_status read_scanlines(const struct reading *r, const struct layout *layout, struct hatch_image *image,
+                                        struct hatch_exr_chunks *chunks)
 {
     uint32_t height = layout->chunk_height;
     for (uint32_t top = 0; top < image->height; top += height) {
         exr_chunk_info_t info;
         int y = (int)((int64_t)layout->top + top);
         TRY_EXR(r, exr_read_scanline_chunk_info(r->context, chunks->part, y, &info));
-        HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, 0, top, image->width,
-                                       smaller(height, image->height - top), r->err));
+        HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, 0, top, image->width, smaller(height, image->height - top),
+                                       r->err));
     }
     return HATCH_OK;
 }
@@ -309,8 +297,7 @@ static enum hatch_status check_whole(const struct reading *r, const struct hatch
         for (uint32_t c = 0; c < image->channel_count; c++)
             for (size_t i = 0; image->channels[c].type == HATCH_UINT && i < texels; i++)
                 if (image->pixels[i * image->channel_count + c] > WHOLE_MAX)
-                    return hatch_fail(r->err, HATCH_BAD_INPUT,
-                                      "channel %s holds a number over 2^24",
+                    return hatch_fail(r->err, HATCH_BAD_INPUT, "channel %s holds a number over 2^24",
                                       image->channels[c].name);
     }
     return HATCH_OK;
@@ -325,8 +312,8 @@ static enum hatch_status begin_part(const struct reading *r, struct part *part)
 
 static size_t raw_bytes(const struct layout *layout)
 {
-    return (size_t)smaller(layout->chunk_width, layout->width) *
-           smaller(layout->chunk_height, layout->height) * layout->channel_count * sizeof(float);
+    return (size_t)smaller(layout->chunk_width, layout->width) * smaller(layout->chunk_height, layout->height) *
+           layout->channel_count * sizeof(float);
 }
 
 static enum hatch_status decode_part(const struct reading *r, const struct part *part)
@@ -334,9 +321,8 @@ static enum hatch_status decode_part(const struct reading *r, const struct part 
     const struct layout *layout = &part->layout;
     struct hatch_arena_mark mark = hatch_arena_mark(r->scratch);
     struct hatch_exr_chunks chunks;
-    enum hatch_status status =
-        hatch_exr_chunks_begin(&r->stream, r->context, part->number, raw_bytes(layout), layout->place,
-                               r->scratch, &chunks, r->err);
+    enum hatch_status status = hatch_exr_chunks_begin(&r->stream, r->context, part->number, raw_bytes(layout),
+                                                      layout->place, r->scratch, &chunks, r->err);
     if (status == HATCH_OK)
         status = layout->tiled ? read_tiles(r, layout, part->mipmap, &chunks)
                                : read_scanlines(r, layout, &part->mipmap->levels[0], &chunks);
@@ -391,8 +377,8 @@ static void decode_some(void *context, uint32_t worker)
 }
 
 /* Where a thread fails, all is done once more in order, so that the first fault is told. */
-static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool *pool,
-                                      const struct part *parts, uint32_t count)
+static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool *pool, const struct part *parts,
+                                      uint32_t count)
 {
     uint32_t threads = hatch_pool_threads(pool) < count ? hatch_pool_threads(pool) : count;
     if (threads > 1) {
@@ -407,8 +393,8 @@ static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool
     return HATCH_OK;
 }
 
-static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *pool,
-                                    struct hatch_mipmap **mipmaps, uint32_t *part_count)
+static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *pool, struct hatch_mipmap **mipmaps,
+                                    uint32_t *part_count)
 {
     int count = 0;
     TRY_EXR(r, exr_get_count(r->context, &count));
@@ -435,14 +421,12 @@ static bool is_exr(struct hatch_bytes file)
     return file.size >= sizeof magic && memcmp(file.data, magic, sizeof magic) == 0;
 }
 
-enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool,
-                                 struct hatch_arena *arena, struct hatch_arena *scratch,
-                                 struct hatch_mipmap **parts, uint32_t *part_count,
+enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mipmap **parts, uint32_t *part_count,
                                  struct hatch_err *err)
 {
     struct hatch_err own;
-    struct reading r = {
-        .stream = {.file = file}, .arena = arena, .scratch = scratch, .err = err ? err : &own};
+    struct reading r = {.stream = {.file = file}, .arena = arena, .scratch = scratch, .err = err ? err : &own};
     if (!is_exr(file))
         return hatch_fail(r.err, HATCH_BAD_INPUT, file.size ? "not an OpenEXR file" : "empty");
     struct hatch_arena_mark mark = hatch_arena_mark(arena);

@@ -24,8 +24,8 @@ static int64_t size_of_file(exr_const_context_t context, void *data)
     return (int64_t)stream->file.size;
 }
 
-static int64_t read_at(exr_const_context_t context, void *data, void *out, uint64_t size,
-                       uint64_t offset, exr_stream_error_func_ptr_t report)
+static int64_t read_at(exr_const_context_t context, void *data, void *out, uint64_t size, uint64_t offset,
+                       exr_stream_error_func_ptr_t report)
 {
     (void)context;
     (void)report;
@@ -38,8 +38,8 @@ static int64_t read_at(exr_const_context_t context, void *data, void *out, uint6
     return (int64_t)count;
 }
 
-static int64_t write_at(exr_const_context_t context, void *data, const void *bytes, uint64_t size,
-                        uint64_t offset, exr_stream_error_func_ptr_t report)
+static int64_t write_at(exr_const_context_t context, void *data, const void *bytes, uint64_t size, uint64_t offset,
+                        exr_stream_error_func_ptr_t report)
 {
     (void)context;
     (void)report;
@@ -48,8 +48,7 @@ static int64_t write_at(exr_const_context_t context, void *data, const void *byt
     size_t end = (size_t)(offset + size);
     if (offset == buffer->size)
         return hatch_buffer_add(buffer, bytes, (size_t)size, &stream->first) == HATCH_OK ? (int64_t)size : -1;
-    if (end > buffer->size &&
-        hatch_buffer_add(buffer, NULL, end - buffer->size, &stream->first) != HATCH_OK)
+    if (end > buffer->size && hatch_buffer_add(buffer, NULL, end - buffer->size, &stream->first) != HATCH_OK)
         return -1;
     memcpy(buffer->data + offset, bytes, (size_t)size);
     return (int64_t)size;
@@ -81,8 +80,8 @@ exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t
     return exr_start_write(context, "memory", EXR_WRITE_FILE_DIRECTLY, &set);
 }
 
-enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result,
-                                 enum hatch_status status, struct hatch_err *err)
+enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result, enum hatch_status status,
+                                 struct hatch_err *err)
 {
     if (result == EXR_ERR_OUT_OF_MEMORY || stream->first.status == HATCH_LIMIT)
         status = HATCH_LIMIT;

@@ -20,7 +20,7 @@ exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t
 
 /* Fills err from a result that is not EXR_ERR_SUCCESS: status, or HATCH_LIMIT when memory ran out.
  */
-enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result,
-                                 enum hatch_status status, struct hatch_err *err);
+enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result, enum hatch_status status,
+                                 struct hatch_err *err);
 
 #endif

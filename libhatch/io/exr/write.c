@@ -44,7 +44,7 @@ struct hatch_exr_writer {
     uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* the file's order of channels is by name */
     struct part *parts;
     size_t limit_bytes;
-    atomic_size_t packed_bytes; /* of all parts; the limit holds for all together */
+    atomic_size_t packed_bytes;                /* of all parts; the limit holds for all together */
     struct workspace *_Atomic idle[IDLE_MOST]; /* workspaces that no thread uses just now, or NULL */
 };
 
@@ -78,14 +78,12 @@ static void measure(struct hatch_exr_writer *writer)
                                chunks_across(hatch_mip_size(height, level), writer->chunk_height);
 }
 
-enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count,
-                                  struct hatch_arena *arena, struct hatch_exr_writer **writer,
-                                  struct hatch_err *err)
+enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count, struct hatch_arena *arena,
+                                  struct hatch_exr_writer **writer, struct hatch_err *err)
 {
     const struct hatch_image *finest = &base->levels[0];
     assert(part_count > 0 && base->level_count > 0);
-    assert(base->level_count == 1 ||
-           base->level_count == hatch_mip_chain_length(finest->width, finest->height));
+    assert(base->level_count == 1 || base->level_count == hatch_mip_chain_length(finest->width, finest->height));
     struct hatch_exr_writer *made = HATCH_NEW(arena, struct hatch_exr_writer, 1, err);
     if (!made)
         return HATCH_LIMIT;
@@ -132,8 +130,7 @@ static bool next_area(const struct hatch_exr_writer *writer, struct area *area)
     return true;
 }
 
-static void put_row(const float *values, size_t stride, enum hatch_channel_type type,
-                    uint32_t count, uint8_t *out)
+static void put_row(const float *values, size_t stride, enum hatch_channel_type type, uint32_t count, uint8_t *out)
 {
     /* the file is little-endian, as are the machines that this is built for */
     if (type == HATCH_HALF) {
@@ -154,14 +151,13 @@ static void put_row(const float *values, size_t stride, enum hatch_channel_type 
 }
 
 /* Lays an area out as the format wants it: row by row, in each row channel by channel. */
-static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_image *image,
-                      const struct area *area, uint8_t *raw)
+static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_image *image, const struct area *area,
+                      uint8_t *raw)
 {
     uint8_t *at = raw;
     size_t stride = image->channel_count;
     for (uint32_t row = 0; row < area->height; row++) {
-        const float *first =
-            image->pixels + ((size_t)(area->top + row) * image->width + area->left) * stride;
+        const float *first = image->pixels + ((size_t)(area->top + row) * image->width + area->left) * stride;
         for (uint32_t i = 0; i < writer->channel_count; i++) {
             uint32_t c = writer->order[i];
             put_row(first + c, stride, writer->channels[c].type, area->width, at);
@@ -213,8 +209,7 @@ static enum hatch_status make_workspace(const struct hatch_exr_writer *writer, s
     return HATCH_OK;
 }
 
-static enum hatch_status take_workspace(struct hatch_exr_writer *writer, struct workspace **work,
-                                        struct hatch_err *err)
+static enum hatch_status take_workspace(struct hatch_exr_writer *writer, struct workspace **work, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < IDLE_MOST; i++)
         if ((*work = atomic_exchange(&writer->idle[i], NULL)))
@@ -246,9 +241,8 @@ static enum hatch_status add_chunk_head(const struct hatch_exr_writer *writer, u
     return hatch_buffer_add_u32le(out, (uint32_t)size, err);
 }
 
-static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, uint32_t part,
-                                     const struct hatch_mipmap *mipmap, struct workspace *work,
-                                     struct hatch_err *err)
+static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, uint32_t part, const struct hatch_mipmap *mipmap,
+                                     struct workspace *work, struct hatch_err *err)
 {
     size_t raw_size = chunk_bytes(writer);
     uint8_t *filtered = work->raw + raw_size, *zipped = work->raw + 2 * raw_size;
@@ -263,8 +257,7 @@ static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, uint32_t p
     return HATCH_OK;
 }
 
-static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap *mipmap,
-                                    struct hatch_err *err)
+static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap *mipmap, struct hatch_err *err)
 {
     part->label = *mipmap;
     part->label.levels = NULL;
@@ -272,17 +265,15 @@ static enum hatch_status keep_label(struct part *part, const struct hatch_mipmap
         struct hatch_attribute *attribute = &part->label.attributes[i];
         if (attribute->type != HATCH_ATTRIBUTE_TEXT)
             continue;
-        attribute->text =
-            hatch_arena_text(&part->arena, attribute->text, strlen(attribute->text), err);
+        attribute->text = hatch_arena_text(&part->arena, attribute->text, strlen(attribute->text), err);
         if (!attribute->text)
             return HATCH_LIMIT;
     }
     return HATCH_OK;
 }
 
-static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t index,
-                                  const struct hatch_mipmap *mipmap, struct workspace *work,
-                                  struct hatch_err *err)
+static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t index, const struct hatch_mipmap *mipmap,
+                                  struct workspace *work, struct hatch_err *err)
 {
     struct part *part = &writer->parts[index];
     HATCH_TRY(keep_label(part, mipmap, err));
@@ -292,8 +283,7 @@ static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t inde
     HATCH_TRY(pack_chunks(writer, index, mipmap, work, err));
     size_t size = work->packed.size;
     if (atomic_fetch_add(&writer->packed_bytes, size) + size > writer->limit_bytes)
-        return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu",
-                          writer->limit_bytes);
+        return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu", writer->limit_bytes);
     uint8_t *packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
     if (!packed)
         return HATCH_LIMIT;
@@ -301,8 +291,8 @@ static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t inde
     return HATCH_OK;
 }
 
-enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part,
-                                     const struct hatch_mipmap *mipmap, struct hatch_err *err)
+enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part, const struct hatch_mipmap *mipmap,
+                                     struct hatch_err *err)
 {
     assert(part < writer->part_count && !writer->parts[part].packed.data);
     assert(mipmap->level_count == writer->level_count);
@@ -318,8 +308,7 @@ enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t p
 static const exr_pixel_type_t pixel_types[] = {
     [HATCH_HALF] = EXR_PIXEL_HALF, [HATCH_FLOAT] = EXR_PIXEL_FLOAT, [HATCH_UINT] = EXR_PIXEL_UINT};
 
-static exr_result_t declare_attribute(exr_context_t context, int index,
-                                      const struct hatch_attribute *attribute)
+static exr_result_t declare_attribute(exr_context_t context, int index, const struct hatch_attribute *attribute)
 {
     switch (attribute->type) {
     case HATCH_ATTRIBUTE_FLOAT:
@@ -332,16 +321,15 @@ static exr_result_t declare_attribute(exr_context_t context, int index,
     return exr_attr_set_string(context, index, attribute->name, attribute->text);
 }
 
-static exr_result_t declare_part(const struct hatch_exr_writer *writer, const struct part *part,
-                                 exr_context_t context)
+static exr_result_t declare_part(const struct hatch_exr_writer *writer, const struct part *part, exr_context_t context)
 {
     bool tiled = writer->level_count > 1;
     int index = 0;
-    exr_result_t result = exr_add_part(context, part->label.name,
-                                       tiled ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &index);
+    exr_result_t result =
+        exr_add_part(context, part->label.name, tiled ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &index);
     if (result == EXR_ERR_SUCCESS)
-        result = exr_initialize_required_attr_simple(context, index, (int32_t)writer->width,
-                                                     (int32_t)writer->height, EXR_COMPRESSION_ZIP);
+        result = exr_initialize_required_attr_simple(context, index, (int32_t)writer->width, (int32_t)writer->height,
+                                                     EXR_COMPRESSION_ZIP);
     if (result == EXR_ERR_SUCCESS && tiled)
         result = exr_set_tile_descriptor(context, index, writer->chunk_width, writer->chunk_height,
                                          EXR_TILE_MIPMAP_LEVELS, EXR_TILE_ROUND_DOWN);
@@ -389,8 +377,7 @@ static enum hatch_status add_offsets(const struct hatch_exr_writer *writer, stru
     return HATCH_OK;
 }
 
-static enum hatch_status make_head(struct hatch_exr_writer *writer, struct hatch_buffer *head,
-                                   struct hatch_err *err)
+static enum hatch_status make_head(struct hatch_exr_writer *writer, struct hatch_buffer *head, struct hatch_err *err)
 {
     struct hatch_exr_stream stream = {.buffer = head};
     exr_context_t context = NULL;
@@ -436,8 +423,7 @@ static enum hatch_status join(struct hatch_exr_writer *writer, struct hatch_buff
     return HATCH_OK;
 }
 
-enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
-                                struct hatch_err *err)
+enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file, struct hatch_err *err)
 {
     enum hatch_status status = join(writer, file, err);
     if (status != HATCH_OK)

@@ -39,8 +39,8 @@ static void filter(const uint8_t *raw, size_t size, uint8_t *filtered)
     step_alternate(raw + 1, size - even - 1, filtered + even + 1);
 }
 
-size_t hatch_exr_zip(struct libdeflate_compressor *compressor, const uint8_t *raw, size_t size,
-                     uint8_t *filtered, uint8_t *packed)
+size_t hatch_exr_zip(struct libdeflate_compressor *compressor, const uint8_t *raw, size_t size, uint8_t *filtered,
+                     uint8_t *packed)
 {
     filter(raw, size, filtered);
     size_t packed_size = libdeflate_zlib_compress(compressor, filtered, size, packed, size - 1);
@@ -63,11 +63,10 @@ static void unfilter(uint8_t *filtered, size_t size, uint8_t *raw)
         raw[size - 1] = even[size / 2];
 }
 
-bool hatch_exr_unzip(struct libdeflate_decompressor *decompressor, const uint8_t *packed,
-                     size_t packed_size, uint8_t *filtered, uint8_t *raw, size_t size)
+bool hatch_exr_unzip(struct libdeflate_decompressor *decompressor, const uint8_t *packed, size_t packed_size,
+                     uint8_t *filtered, uint8_t *raw, size_t size)
 {
-    if (libdeflate_zlib_decompress(decompressor, packed, packed_size, filtered, size, NULL) !=
-        LIBDEFLATE_SUCCESS)
+    if (libdeflate_zlib_decompress(decompressor, packed, packed_size, filtered, size, NULL) != LIBDEFLATE_SUCCESS)
         return false;
     unfilter(filtered, size, raw);
     return true;

@@ -12,8 +12,8 @@
 #define SIDE_MAX (1u << 24)
 #define CODES 65536u
 
-static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width,
-                                    uint64_t height, uint64_t channels, struct hatch_err *err)
+static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width, uint64_t height, uint64_t channels,
+                                    struct hatch_err *err)
 {
     size_t left = arena->limit_bytes - arena->used_bytes;
     if (width > SIDE_MAX || height > SIDE_MAX || width * height > left / sizeof(float) / channels)
@@ -22,13 +22,11 @@ static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t wi
     return HATCH_OK;
 }
 
-static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_plugin **plugin,
-                                     struct hatch_err *err)
+static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_plugin **plugin, struct hatch_err *err)
 {
     void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!object)
-        return hatch_fail(err, HATCH_BAD_INPUT,
-                          "not PNG or EXR, and the plugin for other formats does not open: %s",
+        return hatch_fail(err, HATCH_BAD_INPUT, "not PNG or EXR, and the plugin for other formats does not open: %s",
                           dlerror());
     const struct hatch_oiio_plugin *(*table)(void) = NULL;
     void *symbol = dlsym(object, HATCH_OIIO_PLUGIN_TABLE);
@@ -40,8 +38,7 @@ static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_p
 }
 
 /* The numbers have 8 or 16 bits: a table of 65536 holds every one of them. */
-static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image,
-                                     struct hatch_err *err)
+static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *linear = HATCH_NEW(scratch, float, CODES, err);
@@ -62,8 +59,7 @@ static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_i
 
 static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, void *opened,
                                      const struct hatch_oiio_info *info, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct hatch_image *image,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     static const char *const names[] = {"", "Y", "YA", "RGB", "RGBA"};
     char message[HATCH_ERR_TEXT_MAX] = "";
@@ -71,8 +67,7 @@ static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, voi
         return hatch_fail(err, HATCH_BAD_INPUT, "%u channels, want 1 to 4", info->channels);
     HATCH_TRY(check_size(arena, info->width, info->height, info->channels, err));
     struct hatch_image made;
-    HATCH_TRY(
-        hatch_image_make(arena, info->width, info->height, names[info->channels], &made, err));
+    HATCH_TRY(hatch_image_make(arena, info->width, info->height, names[info->channels], &made, err));
     if (!plugin->read(opened, made.pixels, message, sizeof message))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s", message);
     if (info->is_encoded)
@@ -122,16 +117,14 @@ static enum hatch_status take_colors(const struct hatch_image *from, struct hatc
     for (uint32_t c = 0; c < made.channel_count; c++) {
         size_t source = (size_t)hatch_image_channel(from, made.channels[c].name);
         for (size_t i = 0; i < texels; i++)
-            made.pixels[i * made.channel_count + c] =
-                from->pixels[i * from->channel_count + source];
+            made.pixels[i * made.channel_count + c] = from->pixels[i * from->channel_count + source];
     }
     *image = made;
     return HATCH_OK;
 }
 
-static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *arena,
-                                  struct hatch_arena *scratch, struct hatch_image *image,
-                                  struct hatch_err *err)
+static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_mipmap *parts = NULL;
     uint32_t count = 0;
@@ -143,10 +136,9 @@ static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *a
     return status;
 }
 
-enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name,
-                                       const char *plugin, struct hatch_arena *arena,
-                                       struct hatch_arena *scratch, struct hatch_image *image,
-                                       struct hatch_err *err)
+enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name, const char *plugin,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_image *image, struct hatch_err *err)
 {
     static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, exr[] = {0x76, 0x2f, 0x31, 0x01};
     if (file.size < sizeof png)

@@ -11,9 +11,8 @@
  * RGBA: numbers of 8 and 16 bits are taken for sRGB unless the file says linear. Sizes are checked
  * before pixels are read: HATCH_LIMIT. plugin: the path of hatch-oiio.so. HATCH_BAD_INPUT says when
  * the plugin is not there. */
-enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name,
-                                       const char *plugin, struct hatch_arena *arena,
-                                       struct hatch_arena *scratch, struct hatch_image *image,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name, const char *plugin,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_image *image, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -110,11 +110,8 @@ bool hatch_foreign_header_read(struct hatch_bytes file, struct hatch_foreign_hea
         size_t size;
         bool (*read)(struct hatch_bytes file, struct hatch_foreign_header *header);
     } formats[] = {
-        {".jpeg", "\xff\xd8\xff", 3, read_jpeg},
-        {".tiff", "II*\0", 4, read_tiff},
-        {".tiff", "MM\0*", 4, read_tiff},
-        {".gif", "GIF8", 4, read_gif},
-        {".bmp", "BM", 2, read_bmp},
+        {".jpeg", "\xff\xd8\xff", 3, read_jpeg}, {".tiff", "II*\0", 4, read_tiff}, {".tiff", "MM\0*", 4, read_tiff},
+        {".gif", "GIF8", 4, read_gif},           {".bmp", "BM", 2, read_bmp},
     };
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (begins(file, formats[i].magic, formats[i].size)) {

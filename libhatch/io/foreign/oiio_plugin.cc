@@ -37,14 +37,13 @@ std::string ending(const char *name)
 
 bool is_encoded(const OIIO::ImageSpec &spec)
 {
-    if (spec.format.basetype != OIIO::TypeDesc::UINT8 &&
-        spec.format.basetype != OIIO::TypeDesc::UINT16)
+    if (spec.format.basetype != OIIO::TypeDesc::UINT8 && spec.format.basetype != OIIO::TypeDesc::UINT16)
         return false;
     return !OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
 
-void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_oiio_info *info,
-                 char *message, size_t size)
+void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_oiio_info *info, char *message,
+                 size_t size)
 {
     try {
         OIIO::attribute("threads", 1);
@@ -60,8 +59,7 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
             return nullptr;
         }
         if (!image->reader->supports("ioproxy")) {
-            say(std::string(image->reader->format_name()) + " files are not read; convert to PNG",
-                message, size);
+            say(std::string(image->reader->format_name()) + " files are not read; convert to PNG", message, size);
             return nullptr;
         }
         OIIO::Filesystem::IOProxy *proxy = &image->memory;

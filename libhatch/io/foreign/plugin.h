@@ -24,8 +24,8 @@ struct hatch_oiio_plugin {
 
     /* Reads the header of an image; data must live until close. name: its ending is a hint, no file
      * of that name is opened. Returns NULL when no reader takes it. */
-    void *(*open)(const uint8_t *data, size_t data_size, const char *name,
-                  struct hatch_oiio_info *info, char *message, size_t size);
+    void *(*open)(const uint8_t *data, size_t data_size, const char *name, struct hatch_oiio_info *info, char *message,
+                  size_t size);
 
     /* Decodes into width * height * channels floats; returns 0 when that fails. */
     int (*read)(void *image, float *pixels, char *message, size_t size);

@@ -67,8 +67,7 @@ enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32
     return hatch_buffer_print(&glb->json, glb->err, "%u", value);
 }
 
-enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values,
-                                    uint32_t count)
+enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
     for (uint32_t i = 0; i < count; i++)

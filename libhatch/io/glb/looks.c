@@ -16,8 +16,8 @@ static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_t
 static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u",
-                                 *hatch_glb_texture(glb, use), use->texcoord));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u", *hatch_glb_texture(glb, use),
+                                 use->texcoord));
     return use->placed ? print_place(glb, use) : HATCH_OK;
 }
 
@@ -45,8 +45,7 @@ static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch
     return hatch_glb_put(glb, "}");
 }
 
-static enum hatch_status print_material(struct hatch_glb *glb,
-                                        const struct hatch_material *material)
+static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
 {
     HATCH_TRY(hatch_glb_next(glb));
     HATCH_TRY(hatch_glb_put(glb, "{"));
@@ -71,9 +70,9 @@ static enum hatch_status print_images(struct hatch_glb *glb)
         if (glb->image[t] == HATCH_NONE)
             continue;
         HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
-        HATCH_TRY(hatch_buffer_print(
-            &glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
-            glb->accessor_count + images++, scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
+                                     glb->accessor_count + images++,
+                                     scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
     }
     return hatch_glb_put(glb, images ? "]" : "");
 }
@@ -81,24 +80,21 @@ static enum hatch_status print_images(struct hatch_glb *glb)
 /* Filters: linear, and with mip maps. */
 static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
-    static const int modes[] = {
-        [HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
-    return hatch_buffer_print(&glb->json, glb->err,
-                              "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
+    static const int modes[] = {[HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
+    return hatch_buffer_print(&glb->json, glb->err, "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
                               modes[use->wrap[0]], modes[use->wrap[1]]);
 }
 
 static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
-    return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}",
-                              *hatch_glb_texture(glb, use), glb->image[use->texture]);
+    return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}", *hatch_glb_texture(glb, use),
+                              glb->image[use->texture]);
 }
 
 /* One of the lists that hold an entry per texture, in the order of their numbers, which the
  * materials' order made. */
 static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
-                                    enum hatch_status (*print)(struct hatch_glb *,
-                                                               const struct hatch_texture_use *))
+                                    enum hatch_status (*print)(struct hatch_glb *, const struct hatch_texture_use *))
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t textures = 0;
@@ -172,8 +168,7 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
     if (!placed && scene->light_count == 0)
         return HATCH_OK;
     return hatch_buffer_print(&glb->json, glb->err, ",\"extensionsUsed\":[%s%s%s]",
-                              placed ? "\"KHR_texture_transform\"" : "",
-                              placed && scene->light_count ? "," : "",
+                              placed ? "\"KHR_texture_transform\"" : "", placed && scene->light_count ? "," : "",
                               scene->light_count ? "\"KHR_lights_punctual\"" : "");
 }
 

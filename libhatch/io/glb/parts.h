@@ -11,17 +11,17 @@ enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_G
 struct hatch_glb_view {
     enum hatch_glb_component component; /* in the file */
     enum hatch_glb_target target;
-    const void *data;       /* floats; uint32_t for indices; bytes for images */
-    size_t count;           /* of elements; of bytes for images */
-    uint32_t components;    /* 1 .. 4, 16 for a matrix */
-    bool bounds;            /* the format wants the least and the largest of each component */
-    size_t offset, size;    /* bytes in the buffer */
+    const void *data;    /* floats; uint32_t for indices; bytes for images */
+    size_t count;        /* of elements; of bytes for images */
+    uint32_t components; /* 1 .. 4, 16 for a matrix */
+    bool bounds;         /* the format wants the least and the largest of each component */
+    size_t offset, size; /* bytes in the buffer */
 };
 
 /* A file in the making. The accessors' numbers are those of their views; images' views come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
-    const char *name;       /* of the first node and mesh; may be NULL */
+    const char *name; /* of the first node and mesh; may be NULL */
     struct hatch_arena *scratch;
     struct hatch_err *err;
     struct hatch_buffer json;
@@ -68,8 +68,7 @@ enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name);
 /* Key and number; nine digits, which name a float exactly. */
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
 enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32_t value);
-enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values,
-                                    uint32_t count);
+enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count);
 
 /* Lays out the buffer and gives everything its number; needs scene, scratch and err. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
@@ -81,7 +80,7 @@ void hatch_glb_put_views(const struct hatch_glb *glb, uint8_t *at);
 /* The JSON of all that stands in the scene. */
 enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb);
 enum hatch_status hatch_glb_print_meshes(struct hatch_glb *glb);
-enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb); /* materials, textures, cameras, lights */
+enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb);  /* materials, textures, cameras, lights */
 enum hatch_status hatch_glb_print_motion(struct hatch_glb *glb); /* skins, animations */
 
 #endif

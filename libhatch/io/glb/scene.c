@@ -39,8 +39,7 @@ static enum hatch_status find_family(struct hatch_glb *glb, struct family *famil
     return HATCH_OK;
 }
 
-static enum hatch_status print_members(struct hatch_glb *glb, const char *key,
-                                       const struct family *family, uint32_t of)
+static enum hatch_status print_members(struct hatch_glb *glb, const char *key, const struct family *family, uint32_t of)
 {
     if (family->first[of] == HATCH_NONE)
         return HATCH_OK;
@@ -86,8 +85,7 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
         HATCH_TRY(hatch_glb_index(glb, "camera", node->camera));
     if (node->light != HATCH_NONE) {
         HATCH_TRY(hatch_glb_key(glb, "extensions"));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"KHR_lights_punctual\":{\"light\":%u}}",
-                                     node->light));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"KHR_lights_punctual\":{\"light\":%u}}", node->light));
     }
     return hatch_glb_put(glb, "}");
 }
@@ -195,17 +193,15 @@ static enum hatch_status print_animation(struct hatch_glb *glb, const struct hat
     for (uint32_t c = 0; c < animation->channel_count; c++) {
         const struct hatch_animation_channel *channel = &animation->channels[c];
         HATCH_TRY(hatch_glb_next(glb));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", c,
-                                     channel->node, paths[channel->path]));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}",
+                                     c, channel->node, paths[channel->path]));
     }
     HATCH_TRY(hatch_glb_put(glb, "]"));
     HATCH_TRY(hatch_glb_open(glb, "samplers"));
     for (uint32_t c = 0; c < animation->channel_count; c++, accessor += 2) {
         HATCH_TRY(hatch_glb_next(glb));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     "{\"input\":%u,\"interpolation\":\"%s\",\"output\":%u}", accessor,
-                                     ways[animation->channels[c].interpolation], accessor + 1));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"input\":%u,\"interpolation\":\"%s\",\"output\":%u}",
+                                     accessor, ways[animation->channels[c].interpolation], accessor + 1));
     }
     return hatch_glb_put(glb, "]}");
 }

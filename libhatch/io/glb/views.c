@@ -18,14 +18,11 @@ static void add_view(struct hatch_glb *glb, struct hatch_glb_view view)
     glb->views[glb->view_count++] = view;
 }
 
-static void add_floats(struct hatch_glb *glb, const float *data, size_t count, uint32_t components,
-                       bool bounds)
+static void add_floats(struct hatch_glb *glb, const float *data, size_t count, uint32_t components, bool bounds)
 {
-    add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
-                                          .data = data,
-                                          .count = count,
-                                          .components = components,
-                                          .bounds = bounds});
+    add_view(glb,
+             (struct hatch_glb_view){
+                 .component = HATCH_GLB_F32, .data = data, .count = count, .components = components, .bounds = bounds});
 }
 
 uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX])
@@ -75,12 +72,11 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh
                                               .bounds = i == 0});
     }
     /* The largest value of a type means primitive restart and is no index. */
-    add_view(glb, (struct hatch_glb_view){
-                      .component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
-                      .target = HATCH_GLB_INDICES,
-                      .data = mesh->indices,
-                      .count = (size_t)mesh->face_count * 3,
-                      .components = 1});
+    add_view(glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
+                                          .target = HATCH_GLB_INDICES,
+                                          .data = mesh->indices,
+                                          .count = (size_t)mesh->face_count * 3,
+                                          .components = 1});
     const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     for (uint32_t t = 0; t < hatch_mesh_targets(mesh); t++) {
         HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
@@ -158,7 +154,7 @@ static bool is_image(const struct hatch_texture *texture)
 const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
                                               uint32_t number)
 {
-    const struct hatch_texture_use *use = number == 0                ? &material->base
+    const struct hatch_texture_use *use = number == 0              ? &material->base
                                           : material->normals.used ? &material->normals.at
                                                                    : NULL;
     return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
@@ -202,7 +198,7 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->skin, &glb->image, &glb->texture};
-    const size_t sizes[] = {scene->mesh_count, scene->mesh_count, scene->mesh_count,
+    const size_t sizes[] = {scene->mesh_count, scene->mesh_count,    scene->mesh_count,
                             scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         *lists[i] = HATCH_NEW(glb->scratch, uint32_t, sizes[i], glb->err);
@@ -262,9 +258,8 @@ enum hatch_status hatch_glb_print_views(struct hatch_glb *glb)
     for (uint32_t i = 0; i < glb->view_count; i++) {
         const struct hatch_glb_view *view = &glb->views[i];
         HATCH_TRY(hatch_glb_next(glb));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err,
-                                     "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu", view->offset,
-                                     view->size));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
+                                     view->offset, view->size));
         if (view->target)
             HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"target\":%d", (int)view->target));
         HATCH_TRY(hatch_glb_put(glb, "}"));

@@ -33,8 +33,7 @@ static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_
     size_t chunk = glb->size > 0 ? CHUNK_HEADER + glb->size : 0;
     size_t whole = GLB_HEADER + CHUNK_HEADER + json->size + chunk;
     if (whole > UINT32_MAX)
-        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", whole,
-                          UINT32_MAX);
+        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", whole, UINT32_MAX);
     HATCH_TRY(hatch_buffer_reserve(file, whole, glb->err));
     HATCH_TRY(hatch_buffer_add(file, "glTF", 4, glb->err));
     HATCH_TRY(hatch_buffer_add_u32le(file, 2, glb->err));
@@ -51,14 +50,12 @@ static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_
     return HATCH_OK;
 }
 
-static enum hatch_status write_scene(const struct hatch_scene *scene, const char *name,
-                                     const char *comment, struct hatch_arena *scratch,
-                                     struct hatch_buffer *file, struct hatch_err *err)
+static enum hatch_status write_scene(const struct hatch_scene *scene, const char *name, const char *comment,
+                                     struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
 {
     assert(file->arena != scratch);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_glb glb = {
-        .scene = scene, .name = name, .scratch = scratch, .err = err, .json = {.arena = scratch}};
+    struct hatch_glb glb = {.scene = scene, .name = name, .scratch = scratch, .err = err, .json = {.arena = scratch}};
     enum hatch_status status = hatch_glb_plan(&glb);
     if (status == HATCH_OK)
         status = print_json(&glb, comment);
@@ -69,15 +66,13 @@ static enum hatch_status write_scene(const struct hatch_scene *scene, const char
 }
 
 enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,
-                                        struct hatch_arena *scratch, struct hatch_buffer *file,
-                                        struct hatch_err *err)
+                                        struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
 {
     return write_scene(scene, NULL, comment, scratch, file, err);
 }
 
 enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *name, const char *comment,
-                                  struct hatch_arena *scratch, struct hatch_buffer *file,
-                                  struct hatch_err *err)
+                                  struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
 {
     assert(mesh->face_count > 0 && mesh->vertex_count > 0);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 /* count elements of components numbers each, stride bytes apart; data is NULL for all zeros. */
 struct Elements {
@@ -55,8 +57,7 @@ enum hatch_status find_elements(Reader &r, int index, const std::string &where, 
 {
     if (index < 0 || static_cast<size_t>(index) >= r.model.accessors.size())
         return bad(r, where,
-                   "accessor " + std::to_string(index) + ", there are " +
-                       std::to_string(r.model.accessors.size()));
+                   "accessor " + std::to_string(index) + ", there are " + std::to_string(r.model.accessors.size()));
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(index)];
     e->component_type = a.componentType;
     e->components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(a.type));
@@ -65,9 +66,7 @@ enum hatch_status find_elements(Reader &r, int index, const std::string &where, 
     if (component_size(e->component_type) == 0 || e->components < 1)
         return bad(r, where, place("accessor", static_cast<size_t>(index)) + ": unknown type");
     if (a.count < 1 || a.count > INT32_MAX)
-        return bad(r, where,
-                   place("accessor", static_cast<size_t>(index)) + ": count " +
-                       std::to_string(a.count));
+        return bad(r, where, place("accessor", static_cast<size_t>(index)) + ": count " + std::to_string(a.count));
     e->count = static_cast<uint32_t>(a.count);
     if (a.bufferView == -1)
         return HATCH_OK;
@@ -114,13 +113,12 @@ void load_element(const Elements &e, uint32_t i, float *out)
     size_t size = component_size(e.component_type);
     const uint8_t *at = e.data + i * e.stride;
     for (int c = 0; c < e.components; c++)
-        out[c] = static_cast<float>(
-            load_number(at + size * static_cast<size_t>(c), e.component_type, e.normalized));
+        out[c] = static_cast<float>(load_number(at + size * static_cast<size_t>(c), e.component_type, e.normalized));
 }
 
 /* Where the sparse elements of an accessor go, and what they are. */
-enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elements &base,
-                              const std::string &where, Elements *places, Elements *elements)
+enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elements &base, const std::string &where,
+                              Elements *places, Elements *elements)
 {
     Elements indices = base, values = base;
     if (a.sparse.count < 1 || static_cast<uint32_t>(a.sparse.count) > base.count)
@@ -129,12 +127,10 @@ enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elem
     indices.component_type = a.sparse.indices.componentType;
     indices.components = 1;
     indices.normalized = false;
-    if (indices.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-        component_size(indices.component_type) == 0)
+    if (indices.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT || component_size(indices.component_type) == 0)
         return bad(r, where, "sparse indices of an unknown type");
-    HATCH_TRY(cut(r, a.sparse.indices.bufferView,
-                  static_cast<size_t>(a.sparse.indices.byteOffset), where + ", sparse indices",
-                  &indices));
+    HATCH_TRY(cut(r, a.sparse.indices.bufferView, static_cast<size_t>(a.sparse.indices.byteOffset),
+                  where + ", sparse indices", &indices));
     HATCH_TRY(cut(r, a.sparse.values.bufferView, static_cast<size_t>(a.sparse.values.byteOffset),
                   where + ", sparse values", &values));
     for (uint32_t i = 0; i < indices.count; i++) {
@@ -156,18 +152,15 @@ uint32_t load_index(const Elements &e, uint32_t i)
 
 } // namespace
 
-enum hatch_status find_view(Reader &r, int view, const std::string &where,
-                            struct hatch_bytes *bytes, size_t *stride)
+enum hatch_status find_view(Reader &r, int view, const std::string &where, struct hatch_bytes *bytes, size_t *stride)
 {
     if (view < 0 || static_cast<size_t>(view) >= r.model.bufferViews.size())
         return bad(r, where,
-                   "buffer view " + std::to_string(view) + ", there are " +
-                       std::to_string(r.model.bufferViews.size()));
+                   "buffer view " + std::to_string(view) + ", there are " + std::to_string(r.model.bufferViews.size()));
     const tinygltf::BufferView &v = r.model.bufferViews[static_cast<size_t>(view)];
     if (v.buffer < 0 || static_cast<size_t>(v.buffer) >= r.model.buffers.size())
         return bad(r, where,
-                   "buffer " + std::to_string(v.buffer) + ", there are " +
-                       std::to_string(r.model.buffers.size()));
+                   "buffer " + std::to_string(v.buffer) + ", there are " + std::to_string(r.model.buffers.size()));
     const std::vector<unsigned char> &data = r.model.buffers[static_cast<size_t>(v.buffer)].data;
     if (v.byteOffset > data.size() || v.byteLength > data.size() - v.byteOffset)
         return bad(r, where,
@@ -179,14 +172,13 @@ enum hatch_status find_view(Reader &r, int view, const std::string &where,
     return HATCH_OK;
 }
 
-enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where,
-                              float **data, uint32_t *count)
+enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where, float **data,
+                              uint32_t *count)
 {
     Elements e;
     HATCH_TRY(find_elements(r, accessor, where, &e));
     if (e.components != components)
-        return bad(r, where,
-                   std::to_string(e.components) + " components, want " + std::to_string(components));
+        return bad(r, where, std::to_string(e.components) + " components, want " + std::to_string(components));
     size_t all = static_cast<size_t>(e.count) * static_cast<size_t>(components);
     float *floats = HATCH_NEW(r.arena, float, all, r.err);
     if (!floats)
@@ -202,22 +194,20 @@ enum hatch_status read_floats(Reader &r, int accessor, int components, const std
     }
     for (size_t i = 0; i < all; i++)
         if (!std::isfinite(floats[i]))
-            return bad(r, where,
-                       place("element", i / static_cast<size_t>(components)) + " is not finite");
+            return bad(r, where, place("element", i / static_cast<size_t>(components)) + " is not finite");
     *data = floats;
     *count = e.count;
     return HATCH_OK;
 }
 
-enum hatch_status read_indices(Reader &r, int accessor, const std::string &where, uint32_t **data,
-                               uint32_t *count)
+enum hatch_status read_indices(Reader &r, int accessor, const std::string &where, uint32_t **data, uint32_t *count)
 {
     Elements e;
     HATCH_TRY(find_elements(r, accessor, where, &e));
     uint32_t restart = e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? UINT8_MAX
-                     : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? UINT16_MAX
-                     : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? UINT32_MAX
-                                                                                  : 0;
+                       : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? UINT16_MAX
+                       : e.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? UINT32_MAX
+                                                                                    : 0;
     if (e.components != 1 || restart == 0 || e.normalized)
         return bad(r, where, "indices must be unsigned integers");
     uint32_t *indices = HATCH_NEW(r.scratch, uint32_t, e.count, r.err);

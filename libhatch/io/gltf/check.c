@@ -6,8 +6,8 @@
 #define CHUNK_JSON 0x4e4f534au
 #define CHUNK_BIN 0x004e4942u
 
-static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type,
-                                    struct hatch_bytes *chunk, struct hatch_err *err)
+static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type, struct hatch_bytes *chunk,
+                                    struct hatch_err *err)
 {
     size_t start = reader->at;
     uint32_t length = hatch_read_u32(reader);
@@ -15,11 +15,10 @@ static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type,
     if (reader->cut)
         return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: cut in a chunk's header", start);
     if (length % 4 != 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, want a multiple of 4",
-                          start, length);
+        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, want a multiple of 4", start, length);
     if (length > hatch_reader_left(reader))
-        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, %zu are left", start,
-                          length, hatch_reader_left(reader));
+        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, %zu are left", start, length,
+                          hatch_reader_left(reader));
     chunk->size = length;
     chunk->data = hatch_read_bytes(reader, length);
     return HATCH_OK;
@@ -33,8 +32,7 @@ static bool is_padding(struct hatch_bytes file, size_t from)
     return from == file.size;
 }
 
-enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_parts *parts,
-                                   struct hatch_err *err)
+enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_parts *parts, struct hatch_err *err)
 {
     *parts = (struct hatch_gltf_parts){.file = file, .json = file};
     while (parts->json.size > 0 && file.data[parts->json.size - 1] == 0)
@@ -49,8 +47,7 @@ enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_pa
     if (version != 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "glTF version %u, want 2", version);
     if (length > file.size || !is_padding(file, length))
-        return hatch_fail(err, HATCH_BAD_INPUT, "the header says %u bytes, the file has %zu", length,
-                          file.size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "the header says %u bytes, the file has %zu", length, file.size);
     parts->file.size = reader.size = length;
     HATCH_TRY(read_chunk(&reader, &type, &parts->json, err));
     if (type != CHUNK_JSON)
@@ -105,10 +102,9 @@ enum number_rule { RULE_NONE, RULE_INDEX, RULE_SIZE };
 static enum number_rule rule_here(const struct scan *s)
 {
     static const char *const indices[] = {
-        "bufferView", "buffer",  "mesh",    "node",    "skin",      "camera",   "scene",
-        "skeleton",   "source",  "sampler", "texture", "index",     "texCoord", "indices",
-        "input",      "output",  "joints",  "material", "children", "nodes",    "componentType",
-        "mode",       "count",   "light",   NULL};
+        "bufferView", "buffer",  "mesh",          "node",     "skin",    "camera", "scene",  "skeleton", "source",
+        "sampler",    "texture", "index",         "texCoord", "indices", "input",  "output", "joints",   "material",
+        "children",   "nodes",   "componentType", "mode",     "count",   "light",  NULL};
     static const char *const sizes[] = {"byteOffset", "byteLength", "byteStride", NULL};
     bool extension = false;
     for (uint32_t i = 1; i <= s->depth; i++) {
@@ -172,9 +168,9 @@ static bool in_buffer(const struct scan *s)
 static enum hatch_status check_extension(struct text name, struct hatch_err *err)
 {
     static const char materials[] = "KHR_materials_";
-    static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_texture_avif",      "EXT_texture_webp",
-                                        "KHR_lights_punctual",     "KHR_mesh_quantization", "KHR_texture_basisu",
-                                        "KHR_texture_transform",   NULL};
+    static const char *const known[] = {
+        "EXT_mesh_gpu_instancing", "EXT_texture_avif",   "EXT_texture_webp",      "KHR_lights_punctual",
+        "KHR_mesh_quantization",   "KHR_texture_basisu", "KHR_texture_transform", NULL};
     size_t begins = sizeof materials - 1;
     if (in_list(name, known) || (name.length > begins && memcmp(name.start, materials, begins) == 0))
         return HATCH_OK;
@@ -204,16 +200,14 @@ static enum hatch_status check_value(struct scan *s, struct text word, struct ha
         return HATCH_OK;
     struct text key = level->object ? level->key : level->name;
     return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s, want a whole number, 0 .. %llu",
-                      (size_t)(word.start - s->text), (int)(key.length < 32 ? key.length : 32),
-                      key.start, (int)(word.length < 32 ? word.length : 32), word.start,
-                      (unsigned long long)most);
+                      (size_t)(word.start - s->text), (int)(key.length < 32 ? key.length : 32), key.start,
+                      (int)(word.length < 32 ? word.length : 32), word.start, (unsigned long long)most);
 }
 
 static enum hatch_status open_level(struct scan *s, bool object, struct hatch_err *err)
 {
     if (s->depth >= HATCH_GLTF_DEPTH_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: nested deeper than %u", s->at,
-                          HATCH_GLTF_DEPTH_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: nested deeper than %u", s->at, HATCH_GLTF_DEPTH_MAX);
     const struct level *around = &s->levels[s->depth];
     struct text name = around->object ? around->key : around->name;
     s->levels[++s->depth] = (struct level){.object = object, .key_next = object, .name = name};

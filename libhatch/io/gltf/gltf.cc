@@ -5,7 +5,8 @@
 #include <exception>
 #include <new>
 
-namespace hatch {
+namespace hatch
+{
 
 std::string place(const char *what, size_t index)
 {
@@ -22,17 +23,15 @@ enum hatch_status bad(Reader &r, const std::string &where, const std::string &wh
     return hatch_fail(r.err, HATCH_BAD_INPUT, "%s: %s", where.c_str(), what.c_str());
 }
 
-enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where,
-                              const char *what)
+enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where, const char *what)
 {
     if (index == -1 || (index >= 0 && static_cast<size_t>(index) < count))
         return HATCH_OK;
-    return bad(r, where,
-               std::string(what) + " " + std::to_string(index) + ", there are " +
-                   std::to_string(count));
+    return bad(r, where, std::string(what) + " " + std::to_string(index) + ", there are " + std::to_string(count));
 }
 
-namespace {
+namespace
+{
 
 /* What tinygltf's file callbacks need, and the first failure, whose sentence is better than its. */
 struct Files {
@@ -46,8 +45,7 @@ struct Files {
 };
 
 /* A file may be longer than its buffer, which the package does not know; a shorter one is cut. */
-enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes,
-                             struct hatch_err *err)
+enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
     uint64_t length;
     if (files.next + sizeof length > files.lengths.bytes.size)
@@ -55,15 +53,14 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
     std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
     files.next += sizeof length;
     if (bytes->size < length)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, byteLength is %llu", uri,
-                          bytes->size, static_cast<unsigned long long>(length));
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, byteLength is %llu", uri, bytes->size,
+                          static_cast<unsigned long long>(length));
     bytes->size = static_cast<size_t>(length);
     return HATCH_OK;
 }
 
 /* The package takes a plus for a blank, as forms do and URIs do not. */
-enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes,
-                            struct hatch_err *err)
+enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
     enum hatch_status status = files.resolve(files.context, uri.c_str(), files.scratch, bytes, err);
     std::string plus = uri;
@@ -111,8 +108,8 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
 }
 
 /* Images stay encoded: those of a buffer view are found there later, others are kept here. */
-bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
-                const unsigned char *bytes, int size, void *)
+bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int, const unsigned char *bytes,
+                int size, void *)
 {
     if (image->bufferView == -1 && size > 0)
         image->image.assign(bytes, bytes + size);
@@ -132,8 +129,7 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
 {
     std::string warnings;
     if (parts.binary.size == 0) /* the package refuses a GLB whose binary part is empty */
-        return parser.LoadASCIIFromString(model, err, &warnings,
-                                          reinterpret_cast<const char *>(parts.json.data),
+        return parser.LoadASCIIFromString(model, err, &warnings, reinterpret_cast<const char *>(parts.json.data),
                                           static_cast<unsigned int>(parts.json.size), "");
     return parser.LoadBinaryFromMemory(model, err, &warnings, parts.file.data,
                                        static_cast<unsigned int>(parts.file.size), "");
@@ -142,16 +138,15 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
 /* JSON values in memory take up to this many times their text's size. */
 const size_t json_growth = 32;
 
-enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
-                       struct hatch_arena *scratch, tinygltf::Model *model, struct hatch_err *err)
+enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context, struct hatch_arena *scratch,
+                       tinygltf::Model *model, struct hatch_err *err)
 {
     struct hatch_gltf_parts parts;
     if (file.size == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "empty");
     HATCH_TRY(hatch_gltf_split(file, &parts, err));
     if (file.size > UINT32_MAX || parts.json.size > scratch->limit_bytes / json_growth)
-        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of JSON need more memory than the limit",
-                          parts.json.size);
+        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of JSON need more memory than the limit", parts.json.size);
     Files files = {resolve, context, scratch, {}, 0, {}, false};
     files.lengths.bytes.arena = scratch;
     HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
@@ -185,9 +180,8 @@ enum hatch_status read_all(Reader &r)
 }
 
 enum hatch_status read_file_bytes(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_scene *scene, struct hatch_mesh_notes *notes,
-                                  struct hatch_err *err)
+                                  struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,
+                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     tinygltf::Model model;
     HATCH_TRY(load(file, resolve, context, scratch, &model, err));
@@ -203,10 +197,10 @@ enum hatch_status read_file_bytes(struct hatch_bytes file, hatch_gltf_resolve re
 } // namespace
 } // namespace hatch
 
-extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve,
-                                             void *context, struct hatch_arena *arena,
-                                             struct hatch_arena *scratch, struct hatch_scene *scene,
-                                             struct hatch_mesh_notes *notes, struct hatch_err *err)
+extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+                                             struct hatch_arena *arena, struct hatch_arena *scratch,
+                                             struct hatch_scene *scene, struct hatch_mesh_notes *notes,
+                                             struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status;

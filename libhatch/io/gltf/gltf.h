@@ -8,8 +8,7 @@
 
 /* Reads a companion file of a glTF; uri is relative, decoded, checked not to leave the folder. Its
  * failure is an error for a buffer and a note for an image. */
-typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
-                                                struct hatch_arena *arena,
+typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri, struct hatch_arena *arena,
                                                 struct hatch_bytes *bytes, struct hatch_err *err);
 
 /* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
@@ -24,8 +23,7 @@ typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri,
  * HATCH_BAD_INPUT for what the format forbids and for a required extension that is not known, by
  * name. resolve: NULL where there is no folder. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_scene *scene, struct hatch_mesh_notes *notes,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+                                  struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,
+                                  struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

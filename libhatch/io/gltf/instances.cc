@@ -3,9 +3,11 @@
 
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 /* The places of one node's instances; NULL where the file says nothing of it. */
 struct Places {

@@ -2,9 +2,11 @@
 
 #include <cstdio>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 enum hatch_wrap wrap_of(int mode)
 {
@@ -30,8 +32,8 @@ int index_of(const tinygltf::Value &object, const char *key, int absent)
 }
 
 /* KHR_texture_transform: where the texture lies, and which coordinates it is read at. */
-enum hatch_status place_texture(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where,
-                                int *set, struct hatch_texture_use *use)
+enum hatch_status place_texture(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where, int *set,
+                                struct hatch_texture_use *use)
 {
     auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end() || !found->second.IsObject())
@@ -125,8 +127,7 @@ enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std
 {
     tinygltf::TextureInfo info;
     const tinygltf::Value &texture = said.Get("diffuseTexture");
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "diffuseFactor"), 4, where, "diffuseFactor",
-                           material->base_color));
+    HATCH_TRY(copy_numbers(r, numbers_of(said, "diffuseFactor"), 4, where, "diffuseFactor", material->base_color));
     if (!texture.IsObject())
         return HATCH_OK;
     info.index = index_of(texture, "index", -1);
@@ -165,9 +166,7 @@ enum hatch_status read_materials(Reader &r)
         to->double_sided = from.doubleSided;
         to->outline = is_outline(from);
         to->blend = from.alphaMode == "BLEND" && !to->outline;
-        to->alpha_cutoff = to->blend                   ? 0.5f
-                           : from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff)
-                                                       : 0;
+        to->alpha_cutoff = to->blend ? 0.5f : from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;
         for (float &c : to->base_color)
             c = 1;
         HATCH_TRY(read_normals(r, from.normalTexture, where, &to->normals));
@@ -176,8 +175,8 @@ enum hatch_status read_materials(Reader &r)
             HATCH_TRY(read_diffuse(r, diffuse->second, where, to));
             continue;
         }
-        HATCH_TRY(copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where,
-                               "baseColorFactor", to->base_color));
+        HATCH_TRY(
+            copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where, "baseColorFactor", to->base_color));
         HATCH_TRY(read_use(r, from.pbrMetallicRoughness.baseColorTexture, where, &to->base));
     }
     r.scene->material_count = static_cast<uint32_t>(count);

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 /* Normals of neighbours closer than this count as one: the facets of a flat face share vertices. */
 const float flat_rad = 1e-4f;
@@ -55,8 +57,8 @@ enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
     return HATCH_OK;
 }
 
-enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor,
-                                 const std::string &where, struct hatch_mesh *mesh)
+enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor, const std::string &where,
+                                 struct hatch_mesh *mesh)
 {
     int components = wanted_components(name, components_of(r, accessor));
     if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_READ) {
@@ -68,9 +70,7 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
     uint32_t count;
     HATCH_TRY(read_floats(r, accessor, components, at, &data, &count));
     if (mesh->attribute_count > 0 && count != mesh->vertex_count)
-        return bad(r, at,
-                   std::to_string(count) + " elements, POSITION has " +
-                       std::to_string(mesh->vertex_count));
+        return bad(r, at, std::to_string(count) + " elements, POSITION has " + std::to_string(mesh->vertex_count));
     if (is_set(name, "COLOR_") && components == 3) {
         HATCH_TRY(add_alpha(r, count, &data));
         components = 4;
@@ -83,8 +83,8 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
     return HATCH_OK;
 }
 
-enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive,
-                                  const std::string &where, struct hatch_mesh *mesh)
+enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
+                                  struct hatch_mesh *mesh)
 {
     auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end())
@@ -101,8 +101,7 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
 }
 
 /* One more than the largest joint; they must be whole numbers that 16 bits hold. */
-enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where,
-                               uint32_t *count)
+enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where, uint32_t *count)
 {
     *count = 0;
     for (uint32_t a = 0; a < mesh->attribute_count; a++) {
@@ -133,8 +132,7 @@ void mend_normals(struct hatch_mesh *mesh)
         double length = 0, cross[3];
         for (int k = 0; k < 3; k++) {
             int a = (k + 1) % 3, b = (k + 2) % 3;
-            cross[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) -
-                       (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+            cross[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) - (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
             length += cross[k] * cross[k];
         }
         for (int k = 0; k < 3; k++)
@@ -148,8 +146,8 @@ uint32_t strip_corner(uint32_t i, uint32_t k)
     return i + (i % 2 == 1 && k > 0 ? 3 - k : k);
 }
 
-enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_t count,
-                              const std::string &where, struct hatch_mesh *mesh)
+enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_t count, const std::string &where,
+                              struct hatch_mesh *mesh)
 {
     bool separate = mode == TINYGLTF_MODE_TRIANGLES, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
     if (count < 3 || (separate && count % 3 != 0))
@@ -162,14 +160,12 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
     for (uint32_t i = 0; i < faces; i++) {
         uint32_t *face = mesh->indices + static_cast<size_t>(mesh->face_count) * 3;
         for (uint32_t k = 0; k < 3; k++) {
-            uint32_t corner = separate ? 3 * i + k
-                              : fan    ? (k == 0 ? 0 : i + k)
-                                       : strip_corner(i, k);
+            uint32_t corner = separate ? 3 * i + k : fan ? (k == 0 ? 0 : i + k) : strip_corner(i, k);
             face[k] = list ? list[corner] : corner;
             if (face[k] >= mesh->vertex_count)
                 return bad(r, where,
-                           "index " + std::to_string(face[k]) + " of " +
-                               std::to_string(mesh->vertex_count) + " vertices");
+                           "index " + std::to_string(face[k]) + " of " + std::to_string(mesh->vertex_count) +
+                               " vertices");
         }
         /* Strips are joined by triangles without area, which are no part of the surface. */
         bool joint = face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
@@ -226,14 +222,13 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
         first[m] = r.scene->mesh_count;
         for (size_t p = 0; p < list.size(); p++) {
             if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
-                return bad(r, place("mesh", m, "primitive", p),
-                           "mode " + std::to_string(list[p].mode));
+                return bad(r, place("mesh", m, "primitive", p), "mode " + std::to_string(list[p].mode));
             if (!has_faces(list[p])) {
                 r.notes->primitives_skipped++;
                 continue;
             }
-            HATCH_TRY(read_primitive(r, list[p], m, place("mesh", m, "primitive", p),
-                                     &r.scene->meshes[r.scene->mesh_count]));
+            HATCH_TRY(
+                read_primitive(r, list[p], m, place("mesh", m, "primitive", p), &r.scene->meshes[r.scene->mesh_count]));
             r.scene->mesh_count++;
         }
     }

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 /* A target that neither a node nor the mesh speaks of counts nothing. */
 double weight_of(const std::vector<double> &weights, size_t target)
@@ -120,8 +122,7 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
         return HATCH_OK;
     }
     if (targets != most)
-        return bad(r, where,
-                   std::to_string(targets) + " morph targets, another primitive has " + std::to_string(most));
+        return bad(r, where, std::to_string(targets) + " morph targets, another primitive has " + std::to_string(most));
     HATCH_TRY(keep_moves(r, primitive, "POSITION", HATCH_MORPH_POSITION, where, mesh));
     bool turned = false;
     for (const auto &target : primitive.targets)

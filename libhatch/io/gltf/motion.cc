@@ -2,9 +2,11 @@
 
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-namespace {
+namespace
+{
 
 enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
 {
@@ -24,12 +26,9 @@ enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
         whole = whole && skin->joints[j] != HATCH_NONE;
     }
     if (from.inverseBindMatrices != -1) {
-        HATCH_TRY(read_floats(r, from.inverseBindMatrices, 16, where, &skin->inverse_bind,
-                              &matrices));
+        HATCH_TRY(read_floats(r, from.inverseBindMatrices, 16, where, &skin->inverse_bind, &matrices));
         if (matrices < count)
-            return bad(r, where,
-                       std::to_string(matrices) + " matrices for " + std::to_string(count) +
-                           " joints");
+            return bad(r, where, std::to_string(matrices) + " matrices for " + std::to_string(count) + " joints");
     } else {
         skin->inverse_bind = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 16, r.err);
         if (!skin->inverse_bind)
@@ -42,19 +41,17 @@ enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
     return HATCH_OK;
 }
 
-enum hatch_status read_times(Reader &r, int accessor, const std::string &where,
-                             struct hatch_animation_channel *channel)
+enum hatch_status read_times(Reader &r, int accessor, const std::string &where, struct hatch_animation_channel *channel)
 {
-    HATCH_TRY(read_floats(r, accessor, 1, where + ", input", &channel->times_s,
-                          &channel->key_count));
+    HATCH_TRY(read_floats(r, accessor, 1, where + ", input", &channel->times_s, &channel->key_count));
     for (uint32_t k = 0; k < channel->key_count; k++)
         if (channel->times_s[k] < 0 || (k > 0 && channel->times_s[k] < channel->times_s[k - 1]))
             return bad(r, where, "time " + std::to_string(k) + " is negative or falls");
     return HATCH_OK;
 }
 
-enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampler,
-                              const std::string &where, struct hatch_animation_channel *channel)
+enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampler, const std::string &where,
+                              struct hatch_animation_channel *channel)
 {
     if (sampler.interpolation == "STEP")
         channel->interpolation = HATCH_STEP;
@@ -67,26 +64,23 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     uint32_t count;
     bool weights = channel->path == HATCH_PATH_WEIGHTS;
     int components = weights ? 1 : static_cast<int>(hatch_channel_width(channel));
-    HATCH_TRY(read_floats(r, sampler.output, components, where + ", output", &channel->values,
-                          &count));
-    uint64_t want = static_cast<uint64_t>(channel->key_count) *
-                    (channel->interpolation == HATCH_CUBIC ? 3 : 1) * (weights ? channel->targets : 1);
+    HATCH_TRY(read_floats(r, sampler.output, components, where + ", output", &channel->values, &count));
+    uint64_t want = static_cast<uint64_t>(channel->key_count) * (channel->interpolation == HATCH_CUBIC ? 3 : 1) *
+                    (weights ? channel->targets : 1);
     if (count != want)
-        return bad(r, where,
-                   std::to_string(count) + " values, the times want " + std::to_string(want));
+        return bad(r, where, std::to_string(count) + " values, the times want " + std::to_string(want));
     return HATCH_OK;
 }
 
 /* Fills channel, or leaves its key_count 0 where it moves nothing of the scene. */
-enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, size_t index,
-                               const std::string &where, struct hatch_animation_channel *channel)
+enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, size_t index, const std::string &where,
+                               struct hatch_animation_channel *channel)
 {
     const tinygltf::AnimationChannel &from = animation.channels[index];
     if (from.sampler < 0 || static_cast<size_t>(from.sampler) >= animation.samplers.size())
         return bad(r, where, "sampler " + std::to_string(from.sampler));
     HATCH_TRY(check_index(r, from.target_node, r.model.nodes.size(), where, "node"));
-    const tinygltf::AnimationSampler &sampler =
-        animation.samplers[static_cast<size_t>(from.sampler)];
+    const tinygltf::AnimationSampler &sampler = animation.samplers[static_cast<size_t>(from.sampler)];
     if (from.target_path == "translation")
         channel->path = HATCH_PATH_TRANSLATION;
     else if (from.target_path == "rotation")

@@ -15,7 +15,8 @@ extern "C" {
 }
 #pragma GCC diagnostic pop
 
-namespace hatch {
+namespace hatch
+{
 
 struct Reader {
     const tinygltf::Model &model;
@@ -23,7 +24,7 @@ struct Reader {
     struct hatch_scene *scene;
     struct hatch_mesh_notes *notes;
     struct hatch_err *err;
-    uint32_t *node_of = nullptr; /* per glTF node: the scene's node, or HATCH_NONE */
+    uint32_t *node_of = nullptr;  /* per glTF node: the scene's node, or HATCH_NONE */
     bool *image_missed = nullptr; /* per image: a material wants it, it is not there, and that is noted */
 };
 
@@ -35,27 +36,24 @@ std::string place(const char *what, size_t index, const char *part, size_t part_
 enum hatch_status bad(Reader &r, const std::string &where, const std::string &what);
 
 /* -1 stands for nothing; else fails unless 0 <= index < count. */
-enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where,
-                              const char *what);
+enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where, const char *what);
 
 /* Reads an accessor as floats, count * components of them, in the arena; integers are widened, or
  * divided by their type's range where the accessor is normalised. Sparse values are laid over it.
  * Every number is checked to be finite. */
-enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where,
-                              float **data, uint32_t *count);
+enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where, float **data,
+                              uint32_t *count);
 
 /* Reads an accessor of unsigned integers; those of a type's largest value are refused (primitive
  * restart, which glTF does not have). In scratch. */
-enum hatch_status read_indices(Reader &r, int accessor, const std::string &where, uint32_t **data,
-                               uint32_t *count);
+enum hatch_status read_indices(Reader &r, int accessor, const std::string &where, uint32_t **data, uint32_t *count);
 
 /* The bytes that a buffer view covers, checked against its buffer. */
-enum hatch_status find_view(Reader &r, int view, const std::string &where,
-                            struct hatch_bytes *bytes, size_t *stride);
+enum hatch_status find_view(Reader &r, int view, const std::string &where, struct hatch_bytes *bytes, size_t *stride);
 
 /* Copies numbers of the file, each finite once it is a float; where the file has none, to stays. */
-enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count,
-                               const std::string &where, const char *what, float *to);
+enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
+                               const char *what, float *to);
 
 /* Brings a node's rotation to length 1; one of no length is refused. */
 enum hatch_status set_rotation(Reader &r, struct hatch_node *node, const std::string &where);

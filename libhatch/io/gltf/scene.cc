@@ -3,10 +3,11 @@
 #include <cmath>
 #include <cstring>
 
-namespace hatch {
+namespace hatch
+{
 
-enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count,
-                               const std::string &where, const char *what, float *to)
+enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
+                               const char *what, float *to)
 {
     if (from.empty())
         return HATCH_OK;
@@ -22,7 +23,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
     return HATCH_OK;
 }
 
-namespace {
+namespace
+{
 
 /* parent[i]: the node whose child i is, or HATCH_NONE. A second parent is refused: with it a small
  * file could hold 2^39 instances. */
@@ -35,8 +37,7 @@ enum hatch_status find_parents(Reader &r, uint32_t *parent)
         for (int child : r.model.nodes[i].children) {
             if (child < 0 || static_cast<size_t>(child) >= count)
                 return bad(r, place("node", i),
-                           "child " + std::to_string(child) + ", there are " +
-                               std::to_string(count));
+                           "child " + std::to_string(child) + ", there are " + std::to_string(count));
             if (parent[child] != HATCH_NONE)
                 return bad(r, place("node", static_cast<size_t>(child)), "has two parents");
             parent[child] = static_cast<uint32_t>(i);
@@ -92,8 +93,7 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
 int light_of(const tinygltf::Node &node)
 {
     auto extension = node.extensions.find("KHR_lights_punctual");
-    if (extension == node.extensions.end() || !extension->second.IsObject() ||
-        !extension->second.Get("light").IsInt())
+    if (extension == node.extensions.end() || !extension->second.IsObject() || !extension->second.Get("light").IsInt())
         return -1;
     return extension->second.Get("light").GetNumberAsInt();
 }
@@ -109,8 +109,7 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     for (uint32_t m = 0; m < node.mesh_count; m++)
         if (r.scene->meshes[node.first_mesh + m].joints_used > joints)
             return bad(r, where,
-                       "its mesh names joint " +
-                           std::to_string(r.scene->meshes[node.first_mesh + m].joints_used - 1) +
+                       "its mesh names joint " + std::to_string(r.scene->meshes[node.first_mesh + m].joints_used - 1) +
                            " of " + std::to_string(joints));
     return HATCH_OK;
 }
@@ -237,8 +236,8 @@ enum hatch_status read_cameras(Reader &r)
         }
         bool size = to->orthographic ? to->ymag > 0 && to->znear >= 0
                                      : to->yfov_rad > 0 && to->yfov_rad < 3.14159f && to->znear > 0;
-        if (!size || !(to->zfar == 0 || to->zfar > to->znear) || !std::isfinite(to->zfar) ||
-            !(to->aspect >= 0) || !std::isfinite(to->aspect) || !std::isfinite(to->ymag))
+        if (!size || !(to->zfar == 0 || to->zfar > to->znear) || !std::isfinite(to->zfar) || !(to->aspect >= 0) ||
+            !std::isfinite(to->aspect) || !std::isfinite(to->ymag))
             return bad(r, place("camera", i), "a size is out of range");
     }
     r.scene->camera_count = static_cast<uint32_t>(count);
@@ -270,10 +269,9 @@ enum hatch_status read_lights(Reader &r)
         /* A sharp cone is written so by some, although the inner angle should be less. */
         if (!(to->inner_cone_rad < to->outer_cone_rad || to->inner_cone_rad > to->outer_cone_rad))
             to->inner_cone_rad = std::nextafter(to->outer_cone_rad, 0.0f);
-        bool cone = to->inner_cone_rad >= 0 && to->inner_cone_rad < to->outer_cone_rad &&
-                    to->outer_cone_rad <= 1.5708f;
-        if (!(to->intensity >= 0) || !std::isfinite(to->intensity) || !(to->range >= 0) ||
-            !std::isfinite(to->range) || (to->type == HATCH_LIGHT_SPOT && !cone))
+        bool cone = to->inner_cone_rad >= 0 && to->inner_cone_rad < to->outer_cone_rad && to->outer_cone_rad <= 1.5708f;
+        if (!(to->intensity >= 0) || !std::isfinite(to->intensity) || !(to->range >= 0) || !std::isfinite(to->range) ||
+            (to->type == HATCH_LIGHT_SPOT && !cone))
             return bad(r, where, "intensity, range or cone is out of range");
     }
     r.scene->light_count = static_cast<uint32_t>(count);

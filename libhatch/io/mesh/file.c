@@ -103,10 +103,9 @@ static bool is_far(const struct hatch_mesh *mesh, double origin[3])
     return far;
 }
 
-enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
-                                  struct hatch_err *err)
+enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, double origin[3],
+                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     static const hatch_mesh_reader readers[] = {[HATCH_MESH_PLY] = hatch_ply_read,
                                                 [HATCH_MESH_OBJ] = hatch_obj_read,

@@ -23,9 +23,8 @@ enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char 
  * that lie, indices out of range, numbers that are not finite, tristrips without faces, point clouds.
  * origin: what was taken off all positions before they became floats; zeros, but where the mesh lies so far out that
  * floats are coarse beside its size: then its middle, as floats hold it. NULL: nothing is taken off. */
-enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, double origin[3],
+                                  struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

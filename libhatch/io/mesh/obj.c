@@ -61,8 +61,8 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
 }
 
 /* "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the last value read. */
-static enum hatch_status read_corner(const struct obj *o, struct hatch_text word,
-                                     struct corner *corner, struct hatch_err *err)
+static enum hatch_status read_corner(const struct obj *o, struct hatch_text word, struct corner *corner,
+                                     struct hatch_err *err)
 {
     const char *at = word.at, *end = word.at + word.length;
     for (int kind = 0; kind < KINDS; kind++) {
@@ -73,10 +73,9 @@ static enum hatch_status read_corner(const struct obj *o, struct hatch_text word
         struct hatch_text part = {at, (size_t)(stop - at)};
         int64_t number, count = value_count(o, kind);
         if (part.length || kind == V) {
-            if (!hatch_mesh_text_integer(part, &number) || number == 0 || number > count ||
-                number < -count)
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s of %lld",
-                                  o->text.line, hatch_mesh_text_shown(word), word.at,
+            if (!hatch_mesh_text_integer(part, &number) || number == 0 || number > count || number < -count)
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s of %lld", o->text.line,
+                                  hatch_mesh_text_shown(word), word.at,
                                   kind == V    ? "vertex"
                                   : kind == VT ? "texture coordinate"
                                                : "normal",
@@ -86,8 +85,8 @@ static enum hatch_status read_corner(const struct obj *o, struct hatch_text word
         at = stop < end ? stop + 1 : end;
     }
     if (at != end)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s has more than three parts",
-                          o->text.line, hatch_mesh_text_shown(word), word.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s has more than three parts", o->text.line,
+                          hatch_mesh_text_shown(word), word.at);
     return HATCH_OK;
 }
 
@@ -109,8 +108,7 @@ static enum hatch_status grow_slots(struct obj *o, struct hatch_err *err)
     uint32_t count = o->slot_count ? o->slot_count * 2 : 1024;
     uint32_t *slots = count < o->slot_count ? NULL : HATCH_NEW(o->scratch, uint32_t, count, err);
     if (!slots)
-        return hatch_fail(err, HATCH_LIMIT, "line %u: %u vertices need too much memory",
-                          o->text.line, o->vertex_count);
+        return hatch_fail(err, HATCH_LIMIT, "line %u: %u vertices need too much memory", o->text.line, o->vertex_count);
     for (uint32_t v = 0; v < o->vertex_count; v++) {
         uint64_t slot = corner_hash(&vertex_corners(o)[v]);
         while (slots[slot & (count - 1)])
@@ -122,8 +120,7 @@ static enum hatch_status grow_slots(struct obj *o, struct hatch_err *err)
     return HATCH_OK;
 }
 
-static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, uint32_t *vertex,
-                                    struct hatch_err *err)
+static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, uint32_t *vertex, struct hatch_err *err)
 {
     HATCH_TRY(grow_slots(o, err));
     uint64_t slot = corner_hash(corner);
@@ -182,10 +179,9 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
 /* Grouping, materials, lines and display hints: what does not change the surface. */
 static bool is_ignored(struct hatch_text word)
 {
-    static const char *const words[] = {"o",      "g",      "s",          "mg",        "usemtl",
-                                        "mtllib", "usemap", "maplib",     "l",         "p",
-                                        "vp",     "lod",    "bevel",      "c_interp",  "d_interp",
-                                        "ctech",  "stech",  "shadow_obj", "trace_obj", NULL};
+    static const char *const words[] = {"o",        "g",     "s",     "mg",         "usemtl",    "mtllib", "usemap",
+                                        "maplib",   "l",     "p",     "vp",         "lod",       "bevel",  "c_interp",
+                                        "d_interp", "ctech", "stech", "shadow_obj", "trace_obj", NULL};
     for (const char *const *w = words; *w; w++)
         if (hatch_text_is(word, *w))
             return true;
@@ -207,8 +203,8 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
         return read_face(o, err);
     if (is_ignored(word))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", o->text.line,
-                      hatch_mesh_text_shown(word), word.at);
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", o->text.line, hatch_mesh_text_shown(word),
+                      word.at);
 }
 
 /* The values that the vertices' corners name; an attribute that some corner lacks is left out. */
@@ -230,8 +226,7 @@ static enum hatch_status gather(struct obj *o, int kind, float **out, struct hat
     return HATCH_OK;
 }
 
-static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *notes,
-                                      struct hatch_err *err)
+static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     uint32_t count = value_count(o, V);
     uint8_t *seen = HATCH_NEW(o->scratch, uint8_t, count, err);
@@ -248,8 +243,7 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     if (o->plain)
-        return hatch_faces_finish(&o->faces, values(o, V), value_count(o, V), arena, mesh, notes,
-                                  err);
+        return hatch_faces_finish(&o->faces, values(o, V), value_count(o, V), arena, mesh, notes, err);
     float *positions, *texcoords, *normals, *data;
     struct hatch_mesh made;
     HATCH_TRY(count_unused(o, notes, err));
@@ -268,11 +262,10 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
 }
 
 enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                 struct hatch_err *err)
 {
-    struct obj o = {
-        .text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .plain = !names_more(file)};
+    struct obj o = {.text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .plain = !names_more(file)};
     o.text.comment = '#';
     o.text.continues = true;
     for (int kind = 0; kind < KINDS; kind++)

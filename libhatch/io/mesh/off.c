@@ -23,15 +23,14 @@ static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_
     struct hatch_text word = hatch_mesh_text_any_word(text);
     size_t length = hatch_off_word(word.at, word.length);
     if (!length)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line,
-                          hatch_mesh_text_shown(word), word.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line, hatch_mesh_text_shown(word),
+                          word.at);
     text->at = word.at + length;
     return HATCH_OK;
 }
 
 /* Every vertex takes at least six bytes ("0 0 0\n"), every face at least eight ("3 0 0 0\n"). */
-static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t counts[2],
-                                     struct hatch_err *err)
+static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t counts[2], struct hatch_err *err)
 {
     static const char *const names[] = {"vertices", "faces"};
     static const int64_t bytes[] = {6, 8};
@@ -41,9 +40,8 @@ static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t count
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s is no number of %s", text->line,
                               hatch_mesh_text_shown(word), word.at, names[i]);
         if (counts[i] > (int64_t)hatch_mesh_text_left(text) / bytes[i] + 1)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s %s do not fit into %zu bytes",
-                              text->line, hatch_mesh_text_shown(word), word.at, names[i],
-                              hatch_mesh_text_left(text));
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s %s do not fit into %zu bytes", text->line,
+                              hatch_mesh_text_shown(word), word.at, names[i], hatch_mesh_text_left(text));
     }
     hatch_mesh_text_next_line(text);
     return HATCH_OK;
@@ -61,8 +59,8 @@ static bool find_line(struct hatch_mesh_text *text)
     return true;
 }
 
-static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_count,
-                                   struct hatch_buffer *corners, struct hatch_err *err)
+static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_count, struct hatch_buffer *corners,
+                                   struct hatch_err *err)
 {
     int64_t count, index;
     struct hatch_text word = hatch_mesh_text_word(text);
@@ -73,9 +71,8 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     for (int64_t i = 0; i < count; i++) {
         word = hatch_mesh_text_word(text);
         if (!hatch_mesh_text_integer(word, &index) || index < 0 || index >= vertex_count)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s, there are %lld vertices",
-                              text->line, hatch_mesh_text_shown(word), word.at,
-                              (long long)vertex_count);
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s, there are %lld vertices", text->line,
+                              hatch_mesh_text_shown(word), word.at, (long long)vertex_count);
         uint32_t corner = (uint32_t)index;
         HATCH_TRY(hatch_buffer_add(corners, &corner, sizeof corner, err));
     }
@@ -83,8 +80,8 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
 }
 
 enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                 struct hatch_err *err)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
     text.comment = '#';
@@ -105,12 +102,10 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3]
     struct hatch_buffer corners = {.arena = scratch};
     for (int64_t f = 0; f < counts[1]; f++) {
         if (!find_line(&text))
-            return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld faces", (long long)f,
-                              (long long)counts[1]);
+            return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld faces", (long long)f, (long long)counts[1]);
         HATCH_TRY(read_face(&text, counts[0], &corners, err));
         const uint32_t *corner = (const uint32_t *)(const void *)corners.data;
-        HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner,
-                                  (uint32_t)(corners.size / sizeof *corner), err));
+        HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner, (uint32_t)(corners.size / sizeof *corner), err));
         hatch_mesh_text_next_line(&text);
     }
     return hatch_faces_finish(&faces, positions, (uint32_t)counts[0], arena, mesh, notes, err);

@@ -25,10 +25,10 @@ struct ply {
 static enum hatch_status fail(const struct ply *p, struct hatch_err *err, const char *what)
 {
     if (p->header.ascii)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %llu: %s", p->text.line,
-                          p->element->name, (unsigned long long)p->item, what);
-    return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: %s %llu: %s", p->reader.at,
-                      p->element->name, (unsigned long long)p->item, what);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %llu: %s", p->text.line, p->element->name,
+                          (unsigned long long)p->item, what);
+    return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: %s %llu: %s", p->reader.at, p->element->name,
+                      (unsigned long long)p->item, what);
 }
 
 static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
@@ -54,8 +54,7 @@ static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
 }
 
 /* The next number; a double holds every type's values exactly. */
-static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, double *number,
-                                     struct hatch_err *err)
+static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, double *number, struct hatch_err *err)
 {
     if (p->header.ascii) {
         struct hatch_text word = hatch_mesh_text_any_word(&p->text);
@@ -86,14 +85,14 @@ static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
     if (!least && p->element->kind != HATCH_PLY_OTHER && p->element->count)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no properties", p->element->name);
     if (least && p->element->count > left / least + 1)
-        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu",
-                          p->element->name, (unsigned long long)p->element->count, least, left);
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu", p->element->name,
+                          (unsigned long long)p->element->count, least, left);
     return HATCH_OK;
 }
 
 /* The length of a list, checked against the bytes that are left. */
-static enum hatch_status read_length(struct ply *p, const struct hatch_ply_property *property,
-                                     uint32_t *length, struct hatch_err *err)
+static enum hatch_status read_length(struct ply *p, const struct hatch_ply_property *property, uint32_t *length,
+                                     struct hatch_err *err)
 {
     double number;
     HATCH_TRY(read_number(p, property->count_type, &number, err));
@@ -108,8 +107,7 @@ static enum hatch_status read_length(struct ply *p, const struct hatch_ply_prope
 }
 
 /* What is not read may be anything in text: scanners write "nan" where a quality is not known. */
-static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *property,
-                              struct hatch_err *err)
+static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
 {
     uint32_t length = 1;
     double number;
@@ -178,8 +176,7 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
 }
 
 /* One list of corners; in a strip -1 starts anew and is kept as UINT32_MAX. */
-static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_property *property,
-                                      struct hatch_err *err)
+static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
 {
     uint32_t length;
     HATCH_TRY(read_length(p, property, &length, err));
@@ -198,8 +195,7 @@ static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_prop
 
 /* Every other triangle of a strip is turned, so that all face one way; those with a repeated corner
  * only join parts and are left out. */
-static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint32_t count,
-                                    struct hatch_err *err)
+static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint32_t count, struct hatch_err *err)
 {
     uint32_t start = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -208,8 +204,7 @@ static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint3
         if (i < start + 2 || corner[i] == UINT32_MAX)
             continue;
         bool odd = (i - start) % 2 == 1;
-        const uint32_t triangle[3] = {corner[i - 2], corner[odd ? i : i - 1],
-                                      corner[odd ? i - 1 : i]};
+        const uint32_t triangle[3] = {corner[i - 2], corner[odd ? i : i - 1], corner[odd ? i - 1 : i]};
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
             continue;
         HATCH_TRY(hatch_faces_add(&p->faces, p->positions, triangle, triangle, 3, err));
@@ -220,8 +215,7 @@ static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint3
 static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
 {
     if (!p->positions)
-        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no vertices before it",
-                          p->element->name);
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no vertices before it", p->element->name);
     for (p->item = 0; p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++) {
             const struct hatch_ply_property *property = &p->element->properties[i];
@@ -267,8 +261,8 @@ static enum hatch_status read_body(struct ply *p, struct hatch_err *err)
 }
 
 enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                 struct hatch_err *err)
 {
     struct ply *p = HATCH_NEW(scratch, struct ply, 1, err);
     if (!p)
@@ -284,8 +278,7 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     HATCH_TRY(read_body(p, err));
     struct hatch_mesh made;
     float *data;
-    HATCH_TRY(
-        hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
+    HATCH_TRY(hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
     if (p->normals)
         HATCH_TRY(hatch_faces_add_normals(p->normals, arena, &made, err));
     if (p->texcoords) {

@@ -14,14 +14,12 @@ static enum hatch_ply_type type_of(struct hatch_text word)
         const char *name;
         enum hatch_ply_type type;
     } names[] = {
-        {"char", HATCH_PLY_INT8},      {"int8", HATCH_PLY_INT8},
-        {"uchar", HATCH_PLY_UINT8},    {"uint8", HATCH_PLY_UINT8},
-        {"short", HATCH_PLY_INT16},    {"int16", HATCH_PLY_INT16},
-        {"ushort", HATCH_PLY_UINT16},  {"uint16", HATCH_PLY_UINT16},
-        {"int", HATCH_PLY_INT32},      {"int32", HATCH_PLY_INT32},
-        {"uint", HATCH_PLY_UINT32},    {"uint32", HATCH_PLY_UINT32},
-        {"float", HATCH_PLY_FLOAT32},  {"float32", HATCH_PLY_FLOAT32},
-        {"double", HATCH_PLY_FLOAT64}, {"float64", HATCH_PLY_FLOAT64},
+        {"char", HATCH_PLY_INT8},       {"int8", HATCH_PLY_INT8},       {"uchar", HATCH_PLY_UINT8},
+        {"uint8", HATCH_PLY_UINT8},     {"short", HATCH_PLY_INT16},     {"int16", HATCH_PLY_INT16},
+        {"ushort", HATCH_PLY_UINT16},   {"uint16", HATCH_PLY_UINT16},   {"int", HATCH_PLY_INT32},
+        {"int32", HATCH_PLY_INT32},     {"uint", HATCH_PLY_UINT32},     {"uint32", HATCH_PLY_UINT32},
+        {"float", HATCH_PLY_FLOAT32},   {"float32", HATCH_PLY_FLOAT32}, {"double", HATCH_PLY_FLOAT64},
+        {"float64", HATCH_PLY_FLOAT64},
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (hatch_text_is(word, names[i].name))
@@ -35,15 +33,13 @@ static enum hatch_ply_use use_of(enum hatch_ply_kind kind, bool list, struct hat
         const char *name;
         enum hatch_ply_use use;
     } names[] = {
-        {"x", HATCH_PLY_X},   {"y", HATCH_PLY_Y},         {"z", HATCH_PLY_Z},
-        {"nx", HATCH_PLY_NX}, {"ny", HATCH_PLY_NY},       {"nz", HATCH_PLY_NZ},
-        {"u", HATCH_PLY_U},   {"v", HATCH_PLY_V},         {"s", HATCH_PLY_U},
-        {"t", HATCH_PLY_V},   {"texture_u", HATCH_PLY_U}, {"texture_v", HATCH_PLY_V},
+        {"x", HATCH_PLY_X},   {"y", HATCH_PLY_Y},   {"z", HATCH_PLY_Z},         {"nx", HATCH_PLY_NX},
+        {"ny", HATCH_PLY_NY}, {"nz", HATCH_PLY_NZ}, {"u", HATCH_PLY_U},         {"v", HATCH_PLY_V},
+        {"s", HATCH_PLY_U},   {"t", HATCH_PLY_V},   {"texture_u", HATCH_PLY_U}, {"texture_v", HATCH_PLY_V},
     };
     if ((kind == HATCH_PLY_FACE || kind == HATCH_PLY_STRIPS) && list)
-        return hatch_text_is(word, "vertex_indices") || hatch_text_is(word, "vertex_index")
-                   ? HATCH_PLY_INDICES
-                   : HATCH_PLY_SKIP;
+        return hatch_text_is(word, "vertex_indices") || hatch_text_is(word, "vertex_index") ? HATCH_PLY_INDICES
+                                                                                            : HATCH_PLY_SKIP;
     for (size_t i = 0; kind == HATCH_PLY_VERTEX && !list && i < sizeof names / sizeof *names; i++)
         if (hatch_text_is(word, names[i].name))
             return names[i].use;
@@ -67,16 +63,13 @@ static enum hatch_status read_element(struct hatch_mesh_text *text, struct hatch
                                       struct hatch_err *err)
 {
     if (header->element_count == HATCH_PLY_ELEMENTS_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u elements", text->line,
-                          HATCH_PLY_ELEMENTS_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u elements", text->line, HATCH_PLY_ELEMENTS_MAX);
     struct hatch_text name = hatch_mesh_text_word(text), number = hatch_mesh_text_word(text);
     struct hatch_ply_element *element = &header->elements[header->element_count];
     int64_t count;
-    if (name.length >= sizeof element->name || !hatch_mesh_text_integer(number, &count) ||
-        count < 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: element %.*s: %.*s is no count",
-                          text->line, hatch_mesh_text_shown(name), name.at,
-                          hatch_mesh_text_shown(number), number.at);
+    if (name.length >= sizeof element->name || !hatch_mesh_text_integer(number, &count) || count < 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: element %.*s: %.*s is no count", text->line,
+                          hatch_mesh_text_shown(name), name.at, hatch_mesh_text_shown(number), number.at);
     memcpy(element->name, name.at, name.length);
     element->count = (uint64_t)count;
     element->kind = hatch_text_is(name, "vertex")      ? HATCH_PLY_VERTEX
@@ -87,12 +80,11 @@ static enum hatch_status read_element(struct hatch_mesh_text *text, struct hatch
     return HATCH_OK;
 }
 
-static enum hatch_status read_property(struct hatch_mesh_text *text,
-                                       struct hatch_ply_header *header, struct hatch_err *err)
+static enum hatch_status read_property(struct hatch_mesh_text *text, struct hatch_ply_header *header,
+                                       struct hatch_err *err)
 {
     if (header->element_count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a property before any element",
-                          text->line);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a property before any element", text->line);
     struct hatch_ply_element *element = &header->elements[header->element_count - 1];
     if (element->property_count == HATCH_PLY_PROPERTIES_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u properties", text->line,
@@ -106,19 +98,18 @@ static enum hatch_status read_property(struct hatch_mesh_text *text,
     }
     property.type = type_of(word);
     struct hatch_text name = hatch_mesh_text_word(text);
-    bool whole =
-        property.count_type != HATCH_PLY_FLOAT32 && property.count_type != HATCH_PLY_FLOAT64;
-    if (property.type == HATCH_PLY_NONE || (list && property.count_type == HATCH_PLY_NONE) ||
-        !whole || name.length == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: property %.*s of an unknown type",
-                          text->line, hatch_mesh_text_shown(name), name.at);
+    bool whole = property.count_type != HATCH_PLY_FLOAT32 && property.count_type != HATCH_PLY_FLOAT64;
+    if (property.type == HATCH_PLY_NONE || (list && property.count_type == HATCH_PLY_NONE) || !whole ||
+        name.length == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: property %.*s of an unknown type", text->line,
+                          hatch_mesh_text_shown(name), name.at);
     property.use = use_of(element->kind, list, name);
     element->properties[element->property_count++] = property;
     return HATCH_OK;
 }
 
-static enum hatch_status read_line(struct hatch_mesh_text *text, struct hatch_ply_header *header,
-                                   bool *format_seen, struct hatch_err *err)
+static enum hatch_status read_line(struct hatch_mesh_text *text, struct hatch_ply_header *header, bool *format_seen,
+                                   struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_word(text);
     if (hatch_text_is(word, "format")) {
@@ -131,12 +122,12 @@ static enum hatch_status read_line(struct hatch_mesh_text *text, struct hatch_pl
         return read_property(text, header, err);
     if (word.length == 0 || hatch_text_is(word, "comment") || hatch_text_is(word, "obj_info"))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text->line,
-                      hatch_mesh_text_shown(word), word.at);
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text->line, hatch_mesh_text_shown(word),
+                      word.at);
 }
 
-enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text,
-                                        struct hatch_ply_header *header, struct hatch_err *err)
+enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text, struct hatch_ply_header *header,
+                                        struct hatch_err *err)
 {
     bool format_seen = false;
     if (!hatch_text_is(hatch_mesh_text_word(text), "ply"))

@@ -9,12 +9,11 @@
 
 struct hatch_faces hatch_faces_in(struct hatch_arena *scratch)
 {
-    return (struct hatch_faces){
-        .indices = {.arena = scratch}, .work_left = WORK_LIMIT, .scratch = scratch};
+    return (struct hatch_faces){.indices = {.arena = scratch}, .work_left = WORK_LIMIT, .scratch = scratch};
 }
 
-static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t *vertex, uint32_t a,
-                                      uint32_t b, uint32_t c, struct hatch_err *err)
+static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t *vertex, uint32_t a, uint32_t b,
+                                      uint32_t c, struct hatch_err *err)
 {
     const uint32_t triangle[3] = {vertex[a], vertex[b], vertex[c]};
     if (faces->face_count >= UINT32_MAX / 3 - 1)
@@ -31,8 +30,7 @@ struct outline {
     uint32_t count, reflex_count;
 };
 
-static void newell_normal(const float *positions, const uint32_t *point, uint32_t count,
-                          double normal[3])
+static void newell_normal(const float *positions, const uint32_t *point, uint32_t count, double normal[3])
 {
     double origin[3], a[3], b[3], cross[3];
     hatch_vec_of(&positions[(size_t)point[0] * 3], origin);
@@ -48,8 +46,8 @@ static void newell_normal(const float *positions, const uint32_t *point, uint32_
 }
 
 /* Whether the triangles from one corner to all others keep the polygon's side. */
-static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_t count,
-                          uint32_t start, const double normal[3])
+static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_t count, uint32_t start,
+                          const double normal[3])
 {
     double p[3], a[3], b[3], cross[3];
     hatch_vec_of(&positions[(size_t)point[start] * 3], p);
@@ -63,12 +61,11 @@ static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_
     return true;
 }
 
-static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vertex, uint32_t count,
-                                 uint32_t start, struct hatch_err *err)
+static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vertex, uint32_t count, uint32_t start,
+                                 struct hatch_err *err)
 {
     for (uint32_t i = 1; i + 1 < count; i++)
-        HATCH_TRY(
-            add_triangle(faces, vertex, start, (start + i) % count, (start + i + 1) % count, err));
+        HATCH_TRY(add_triangle(faces, vertex, start, (start + i) % count, (start + i + 1) % count, err));
     return HATCH_OK;
 }
 
@@ -96,8 +93,7 @@ static bool is_ear(const struct outline *o, uint32_t corner)
         return false;
     for (uint32_t i = 0; i < o->reflex_count; i++) {
         uint32_t p = o->reflex[i];
-        if (p == a || p == corner || p == c || same_place(o, p, a) || same_place(o, p, corner) ||
-            same_place(o, p, c))
+        if (p == a || p == corner || p == c || same_place(o, p, a) || same_place(o, p, corner) || same_place(o, p, c))
             continue;
         if (turn(o, a, corner, p) >= 0 && turn(o, corner, c, p) >= 0 && turn(o, c, a, p) >= 0)
             return false;
@@ -116,15 +112,14 @@ static void drop_unreflex(struct outline *o)
     o->reflex_count = kept;
 }
 
-static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
-                                   const uint32_t *vertex, struct hatch_err *err)
+static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o, const uint32_t *vertex,
+                                   struct hatch_err *err)
 {
     uint32_t corner = 0, left = o->count, misses = 0;
     while (left > 3) {
         uint64_t cost = (uint64_t)o->reflex_count + 1;
         if (cost > faces->work_left)
-            return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large",
-                              o->count);
+            return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large", o->count);
         faces->work_left -= cost;
         /* After a whole round without an ear the polygon crosses itself: any corner goes. */
         if (misses < left && !is_ear(o, corner)) {
@@ -146,8 +141,7 @@ static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
 }
 
 /* Along which axis the polygon is flattened: the normal's longest. */
-static void lay_out(const float *positions, const uint32_t *point, const double normal[3],
-                    struct outline *o)
+static void lay_out(const float *positions, const uint32_t *point, const double normal[3], struct outline *o)
 {
     int axis = 0;
     for (int k = 1; k < 3; k++)
@@ -167,9 +161,9 @@ static void lay_out(const float *positions, const uint32_t *point, const double 
             o->reflex[o->reflex_count++] = i;
 }
 
-static enum hatch_status add_concave(struct hatch_faces *faces, const float *positions,
-                                     const uint32_t *point, const uint32_t *vertex, uint32_t count,
-                                     const double normal[3], struct hatch_err *err)
+static enum hatch_status add_concave(struct hatch_faces *faces, const float *positions, const uint32_t *point,
+                                     const uint32_t *vertex, uint32_t count, const double normal[3],
+                                     struct hatch_err *err)
 {
     /* Room for the triangles is made first, so that the outline on top of them can be given back.
      */
@@ -189,9 +183,8 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
     return status;
 }
 
-enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positions,
-                                  const uint32_t *point, const uint32_t *vertex, uint32_t count,
-                                  struct hatch_err *err)
+enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positions, const uint32_t *point,
+                                  const uint32_t *vertex, uint32_t count, struct hatch_err *err)
 {
     if (count < 3) {
         faces->lines_dropped++;
@@ -208,9 +201,8 @@ enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positi
     return add_concave(faces, positions, point, vertex, count, normal, err);
 }
 
-enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const float *positions,
-                                     uint32_t vertex_count, struct hatch_arena *arena,
-                                     struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const float *positions, uint32_t vertex_count,
+                                     struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                      struct hatch_err *err)
 {
     if (faces->face_count == 0)
@@ -223,8 +215,8 @@ enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const floa
     return HATCH_OK;
 }
 
-enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_arena *arena,
-                                          struct hatch_mesh *mesh, struct hatch_err *err)
+enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_arena *arena, struct hatch_mesh *mesh,
+                                          struct hatch_err *err)
 {
     double normal[3];
     for (size_t v = 0; v < mesh->vertex_count; v++) {

@@ -43,14 +43,12 @@ static bool is_binary(struct hatch_bytes file)
     return file.size == HEADER + 4 + count * TRIANGLE || !looks_like_text(file);
 }
 
-static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh,
-                              struct hatch_err *err)
+static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_err *err)
 {
     if (faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
     if (faces > UINT32_MAX / 3 - 1)
-        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces,
-                          UINT32_MAX / 3 - 1);
+        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces, UINT32_MAX / 3 - 1);
     uint32_t corners = (uint32_t)faces * 3;
     HATCH_TRY(hatch_mesh_make(arena, corners, (uint32_t)faces, mesh, err));
     for (uint32_t i = 0; i < corners; i++)
@@ -112,22 +110,21 @@ static enum hatch_status take_word(struct solids *s, struct hatch_text word, str
     }
     if (is(word, "endfacet")) {
         if (s->corners != 3)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3", s->text.line,
-                              s->corners, s->corners == 1 ? "" : "s");
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3", s->text.line, s->corners,
+                              s->corners == 1 ? "" : "s");
         s->corners = 0;
         return HATCH_OK;
     }
     /* Normals, and whatever else programs put behind a line's first word. */
     if (!first || s->naming || facet || is(word, "outer") || is(word, "endloop"))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", s->text.line,
-                      hatch_mesh_text_shown(word), word.at);
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", s->text.line, hatch_mesh_text_shown(word),
+                      word.at);
 }
 
 /* Lines mean nothing but where a solid's name ends: some programs write none. */
 static enum hatch_status read_text(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                   struct hatch_err *err)
+                                   struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct solids s = {.origin = origin, .text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
     do {
@@ -146,8 +143,8 @@ static enum hatch_status read_text(struct hatch_bytes file, const double origin[
 }
 
 enum hatch_status hatch_stl_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
+                                 struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                 struct hatch_err *err)
 {
     (void)notes;
     return is_binary(file) ? read_binary(file, origin, arena, mesh, err)

@@ -112,8 +112,7 @@ static enum hatch_status next_number(struct hatch_mesh_text *text, const char *w
     struct hatch_text word = hatch_mesh_text_word(text);
     double value;
     if (word.length == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line,
-                          what);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line, what);
     if (!hatch_text_decimal(word, &value))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is no number", text->line, what,
                           hatch_mesh_text_shown(word), word.at);
@@ -124,8 +123,8 @@ static enum hatch_status next_number(struct hatch_mesh_text *text, const char *w
     return HATCH_OK;
 }
 
-enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what,
-                                        float *number, struct hatch_err *err)
+enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
+                                        struct hatch_err *err)
 {
     double value = 0;
     HATCH_TRY(next_number(text, what, &value, err));

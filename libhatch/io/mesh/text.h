@@ -34,7 +34,7 @@ bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 
 /* The next word of the line as a float, finite. what: "vertex"; HATCH_BAD_INPUT with the line. */
 enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
-                                   struct hatch_err *err) HATCH_MUST_USE;
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* The same for the three numbers of a position, less origin, which is taken off before they become floats. */
 enum hatch_status hatch_mesh_text_position(struct hatch_mesh_text *text, const char *what, const double origin[3],

@@ -20,7 +20,8 @@ extern "C" {
 }
 #pragma GCC diagnostic pop
 
-namespace {
+namespace
+{
 
 struct Traits : OpenMesh::DefaultTraits {
     typedef OpenMesh::Vec3d Point;
@@ -47,8 +48,7 @@ Frame frame_of(const struct hatch_mesh *mesh)
     return frame;
 }
 
-void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_t *point,
-                uint32_t count, Mesh *to)
+void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_t *point, uint32_t count, Mesh *to)
 {
     const float *positions = mesh->attributes[0].data;
     uint32_t added = 0;
@@ -79,9 +79,8 @@ uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *t
     return left_out;
 }
 
-enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame,
-                       struct hatch_arena *scratch, Mesh *to, uint32_t *left_out,
-                       struct hatch_err *err)
+enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct hatch_arena *scratch, Mesh *to,
+                       uint32_t *left_out, struct hatch_err *err)
 {
     uint32_t count;
     if (mesh->vertex_count > INT32_MAX / 3 || mesh->face_count > INT32_MAX / 3)
@@ -118,12 +117,12 @@ void reduce(Mesh *mesh, uint32_t face_count)
     mesh->garbage_collection();
 }
 
-enum hatch_status store(const Mesh &from, const Frame &frame, struct hatch_arena *arena,
-                        struct hatch_mesh *out, struct hatch_err *err)
+enum hatch_status store(const Mesh &from, const Frame &frame, struct hatch_arena *arena, struct hatch_mesh *out,
+                        struct hatch_err *err)
 {
     struct hatch_mesh made;
-    HATCH_TRY(hatch_mesh_make(arena, static_cast<uint32_t>(from.n_vertices()),
-                              static_cast<uint32_t>(from.n_faces()), &made, err));
+    HATCH_TRY(hatch_mesh_make(arena, static_cast<uint32_t>(from.n_vertices()), static_cast<uint32_t>(from.n_faces()),
+                              &made, err));
     float *position = made.attributes[0].data;
     for (const auto &vertex : from.vertices())
         for (unsigned k = 0; k < 3; k++)
@@ -154,8 +153,7 @@ uint32_t count_loops(const Mesh &mesh)
 }
 
 /* Runs a body that may throw, and gives scratch back. */
-template <typename Body>
-enum hatch_status guarded(struct hatch_arena *scratch, struct hatch_err *err, Body body)
+template <typename Body> enum hatch_status guarded(struct hatch_arena *scratch, struct hatch_err *err, Body body)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status;
@@ -173,10 +171,8 @@ enum hatch_status guarded(struct hatch_arena *scratch, struct hatch_err *err, Bo
 } // namespace
 
 extern "C" enum hatch_status hatch_mesh_decimate(const struct hatch_mesh *mesh, uint32_t face_count,
-                                                 struct hatch_arena *arena,
-                                                 struct hatch_arena *scratch,
-                                                 struct hatch_mesh *out, uint32_t *left_out,
-                                                 struct hatch_err *err)
+                                                 struct hatch_arena *arena, struct hatch_arena *scratch,
+                                                 struct hatch_mesh *out, uint32_t *left_out, struct hatch_err *err)
 {
     return guarded(scratch, err, [&]() {
         Mesh work;
@@ -192,17 +188,14 @@ extern "C" enum hatch_status hatch_mesh_decimate(const struct hatch_mesh *mesh, 
     });
 }
 
-extern "C" enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *mesh,
-                                                     struct hatch_arena *scratch,
-                                                     struct hatch_connectivity *connectivity,
-                                                     struct hatch_err *err)
+extern "C" enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                                     struct hatch_connectivity *connectivity, struct hatch_err *err)
 {
     return guarded(scratch, err, [&]() {
         Mesh work;
         uint32_t refused;
         HATCH_TRY(load(mesh, frame_of(mesh), scratch, &work, &refused, err));
-        *connectivity = {static_cast<uint32_t>(work.n_vertices()),
-                         static_cast<uint32_t>(work.n_edges()),
+        *connectivity = {static_cast<uint32_t>(work.n_vertices()), static_cast<uint32_t>(work.n_edges()),
                          static_cast<uint32_t>(work.n_faces()), count_loops(work), refused};
         return HATCH_OK;
     });

@@ -6,9 +6,8 @@
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)
-#define PACK_RATIO_MAX 1032u /* deflate shrinks no further */
-#define CHUNK_BYTES_MAX                                                                            \
-    (8u << 20) /* ancillary chunks: ICC profiles and texts, which are not used */
+#define PACK_RATIO_MAX 1032u       /* deflate shrinks no further */
+#define CHUNK_BYTES_MAX (8u << 20) /* ancillary chunks: ICC profiles and texts, which are not used */
 #define SIGNATURE_BYTES 8u
 
 /* Everything that libpng's jumps must not lose lives here. */
@@ -27,8 +26,7 @@ static void fail_decoding(png_structp png, png_const_charp message)
 {
     struct reading *r = png_get_error_ptr(png);
     if (r->status == HATCH_OK)
-        r->status = hatch_fail(r->err, HATCH_BAD_INPUT, "%s at byte %zu of %zu", message, r->at,
-                               r->file.size);
+        r->status = hatch_fail(r->err, HATCH_BAD_INPUT, "%s at byte %zu of %zu", message, r->at, r->file.size);
     longjmp(png_jmpbuf(png), 1);
 }
 
@@ -65,12 +63,10 @@ static void check_size(png_structp png, png_infop info)
     uint64_t floats = width * height * 4 * sizeof(float);
     size_t left = r->arena->limit_bytes - r->arena->used_bytes;
     if (floats > left)
-        stop(png, hatch_fail(r->err, HATCH_LIMIT,
-                             "%llux%llu pixels need more than the %zu bytes allowed",
+        stop(png, hatch_fail(r->err, HATCH_LIMIT, "%llux%llu pixels need more than the %zu bytes allowed",
                              (unsigned long long)width, (unsigned long long)height, left));
     if (width * height * bits / 8 / PACK_RATIO_MAX > r->file.size)
-        stop(png, hatch_fail(r->err, HATCH_BAD_INPUT,
-                             "%llux%llu pixels in a file of %zu bytes: cut, or not true",
+        stop(png, hatch_fail(r->err, HATCH_BAD_INPUT, "%llux%llu pixels in a file of %zu bytes: cut, or not true",
                              (unsigned long long)width, (unsigned long long)height, r->file.size));
 }
 
@@ -92,8 +88,8 @@ static void make_room(png_structp png, png_infop info)
     struct reading *r = png_get_error_ptr(png);
     uint32_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     size_t row_bytes = png_get_rowbytes(png, info);
-    enum hatch_status status = hatch_image_make(
-        r->arena, width, height, names[png_get_channels(png, info)], &r->image, r->err);
+    enum hatch_status status =
+        hatch_image_make(r->arena, width, height, names[png_get_channels(png, info)], &r->image, r->err);
     if (status != HATCH_OK)
         stop(png, status);
     r->rows = HATCH_NEW(r->scratch, uint8_t *, height, r->err);
@@ -140,8 +136,7 @@ static enum hatch_status widen(struct reading *r)
     float *out = image->pixels;
     for (uint32_t y = 0; y < image->height; y++)
         for (size_t i = 0; i < (size_t)image->width * channels; i++, out++) {
-            uint32_t code =
-                r->depth == 16 ? ((const uint16_t *)(const void *)r->rows[y])[i] : r->rows[y][i];
+            uint32_t code = r->depth == 16 ? ((const uint16_t *)(const void *)r->rows[y])[i] : r->rows[y][i];
             bool is_alpha = alpha && i % channels == channels - 1;
             *out = is_alpha ? (float)code / (float)top : linear[code];
         }
@@ -150,8 +145,7 @@ static enum hatch_status widen(struct reading *r)
 
 static enum hatch_status decode(struct reading *r)
 {
-    png_structp png =
-        png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning);
     if (!png)
         return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading");
     png_infop info = png_create_info_struct(png);
@@ -163,9 +157,8 @@ static enum hatch_status decode(struct reading *r)
     return r->status == HATCH_OK ? widen(r) : r->status;
 }
 
-enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_image *image,
-                                 struct hatch_err *err)
+enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                 struct hatch_image *image, struct hatch_err *err)
 {
     if (file.size < SIGNATURE_BYTES || png_sig_cmp(file.data, 0, SIGNATURE_BYTES))
         return hatch_fail(err, HATCH_BAD_INPUT, "not a PNG file");

@@ -8,8 +8,7 @@
 #include <string.h>
 
 #define ZLIB_LEVEL 6
-#define COARSE                                                                                     \
-    4096u /* steps of the first guess: fine enough that a guess is at most one code low */
+#define COARSE 4096u /* steps of the first guess: fine enough that a guess is at most one code low */
 
 /* How a number becomes 8 bits of sRGB without a power for every pixel: code k stands for everything
  * below border[k] that is not below border[k - 1]. */
@@ -105,21 +104,20 @@ static void put_text(png_structp png, png_infop info, const char *comment)
     char copy[1024] = {0};
     if (comment)
         strncat(copy, comment, sizeof copy - 1);
-    png_text texts[] = {
-        {.compression = PNG_TEXT_COMPRESSION_NONE, .key = software_key, .text = software},
-        {.compression = PNG_TEXT_COMPRESSION_NONE, .key = comment_key, .text = copy}};
+    png_text texts[] = {{.compression = PNG_TEXT_COMPRESSION_NONE, .key = software_key, .text = software},
+                        {.compression = PNG_TEXT_COMPRESSION_NONE, .key = comment_key, .text = copy}};
     png_set_text(png, info, texts, comment ? 2 : 1);
 }
 
 static void write_all(png_structp png, png_infop info)
 {
-    static const int colors[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
-                                 PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+    static const int colors[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                 PNG_COLOR_TYPE_RGB_ALPHA};
     struct writing *w = png_get_error_ptr(png);
     png_set_write_fn(png, w, put_bytes, nothing_to_flush);
     png_set_compression_level(png, ZLIB_LEVEL);
-    png_set_IHDR(png, info, w->image->width, w->image->height, (int)w->depth, colors[w->channels],
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, w->image->width, w->image->height, (int)w->depth, colors[w->channels], PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (w->encoding == HATCH_PNG_SRGB)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     put_text(png, info, w->comment);
@@ -140,8 +138,7 @@ static void write_or_fail(png_structp png, png_infop info)
 
 static enum hatch_status encode(struct writing *w)
 {
-    png_structp png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, w, fail_encoding, ignore_warning);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, fail_encoding, ignore_warning);
     if (!png)
         return hatch_fail(w->err, HATCH_LIMIT, "out of memory for writing");
     png_infop info = png_create_info_struct(png);
@@ -153,9 +150,9 @@ static enum hatch_status encode(struct writing *w)
     return w->status;
 }
 
-enum hatch_status hatch_png_write(const struct hatch_image *image, enum hatch_png_encoding encoding,
-                                  uint32_t depth, const char *comment, struct hatch_arena *scratch,
-                                  struct hatch_buffer *file, struct hatch_err *err)
+enum hatch_status hatch_png_write(const struct hatch_image *image, enum hatch_png_encoding encoding, uint32_t depth,
+                                  const char *comment, struct hatch_arena *scratch, struct hatch_buffer *file,
+                                  struct hatch_err *err)
 {
     assert(depth == 8 || depth == 16);
     uint32_t channels = image->channel_count < 4 ? image->channel_count : 4;
@@ -164,8 +161,7 @@ enum hatch_status hatch_png_write(const struct hatch_image *image, enum hatch_pn
     size_t before = file->size;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     w.codes = HATCH_NEW(scratch, struct codes, 1, err);
-    w.row = w.codes ? HATCH_NEW(scratch, uint8_t, (size_t)image->width * channels * depth / 8, err)
-                    : NULL;
+    w.row = w.codes ? HATCH_NEW(scratch, uint8_t, (size_t)image->width * channels * depth / 8, err) : NULL;
     enum hatch_status status = HATCH_LIMIT;
     if (w.row) {
         fill_codes(w.codes);

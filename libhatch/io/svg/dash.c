@@ -88,8 +88,8 @@ static enum hatch_status cut(struct cutter *cutter, const double from[2], const 
     return cutter->now % 2 ? HATCH_OK : hatch_path_line(cutter->dash, to[0], to[1], err);
 }
 
-enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look,
-                                 double page, double scale, struct hatch_path_builder *dash, uint32_t *made,
+enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look, double page,
+                                 double scale, struct hatch_path_builder *dash, uint32_t *made,
                                  enum hatch_status (*finish)(void *context, struct hatch_path_builder *line,
                                                              struct hatch_err *err),
                                  void *context, struct hatch_err *err)

@@ -83,14 +83,13 @@ bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers)
     return true;
 }
 
-enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length,
-                                   struct hatch_err *err)
+enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length, struct hatch_err *err)
 {
     static const struct {
         const char *name;
         double units;
-    } units[] = {{"px", 1},         {"pt", 96.0 / 72},   {"pc", 16}, {"mm", 96 / 25.4},
-                 {"cm", 96 / 2.54}, {"in", 96},          {"em", 16}, {"ex", 8}};
+    } units[] = {{"px", 1},         {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4},
+                 {"cm", 96 / 2.54}, {"in", 96},        {"em", 16}, {"ex", 8}};
     struct hatch_text rest = text;
     double number;
     hatch_svg_skip(&rest);
@@ -107,8 +106,8 @@ enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double 
                 return HATCH_OK;
             }
     }
-    return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a length",
-                      (int)(text.length < 40 ? text.length : 40), text.at);
+    return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a length", (int)(text.length < 40 ? text.length : 40),
+                      text.at);
 }
 
 enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t most, double *lengths,
@@ -133,8 +132,7 @@ void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, doubl
     place[1] = m->b * x + m->d * y + m->f;
 }
 
-struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer,
-                                           const struct hatch_svg_matrix *inner)
+struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner)
 {
     double place[2];
     hatch_svg_apply(outer, inner->e, inner->f, place);
@@ -158,8 +156,7 @@ static struct hatch_svg_matrix rotation(const double *v, uint32_t count)
 }
 
 /* One function of a transform, of that many numbers; false where it takes another number of them. */
-static bool transform_of(struct hatch_text name, const double *v, uint32_t count,
-                         struct hatch_svg_matrix *m)
+static bool transform_of(struct hatch_text name, const double *v, uint32_t count, struct hatch_svg_matrix *m)
 {
     *m = (struct hatch_svg_matrix){1, 0, 0, 1, 0, 0};
     if (hatch_text_is(name, "matrix") && count == 6)
@@ -179,8 +176,7 @@ static bool transform_of(struct hatch_text name, const double *v, uint32_t count
     return true;
 }
 
-enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
-                                      struct hatch_err *err)
+enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix, struct hatch_err *err)
 {
     struct hatch_svg_matrix made = {1, 0, 0, 1, 0, 0}, one;
     struct hatch_text rest = text;

@@ -17,8 +17,7 @@ struct hatch_svg_matrix {
 void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double place[2]);
 
 /* First inner, then outer. */
-struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer,
-                                           const struct hatch_svg_matrix *inner);
+struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner);
 
 /* A transform attribute: translate, scale, rotate, skewX, skewY and matrix, any number of them. */
 enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
@@ -73,8 +72,8 @@ enum hatch_status hatch_svg_style(struct hatch_text declarations, double page, s
 /* Cuts a line into its dashes, each of which goes to `finish`; a line without dashes goes there whole. scale: from
  * user units to those of the line; dash: a builder that is used for nothing else; *made counts them.
  * HATCH_BAD_INPUT for what is no list of lengths, HATCH_LIMIT beyond HATCH_SVG_DASHES_MAX. */
-enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look,
-                                 double page, double scale, struct hatch_path_builder *dash, uint32_t *made,
+enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look, double page,
+                                 double scale, struct hatch_path_builder *dash, uint32_t *made,
                                  enum hatch_status (*finish)(void *context, struct hatch_path_builder *line,
                                                              struct hatch_err *err),
                                  void *context, struct hatch_err *err) HATCH_MUST_USE;
@@ -84,32 +83,28 @@ bool hatch_svg_color(struct hatch_text text, float rgb[3]);
 
 /* A line in user units on its way to the page. */
 struct hatch_svg_pen {
-    struct hatch_path_builder line;   /* of the subpath, in tiles */
-    struct hatch_svg_matrix matrix;   /* user units to tiles */
-    double x, y;                      /* where the pen is, user units */
+    struct hatch_path_builder line; /* of the subpath, in tiles */
+    struct hatch_svg_matrix matrix; /* user units to tiles */
+    double x, y;                    /* where the pen is, user units */
     /* Called for each finished subpath. */
     enum hatch_status (*finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);
     void *context;
 };
 
 /* Ends the line that there is, and begins one. */
-enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err)
-    HATCH_MUST_USE;
-enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
 /* xy: two control points and the end. */
-enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6], struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6], struct hatch_err *err) HATCH_MUST_USE;
 /* An elliptical arc, as the path command has it: radii, rotation in degrees, flags, end. */
-enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg,
-                                bool large, bool sweep, const double end[2], struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg, bool large,
+                                bool sweep, const double end[2], struct hatch_err *err) HATCH_MUST_USE;
 /* Ends the line that there is, if there is one. */
 enum hatch_status hatch_svg_end(struct hatch_svg_pen *pen, struct hatch_err *err) HATCH_MUST_USE;
 
 /* All of a path's data ("m 3,4 l 5,6"). */
-enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *pen, struct hatch_err *err)
-    HATCH_MUST_USE;
+enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *pen,
+                                 struct hatch_err *err) HATCH_MUST_USE;
 
 /* The value of an element's attribute, which has names and values in turn and ends with NULL; empty where
  * it has none. */
@@ -117,7 +112,6 @@ struct hatch_text hatch_svg_attribute(const char *const *attributes, const char 
 
 /* Draws a line, rect, circle, ellipse, polyline, polygon or path; *drawn is false for any other element. */
 enum hatch_status hatch_svg_shape(const char *element, const char *const *attributes, double page,
-                                  struct hatch_svg_pen *pen, bool *drawn, struct hatch_err *err)
-    HATCH_MUST_USE;
+                                  struct hatch_svg_pen *pen, bool *drawn, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

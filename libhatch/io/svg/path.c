@@ -59,8 +59,8 @@ struct ellipse {
     double from, sweep; /* angles on it, radians */
 };
 
-static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const double radii[2],
-                                      double rotation_deg, bool large, bool sweep, const double end[2])
+static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const double radii[2], double rotation_deg,
+                                      bool large, bool sweep, const double end[2])
 {
     struct ellipse e = {.rx = fabs(radii[0]), .ry = fabs(radii[1])};
     e.cosine = cos(rotation_deg * PI / 180);
@@ -97,8 +97,8 @@ static void point_of(const struct ellipse *e, double x, double y, double *place)
     place[1] = e->y + e->sine * e->rx * x + e->cosine * e->ry * y;
 }
 
-enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg,
-                                bool large, bool sweep, const double end[2], struct hatch_err *err)
+enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg, bool large,
+                                bool sweep, const double end[2], struct hatch_err *err)
 {
     if (pen->x == end[0] && pen->y == end[1])
         return HATCH_OK;
@@ -130,9 +130,12 @@ struct reading {
 static enum hatch_status quadratic(struct reading *r, const double *v, struct hatch_err *err)
 {
     const struct hatch_svg_pen *pen = r->pen;
-    double xy[6] = {pen->x + (v[0] - pen->x) * 2 / 3, pen->y + (v[1] - pen->y) * 2 / 3,
-                    v[2] + (v[0] - v[2]) * 2 / 3,     v[3] + (v[1] - v[3]) * 2 / 3,
-                    v[2],                             v[3]};
+    double xy[6] = {pen->x + (v[0] - pen->x) * 2 / 3,
+                    pen->y + (v[1] - pen->y) * 2 / 3,
+                    v[2] + (v[0] - v[2]) * 2 / 3,
+                    v[3] + (v[1] - v[3]) * 2 / 3,
+                    v[2],
+                    v[3]};
     memcpy(r->control, v, sizeof r->control);
     return hatch_svg_cubic(r->pen, xy, err);
 }

@@ -103,8 +103,7 @@ static enum hatch_status draw_points(const char *const *attributes, bool closed,
             return hatch_fail(err, HATCH_BAD_INPUT, "points: a number is missing or wrong");
         if (!begun)
             memcpy(first, point, sizeof first);
-        HATCH_TRY(begun ? hatch_svg_line(pen, point[0], point[1], err)
-                        : hatch_svg_move(pen, point[0], point[1], err));
+        HATCH_TRY(begun ? hatch_svg_line(pen, point[0], point[1], err) : hatch_svg_move(pen, point[0], point[1], err));
     }
     return closed && begun ? hatch_svg_line(pen, first[0], first[1], err) : HATCH_OK;
 }

@@ -139,8 +139,8 @@ static enum hatch_status read_rule(struct hatch_text *text, struct hatch_svg_she
     return HATCH_OK;
 }
 
-enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena,
-                                       struct hatch_svg_sheet *sheet, struct hatch_err *err)
+enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena, struct hatch_svg_sheet *sheet,
+                                       struct hatch_err *err)
 {
     struct hatch_svg_sheet made = {0};
     HATCH_TRY(blank_comments(&text, arena, err));

@@ -20,8 +20,8 @@ struct hatch_svg_sheet {
 
 /* Reads the text of all sheets, which must stay. HATCH_LIMIT for more than HATCH_SVG_RULES_MAX selectors and when
  * arena is too small; what is no CSS is counted and left out. */
-enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena,
-                                       struct hatch_svg_sheet *sheet, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena, struct hatch_svg_sheet *sheet,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Puts the properties of all rules that fit an element into its look. */
 enum hatch_status hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element,

@@ -20,9 +20,8 @@ static enum hatch_status bad_value(struct hatch_text name, struct hatch_text val
                       (int)(value.length < 40 ? value.length : 40), value.at);
 }
 
-static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value,
-                                    const struct hatch_svg_look *look, enum hatch_svg_paint *paint, float *rgb,
-                                    struct hatch_err *err)
+static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value, const struct hatch_svg_look *look,
+                                    enum hatch_svg_paint *paint, float *rgb, struct hatch_err *err)
 {
     if (hatch_text_is(value, "none") || hatch_text_is(value, "transparent")) {
         *paint = HATCH_SVG_NONE;

@@ -20,7 +20,7 @@ struct drawing {
     struct hatch_svg_sheet sheet;
     struct hatch_svg_look *looks; /* of the elements that the drawing is in, by depth from 1 on */
     uint32_t depth;
-    double page;                  /* user units */
+    double page; /* user units */
     struct hatch_svg_pen pen;
     struct hatch_path_builder dash;
     uint32_t dash_count;
@@ -109,8 +109,8 @@ static enum hatch_status look_at(struct drawing *d, const struct hatch_svg_node 
     *look = d->looks[d->depth - 1];
     look->own_opacity = 1;
     for (const char *const *a = attributes; *a; a += 2)
-        HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])},
-                                     (struct hatch_text){a[1], strlen(a[1])}, d->page, look, err));
+        HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])}, (struct hatch_text){a[1], strlen(a[1])},
+                                     d->page, look, err));
     HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, look, err));
     HATCH_TRY(hatch_svg_style(hatch_svg_attribute(attributes, "style"), d->page, look, err));
     look->opacity *= look->own_opacity;
@@ -126,8 +126,7 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
 {
     double box[4] = {0, 0, 100, 100};
     struct hatch_text view = hatch_svg_attribute(attributes, "viewBox");
-    struct hatch_text size[2] = {hatch_svg_attribute(attributes, "width"),
-                                 hatch_svg_attribute(attributes, "height")};
+    struct hatch_text size[2] = {hatch_svg_attribute(attributes, "width"), hatch_svg_attribute(attributes, "height")};
     bool viewed = view.length > 0;
     hatch_svg_skip(&view);
     if (viewed && !hatch_svg_numbers(&view, 4, box))
@@ -142,22 +141,21 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
     if (fabs(box[2] - box[3]) > NOT_SQUARE * fmax(box[2], box[3]))
         return hatch_fail(err, HATCH_BAD_INPUT, "a page of %g x %g, but a tile is a square", box[2], box[3]);
     d->page = box[2];
-    d->looks[0] = (struct hatch_svg_look){
-        .fill = HATCH_SVG_COLOR,
-        .width = 1,
-        .stroke_opacity = 1,
-        .opacity = 1,
-        .dashes = {"", 0},
-        .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
+    d->looks[0] = (struct hatch_svg_look){.fill = HATCH_SVG_COLOR,
+                                          .width = 1,
+                                          .stroke_opacity = 1,
+                                          .opacity = 1,
+                                          .dashes = {"", 0},
+                                          .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
     return HATCH_OK;
 }
 
 /* What is no shape and no group. */
 static void pass_over(struct drawing *d, const char *element)
 {
-    static const char *const silent[] = {"defs",   "symbol", "clipPath", "mask",  "marker", "style",
-                                         "pattern", "title",  "desc",     "metadata", "linearGradient",
-                                         "radialGradient", "filter", "namedview", NULL};
+    static const char *const silent[] = {"defs",           "symbol",         "clipPath", "mask",      "marker",
+                                         "style",          "pattern",        "title",    "desc",      "metadata",
+                                         "linearGradient", "radialGradient", "filter",   "namedview", NULL};
     static const char *const texts[] = {"text", "tspan", "textPath", "foreignObject", NULL};
     if (is_any(element, texts))
         d->notes.texts++;
@@ -170,8 +168,7 @@ static void pass_over(struct drawing *d, const char *element)
 /* Draws the element if it is a shape that is stroked. */
 static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
-    static const char *const shapes[] = {"path",     "line",   "polyline", "polygon",
-                                         "circle",   "ellipse", "rect",     NULL};
+    static const char *const shapes[] = {"path", "line", "polyline", "polygon", "circle", "ellipse", "rect", NULL};
     const struct hatch_svg_look *look = &d->looks[d->depth];
     bool drawn;
     if (!is_any(node->name, shapes)) {
@@ -221,8 +218,8 @@ static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_no
             HATCH_TRY(hatch_svg_length(text, d->page, &size[axis], err));
     }
     double scale = fmin(size[0] / box[2], size[1] / box[3]);
-    struct hatch_svg_matrix fit = {scale, 0, 0, scale, size[0] / 2 - scale * (box[0] + box[2] / 2),
-                                   size[1] / 2 - scale * (box[1] + box[3] / 2)};
+    struct hatch_svg_matrix fit = {
+        scale, 0, 0, scale, size[0] / 2 - scale * (box[0] + box[2] / 2), size[1] / 2 - scale * (box[1] + box[3] / 2)};
     struct hatch_svg_look *look = &d->looks[d->depth];
     look->matrix = hatch_svg_multiply(&look->matrix, &fit);
     return HATCH_OK;
@@ -285,7 +282,7 @@ static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_
 }
 
 static enum hatch_status read_drawing(struct drawing *d, struct hatch_bytes file, struct hatch_arena *scratch,
-                              struct hatch_err *err)
+                                      struct hatch_err *err)
 {
     HATCH_TRY(hatch_svg_tree_read(file, scratch, &d->tree, err));
     struct hatch_text sheet = {(const char *)d->tree.sheet.data, d->tree.sheet.size};

@@ -9,9 +9,9 @@
 
 /* What was passed over, counted. */
 struct hatch_svg_notes {
-    uint32_t strokes;   /* made */
-    uint32_t outside;   /* strokes that lie beyond the page altogether */
-    uint32_t fills;     /* shapes that are filled, stroked or not */
+    uint32_t strokes; /* made */
+    uint32_t outside; /* strokes that lie beyond the page altogether */
+    uint32_t fills;   /* shapes that are filled, stroked or not */
     uint32_t texts;
     uint32_t images;
     uint32_t gradients; /* strokes of a gradient or a pattern */

@@ -229,8 +229,8 @@ static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_s
     return HATCH_OK;
 }
 
-enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                      struct hatch_svg_tree *tree, struct hatch_err *err)
+enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_svg_tree *tree,
+                                      struct hatch_err *err)
 {
     if (file.size > INT_MAX / 2)
         return hatch_fail(err, HATCH_LIMIT, "%zu bytes of drawing", file.size);

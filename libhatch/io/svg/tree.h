@@ -14,10 +14,10 @@ struct hatch_svg_node {
     const char *name;              /* "svg:" taken off */
     const char *const *attributes; /* names and values in turn, NULL-terminated */
     struct hatch_svg_node *parent, *first, *last, *next;
-    uint32_t line, number;         /* in the file */
-    bool counting;     /* it is being counted: a clone that leads here holds itself */
-    uint32_t height;   /* elements below one another from here on, with clones; 0: not counted yet */
-    uint64_t elements; /* from here on, with clones */
+    uint32_t line, number; /* in the file */
+    bool counting;         /* it is being counted: a clone that leads here holds itself */
+    uint32_t height;       /* elements below one another from here on, with clones; 0: not counted yet */
+    uint64_t elements;     /* from here on, with clones */
 };
 
 struct hatch_svg_tree {
@@ -32,8 +32,8 @@ struct hatch_svg_tree {
  * <svg>, elements nested deeper than HATCH_SVG_DEPTH_MAX, entities that name entities or other files, clones
  * that hold themselves or nest too deep; HATCH_LIMIT for more than HATCH_SVG_CLONED_MAX elements by clones, and
  * when arena is too small. */
-enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                      struct hatch_svg_tree *tree, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_svg_tree *tree,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* What a clone names: "#id", in its href or xlink:href; empty where there is none. */
 struct hatch_text hatch_svg_href(const struct hatch_svg_node *node);

@@ -36,8 +36,7 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
     const uint32_t words[HEADER_WORDS] = {
         [0] = MAGIC,
         [1] = HEADER_BYTES,
-        [2] = HAS_CAPS | HAS_HEIGHT | HAS_WIDTH | HAS_PITCH | HAS_FORMAT | HAS_LEVELS |
-              (deep ? HAS_DEPTH : 0),
+        [2] = HAS_CAPS | HAS_HEIGHT | HAS_WIDTH | HAS_PITCH | HAS_FORMAT | HAS_LEVELS | (deep ? HAS_DEPTH : 0),
         [3] = texture->height,
         [4] = texture->width,
         [5] = texture->width * texture->channels,
@@ -46,8 +45,7 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
         [19] = FORMAT_BYTES,
         [20] = FORMAT_IS_FOURCC,
         [21] = FOURCC_DX10,
-        [27] = CAPS_TEXTURE | (complex ? CAPS_COMPLEX : 0) |
-               (texture->level_count > 1 ? CAPS_LEVELS : 0),
+        [27] = CAPS_TEXTURE | (complex ? CAPS_COMPLEX : 0) | (texture->level_count > 1 ? CAPS_LEVELS : 0),
         [28] = deep ? CAPS2_VOLUME : 0,
         [32] = dxgi_formats[texture->channels],
         [33] = deep ? DIMENSION_3D : DIMENSION_2D,
@@ -71,8 +69,7 @@ static enum hatch_status add_texels(const struct hatch_texels *texture, struct h
     return HATCH_OK;
 }
 
-enum hatch_status hatch_dds_write(const struct hatch_texels *texture, struct hatch_buffer *file,
-                                  struct hatch_err *err)
+enum hatch_status hatch_dds_write(const struct hatch_texels *texture, struct hatch_buffer *file, struct hatch_err *err)
 {
     assert(file->size == 0 && texture->channels != 3 && texture->level_count >= 1);
     assert(texture->level_count <= hatch_texels_chain_length(texture));

@@ -52,8 +52,7 @@ static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
     }
 }
 
-static enum hatch_status read_header(struct hatch_reader *reader, struct header *header,
-                                     struct hatch_err *err)
+static enum hatch_status read_header(struct hatch_reader *reader, struct header *header, struct hatch_err *err)
 {
     static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
     const uint8_t *first = hatch_read_bytes(reader, sizeof identifier);
@@ -70,13 +69,12 @@ static enum hatch_status read_header(struct hatch_reader *reader, struct header 
     header->scheme = hatch_read_u32(reader);
     hatch_read_bytes(reader, HATCH_KTX2_HEADER_BYTES - HATCH_KTX2_IDENTIFIER_BYTES - 9 * 4);
     if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes, want %u",
-                          reader->size, HATCH_KTX2_HEADER_BYTES);
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes, want %u", reader->size,
+                          HATCH_KTX2_HEADER_BYTES);
     return HATCH_OK;
 }
 
-static enum hatch_status check_header(const struct header *header, struct hatch_texels *texture,
-                                      struct hatch_err *err)
+static enum hatch_status check_header(const struct header *header, struct hatch_texels *texture, struct hatch_err *err)
 {
     enum hatch_texels_code code;
     uint32_t channels = channels_of(header->vk_format, &code);
@@ -89,12 +87,11 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
     if (header->faces != 1)
         return hatch_fail(err, HATCH_BAD_INPUT, "%u faces, want 1", header->faces);
     if (header->scheme != SCHEME_NONE && header->scheme != SCHEME_ZSTD)
-        return hatch_fail(err, HATCH_BAD_INPUT, "supercompression %u is neither none nor Zstandard",
-                          header->scheme);
-    if (header->width < 1 || header->width > SIDE_MAX || header->height < 1 ||
-        header->height > SIDE_MAX || header->depth > SIDE_MAX || header->layers > SIDE_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, %u layers, want 1 to %u",
-                          header->width, header->height, header->depth, header->layers, SIDE_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "supercompression %u is neither none nor Zstandard", header->scheme);
+    if (header->width < 1 || header->width > SIDE_MAX || header->height < 1 || header->height > SIDE_MAX ||
+        header->depth > SIDE_MAX || header->layers > SIDE_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, %u layers, want 1 to %u", header->width,
+                          header->height, header->depth, header->layers, SIDE_MAX);
     if (header->depth && header->layers)
         return hatch_fail(err, HATCH_BAD_INPUT, "arrays of 3D textures are not read");
     *texture = (struct hatch_texels){.width = header->width,
@@ -114,54 +111,49 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
 static double level_bytes(const struct hatch_texels *texture, uint32_t level)
 {
     uint32_t side = hatch_texels_block_side(texture->code);
-    double deep = texture->depth ? hatch_mip_size(texture->depth, level)
-                                 : (texture->layers ? texture->layers : 1);
+    double deep = texture->depth ? hatch_mip_size(texture->depth, level) : (texture->layers ? texture->layers : 1);
     double blocks = (double)((hatch_mip_size(texture->width, level) + side - 1) / side) *
                     ((hatch_mip_size(texture->height, level) + side - 1) / side);
     return deep * blocks * hatch_texels_block_bytes(texture->code, texture->channels);
 }
 
-static enum hatch_status check_memory(const struct hatch_texels *texture,
-                                      const struct hatch_arena *arena, struct hatch_err *err)
+static enum hatch_status check_memory(const struct hatch_texels *texture, const struct hatch_arena *arena,
+                                      struct hatch_err *err)
 {
     double total = 0;
     for (uint32_t level = 0; level < texture->level_count; level++)
         total += level_bytes(texture, level);
     size_t left = arena->limit_bytes - arena->used_bytes;
     if (total > (double)left)
-        return hatch_fail(err, HATCH_LIMIT, "%.0f bytes of texels, more than the %zu allowed",
-                          total, left);
+        return hatch_fail(err, HATCH_LIMIT, "%.0f bytes of texels, more than the %zu allowed", total, left);
     return HATCH_OK;
 }
 
-static enum hatch_status inflate(struct hatch_bytes packed, uint8_t *texels, size_t size,
-                                 uint32_t level, struct hatch_err *err)
+static enum hatch_status inflate(struct hatch_bytes packed, uint8_t *texels, size_t size, uint32_t level,
+                                 struct hatch_err *err)
 {
     size_t got = ZSTD_decompress(texels, size, packed.data, packed.size);
     if (ZSTD_isError(got))
-        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level,
-                          ZSTD_getErrorName(got));
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level, ZSTD_getErrorName(got));
     if (got != size)
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %zu bytes, want %zu", level, got, size);
     return HATCH_OK;
 }
 
-static enum hatch_status read_level(struct hatch_reader *reader, const struct header *header,
-                                    uint32_t level, struct hatch_arena *arena,
-                                    struct hatch_texels *texture, struct hatch_err *err)
+static enum hatch_status read_level(struct hatch_reader *reader, const struct header *header, uint32_t level,
+                                    struct hatch_arena *arena, struct hatch_texels *texture, struct hatch_err *err)
 {
     uint64_t offset = hatch_read_u64(reader), length = hatch_read_u64(reader);
     uint64_t whole = hatch_read_u64(reader);
     if (reader->cut)
         return hatch_fail(err, HATCH_BAD_INPUT, "cut in the level index");
     if (offset > reader->size || length > reader->size - offset)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut: level %u ends behind the file's %zu bytes",
-                          level, reader->size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "cut: level %u ends behind the file's %zu bytes", level, reader->size);
     size_t size = hatch_texels_level_size(texture, level);
     bool packed = header->scheme == SCHEME_ZSTD;
     if (whole != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
-        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu",
-                          level, (unsigned long long)length, (unsigned long long)whole, size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu", level,
+                          (unsigned long long)length, (unsigned long long)whole, size);
     uint8_t *texels = HATCH_NEW(arena, uint8_t, size, err);
     if (!texels)
         return HATCH_LIMIT;
@@ -174,16 +166,15 @@ static enum hatch_status read_level(struct hatch_reader *reader, const struct he
 }
 
 static enum hatch_status read_levels(struct hatch_reader *reader, const struct header *header,
-                                     struct hatch_arena *arena, struct hatch_texels *texture,
-                                     struct hatch_err *err)
+                                     struct hatch_arena *arena, struct hatch_texels *texture, struct hatch_err *err)
 {
     for (uint32_t level = 0; level < texture->level_count; level++)
         HATCH_TRY(read_level(reader, header, level, arena, texture, err));
     return HATCH_OK;
 }
 
-enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena,
-                                  struct hatch_texels *texture, struct hatch_err *err)
+enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_texels *texture,
+                                  struct hatch_err *err)
 {
     struct hatch_reader reader = hatch_reader_of(file);
     struct header header = {0};

@@ -18,10 +18,8 @@ static const uint32_t vk_formats[] = {0, 9, 16, 23, 37};
 static const struct code {
     uint32_t vk_format, model, bits, upper, type_size;
 } codes[] = {
-    [HATCH_TEXELS_PLAIN] = {0, 1, 8, 255, 1},
-    [HATCH_TEXELS_BC1] = {131, 128, 64, UINT32_MAX, 1},
-    [HATCH_TEXELS_BC4] = {139, 131, 64, UINT32_MAX, 1},
-    [HATCH_TEXELS_BC7] = {145, 134, 128, UINT32_MAX, 1},
+    [HATCH_TEXELS_PLAIN] = {0, 1, 8, 255, 1},           [HATCH_TEXELS_BC1] = {131, 128, 64, UINT32_MAX, 1},
+    [HATCH_TEXELS_BC4] = {139, 131, 64, UINT32_MAX, 1}, [HATCH_TEXELS_BC7] = {145, 134, 128, UINT32_MAX, 1},
     [HATCH_TEXELS_R32UI] = {98, 1, 32, 1, 4},
 };
 
@@ -40,8 +38,7 @@ static size_t pair_bytes(const struct pair *pair)
 }
 
 /* The format wants the keys in order. */
-static uint32_t sort_pairs(const struct hatch_texels *texture, const char *const *key_values,
-                           struct pair *pairs)
+static uint32_t sort_pairs(const struct hatch_texels *texture, const char *const *key_values, struct pair *pairs)
 {
     uint32_t count = 0;
     pairs[count++] = (struct pair){"KTXorientation", texture->depth ? "rdi" : "rd"};
@@ -74,8 +71,8 @@ static enum hatch_status add_u32s(struct hatch_buffer *file, const uint32_t *val
 }
 
 /* One plane, linear light, BT.709; each channel eight bits from 0 to 255, or a block as one sample. */
-static enum hatch_status add_descriptor(const struct hatch_texels *texture,
-                                        struct hatch_buffer *file, struct hatch_err *err)
+static enum hatch_status add_descriptor(const struct hatch_texels *texture, struct hatch_buffer *file,
+                                        struct hatch_err *err)
 {
     static const uint32_t channel_ids[] = {0, 1, 2, 15}; /* red, green, blue, alpha */
     const uint32_t primaries_bt709 = 1, transfer_linear = 1;
@@ -99,8 +96,8 @@ static enum hatch_status add_descriptor(const struct hatch_texels *texture,
     return HATCH_OK;
 }
 
-static enum hatch_status add_pairs(const struct pair *pairs, uint32_t count,
-                                   struct hatch_buffer *file, struct hatch_err *err)
+static enum hatch_status add_pairs(const struct pair *pairs, uint32_t count, struct hatch_buffer *file,
+                                   struct hatch_err *err)
 {
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)pair_bytes(&pairs[i]), err));
@@ -135,9 +132,8 @@ static enum hatch_status add_level_index(const struct hatch_texels *texture, con
     return HATCH_OK;
 }
 
-static enum hatch_status add_all(const struct hatch_texels *texture, const struct pair *pairs,
-                                 uint32_t pair_count, struct hatch_buffer *file,
-                                 struct hatch_err *err)
+static enum hatch_status add_all(const struct hatch_texels *texture, const struct pair *pairs, uint32_t pair_count,
+                                 struct hatch_buffer *file, struct hatch_err *err)
 {
     static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
     size_t index = HATCH_KTX2_HEADER_BYTES;
@@ -182,9 +178,8 @@ static enum hatch_status add_all(const struct hatch_texels *texture, const struc
     return HATCH_OK;
 }
 
-enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture,
-                                   const char *const *key_values, struct hatch_buffer *file,
-                                   struct hatch_err *err)
+enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture, const char *const *key_values,
+                                   struct hatch_buffer *file, struct hatch_err *err)
 {
     assert(file->size == 0 && texture->level_count >= 1);
     assert(texture->level_count <= hatch_texels_chain_length(texture));

@@ -106,8 +106,8 @@ START_TEST(a_full_arena_leaves_the_buffer_as_it_was)
 }
 END_TEST
 
-static enum hatch_status add_numbers(void *context, struct hatch_arena *keep,
-                                     struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status add_numbers(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                     struct hatch_err *err)
 {
     (void)scratch;
     struct hatch_buffer buffer = {.arena = keep};

@@ -103,8 +103,8 @@ START_TEST(no_pool_is_one_thread)
 }
 END_TEST
 
-static enum hatch_status make_and_free(void *context, struct hatch_arena *keep,
-                                       struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status make_and_free(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                       struct hatch_err *err)
 {
     (void)scratch;
     struct hatch_pool **pool = context;

@@ -42,8 +42,7 @@ START_TEST(units_are_uniform_along_index_stream_and_seed)
     for (int along = 0; along < 3; along++) {
         unsigned counts[CELLS] = {0};
         for (uint64_t i = 0; i < DRAWS; i++) {
-            float unit =
-                hatch_random_unit(along == 0 ? i : 7, along == 1 ? i : 7, along == 2 ? i : 7);
+            float unit = hatch_random_unit(along == 0 ? i : 7, along == 1 ? i : 7, along == 2 ? i : 7);
             ck_assert(unit >= 0 && unit < 1);
             ck_assert(unit * 0x1p24f == floorf(unit * 0x1p24f));
             counts[(int)(unit * CELLS)]++;
@@ -62,8 +61,7 @@ START_TEST(neighbours_are_independent)
             uint64_t a[3] = {5, 5, 5}, b[3] = {5, 5, 5};
             a[along] = i;
             b[along] = i + 1;
-            counts[hatch_random_u64(a[0], a[1], a[2]) >> 60 << 4 |
-                   hatch_random_u64(b[0], b[1], b[2]) >> 60]++;
+            counts[hatch_random_u64(a[0], a[1], a[2]) >> 60 << 4 | hatch_random_u64(b[0], b[1], b[2]) >> 60]++;
         }
         check_uniform(counts);
     }

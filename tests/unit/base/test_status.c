@@ -7,8 +7,7 @@
 START_TEST(a_sentence_is_formatted_and_the_status_returned)
 {
     struct hatch_err err;
-    ck_assert_int_eq(hatch_fail(&err, HATCH_BAD_INPUT, "row %d: %d fields, want %d", 12, 3, 4),
-                     HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_fail(&err, HATCH_BAD_INPUT, "row %d: %d fields, want %d", 12, 3, 4), HATCH_BAD_INPUT);
     ck_assert_int_eq(err.status, HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "row 12: 3 fields, want 4");
     ck_assert_int_eq(hatch_fail(NULL, HATCH_IO, "nobody asks"), HATCH_IO);

@@ -19,8 +19,7 @@ START_TEST(lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none)
     struct hatch_text rest = text_of("one\n\r\ntwo \r x\r\nthree"), line;
     for (int i = 0; i < 4; i++) {
         ck_assert(hatch_text_line(&rest, &line));
-        ck_assert_msg(hatch_text_is(line, want[i]), "line %d: '%.*s'", i, (int)line.length,
-                      line.at);
+        ck_assert_msg(hatch_text_is(line, want[i]), "line %d: '%.*s'", i, (int)line.length, line.at);
     }
     ck_assert(!hatch_text_line(&rest, &line));
     rest = text_of("a\n");
@@ -35,8 +34,8 @@ START_TEST(a_byte_order_mark_is_no_text)
     static const char *const files[] = {"", "\xef\xbb\xbf", "\xef\xbb", "\xef\xbb\xbf\x61\x62", "ab\xef\xbb\xbf"};
     static const char *const want[] = {"", "", "\xef\xbb", "ab", "ab\xef\xbb\xbf"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        ck_assert(hatch_text_is(hatch_text_of((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}),
-                                want[i]));
+        ck_assert(
+            hatch_text_is(hatch_text_of((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}), want[i]));
     ck_assert_uint_eq(hatch_text_of((struct hatch_bytes){NULL, 0}).length, 0);
 }
 END_TEST
@@ -58,8 +57,7 @@ START_TEST(fields_may_be_empty)
     struct hatch_text rest = text_of("\ta\t\tb c\t"), field;
     for (int i = 0; i < 5; i++) {
         ck_assert(hatch_text_field(&rest, &field));
-        ck_assert_msg(hatch_text_is(field, want[i]), "field %d: '%.*s'", i, (int)field.length,
-                      field.at);
+        ck_assert_msg(hatch_text_is(field, want[i]), "field %d: '%.*s'", i, (int)field.length, field.at);
     }
     ck_assert(!hatch_text_field(&rest, &field));
     rest = text_of("");
@@ -79,8 +77,8 @@ END_TEST
 
 START_TEST(a_slip_leaves_a_word_near)
 {
-    static const char *const near[] = {"width", "widht", "iwdth", "wdth", "idth", "widt", "wwidth", "widths", "wiXdth",
-                                       "Width", "widtX"};
+    static const char *const near[] = {"width",  "widht",  "iwdth",  "wdth",  "idth", "widt",
+                                       "wwidth", "widths", "wiXdth", "Width", "widtX"};
     static const char *const far[] = {"", "w", "wid", "wdithh", "thwid", "widththx", "dwith", "WIdth", "wi"};
     for (size_t i = 0; i < sizeof near / sizeof *near; i++)
         ck_assert_msg(hatch_text_is_near(text_of(near[i]), "width"), "%s is far", near[i]);
@@ -96,10 +94,8 @@ START_TEST(decimal_numbers_are_numbers)
     static const struct {
         const char *text;
         double value;
-    } good[] = {{"1", 1},       {"-0.5", -0.5},        {"+2", 2},
-                {"1e-3", 1e-3}, {".25", 0.25},         {"3.", 3},
-                {"1E+2", 100},  {"1e-400", 0},         {"0.1", 0.1},
-                {"-0", 0},      {"16777216", 16777216}};
+    } good[] = {{"1", 1},      {"-0.5", -0.5}, {"+2", 2},    {"1e-3", 1e-3}, {".25", 0.25},         {"3.", 3},
+                {"1E+2", 100}, {"1e-400", 0},  {"0.1", 0.1}, {"-0", 0},      {"16777216", 16777216}};
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         double value = -7;
         ck_assert_msg(hatch_text_number(text_of(good[i].text), &value), "%s", good[i].text);
@@ -115,9 +111,9 @@ END_TEST
 
 START_TEST(everything_else_is_none)
 {
-    static const char *const bad[] = {
-        "",   " 1", "1 ", "12x", "1,5",   "0x10", "inf", "-inf", "nan", "NaN",      "1e400", "--1",
-        "1e", "e5", ".",  "-",   "1.2.3", "1_0",  "½",   "1e+",  "1f",  "infinity", "+-1"};
+    static const char *const bad[] = {"",      " 1",  "1 ",    "12x", "1,5", "0x10",     "inf", "-inf",
+                                      "nan",   "NaN", "1e400", "--1", "1e",  "e5",       ".",   "-",
+                                      "1.2.3", "1_0", "½",     "1e+", "1f",  "infinity", "+-1"};
     double value = -7;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(!hatch_text_number(text_of(bad[i]), &value), "'%s'", bad[i]);
@@ -141,8 +137,7 @@ START_TEST(numbers_are_those_of_strtod)
         ck_assert_float_eq((float)read, (float)want);
     }
     double number;
-    static const char *const huge[] = {"1e999999999999", "-1e400"}, *const tiny[] = {"1e-999999999",
-                                                                                     "0e999999999"};
+    static const char *const huge[] = {"1e999999999999", "-1e400"}, *const tiny[] = {"1e-999999999", "0e999999999"};
     for (int i = 0; i < 2; i++) {
         ck_assert(hatch_text_decimal((struct hatch_text){huge[i], strlen(huge[i])}, &number));
         ck_assert(isinf(number));

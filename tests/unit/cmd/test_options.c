@@ -65,8 +65,7 @@ END_TEST
 START_TEST(values_of_every_type)
 {
     struct cmd_args args;
-    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard",
-          "--pair=4x.5");
+    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4x.5");
     ck_assert(flag && real_given);
     ck_assert_int_eq(whole, -3);
     ck_assert(real == 2500 && pair[0] == 4 && pair[1] == 0.5);
@@ -184,8 +183,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_common_options_and_their_defaults);
     tcase_add_test(tests, operands_keep_their_order);
     tcase_add_test(tests, the_bounds_themselves_are_allowed);
-    tcase_add_loop_exit_test(tests, wrong_values_exit_2, HATCH_USAGE, 0,
-                             (int)(sizeof wrong / sizeof *wrong));
+    tcase_add_loop_exit_test(tests, wrong_values_exit_2, HATCH_USAGE, 0, (int)(sizeof wrong / sizeof *wrong));
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -5,13 +5,16 @@
 #include "surface_check.h"
 #include "curvature/curvature.h"
 
-
 /* A roof of two squares that turns by an angle at its ridge, points 2 and 3. */
 static struct hatch_mesh roof(double degrees)
 {
     double turn = degrees * 3.14159265358979323846 / 180;
-    const float at[6][3] = {{-1, 0, 0}, {-1, 1, 0}, {0, 0, 0}, {0, 1, 0},
-                            {(float)cos(turn), 0, -(float)sin(turn)}, {(float)cos(turn), 1, -(float)sin(turn)}};
+    const float at[6][3] = {{-1, 0, 0},
+                            {-1, 1, 0},
+                            {0, 0, 0},
+                            {0, 1, 0},
+                            {(float)cos(turn), 0, -(float)sin(turn)},
+                            {(float)cos(turn), 1, -(float)sin(turn)}};
     static const uint32_t corners[12] = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
     return mesh_of(at[0], 6, corners, 4);
 }

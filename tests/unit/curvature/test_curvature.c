@@ -136,8 +136,8 @@ static struct field_case moved(const struct hatch_mesh *mesh, const double turn[
 
 START_TEST(turning_scaling_moving_change_nothing)
 {
-    static const double turn[3][3] = {{2.0 / 3, -1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3, -1.0 / 3},
-                                      {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
+    static const double turn[3][3] = {
+        {2.0 / 3, -1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3, -1.0 / 3}, {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
     static const double still[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct field_case of = case_with_truth(HATCH_SHAPE_ELLIPSOID, 4000, 0.1f);
     struct hatch_curvature found = estimate_case(&of, 0, 0);
@@ -186,9 +186,9 @@ START_TEST(threads_change_nothing)
             struct hatch_pool *pool;
             struct hatch_curvature many;
             HATCH_TEST_OK(hatch_pool_make(threads, &keep, &pool, &err), &err);
-            HATCH_TEST_OK(hatch_curvature_estimate(&of.surface, &of.frames, &options[o], pool, &keep, &scratch,
-                                                   &many, &err),
-                          &err);
+            HATCH_TEST_OK(
+                hatch_curvature_estimate(&of.surface, &of.frames, &options[o], pool, &keep, &scratch, &many, &err),
+                &err);
             hatch_pool_free(pool);
             size_t points = of.surface.point_count;
             ck_assert_mem_eq(many.direction, one.direction, points * 24);

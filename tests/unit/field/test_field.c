@@ -15,11 +15,10 @@ START_TEST(one_constraint_on_a_plane_is_everybodys)
     const struct hatch_field_data data = {of.direction, of.confidence, hard, false};
     for (int k = 0; k < 3; k++) {
         const struct hatch_field_options options = {k == 2 ? HATCH_FIELD_HZ : HATCH_FIELD_LINEAR,
-                                                    k == 1 ? HATCH_FIELD_CHOLESKY : HATCH_FIELD_MULTIGRID, 0.5,
-                                                    1e-10, 5000};
+                                                    k == 1 ? HATCH_FIELD_CHOLESKY : HATCH_FIELD_MULTIGRID, 0.5, 1e-10,
+                                                    5000};
         struct hatch_field field;
-        HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field,
-                                        &err),
+        HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
                       &err);
         ck_assert_uint_eq(field.undirected, 0);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
@@ -204,8 +203,8 @@ START_TEST(smooth_means_the_same_at_any_resolution)
         }
         struct hatch_field field = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.75);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
-            sum += of.frames.area[p] *
-                   line_angle(&of, p, &field.direction[3 * (size_t)p], &of.direction[3 * (size_t)p]);
+            sum +=
+                of.frames.area[p] * line_angle(&of, p, &field.direction[3 * (size_t)p], &of.direction[3 * (size_t)p]);
             area += of.frames.area[p];
         }
         mean[fine] = sum / area;
@@ -390,8 +389,8 @@ static enum hatch_status solve(void *context, struct hatch_arena *to, struct hat
     struct call *call = context;
     const struct hatch_field_data data = {call->of.direction, call->of.confidence, NULL, true};
     const struct hatch_field_options options = {call->method, HATCH_FIELD_MULTIGRID, 0.5, 1e-4, 100};
-    return hatch_field_solve(&call->of.surface, &call->of.frames, &data, &options, NULL, to, temporary,
-                             &call->field, why);
+    return hatch_field_solve(&call->of.surface, &call->of.frames, &data, &options, NULL, to, temporary, &call->field,
+                             why);
 }
 
 static enum hatch_status find(void *context, struct hatch_arena *to, struct hatch_arena *temporary,

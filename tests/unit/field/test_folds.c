@@ -26,8 +26,10 @@ static struct hatch_mesh can(double height, double depth)
             rim[1] = (float)(radius * sin(2 * PI * i / SIDES));
             rim[2] = top ? (float)height : 0;
         }
-        const uint32_t faces[4][3] = {{i, next, next + SIDES}, {i, next + SIDES, i + SIDES},
-                                      {2 * SIDES, next, i}, {2 * SIDES + 1, i + SIDES, next + SIDES}};
+        const uint32_t faces[4][3] = {{i, next, next + SIDES},
+                                      {i, next + SIDES, i + SIDES},
+                                      {2 * SIDES, next, i},
+                                      {2 * SIDES + 1, i + SIDES, next + SIDES}};
         memcpy(corners[4 * i], faces, sizeof faces);
     }
     at[2 * SIDES + 1][2] = (float)height;

@@ -89,8 +89,8 @@ START_TEST(even_change_is_no_pop)
 }
 END_TEST
 
-static enum hatch_status low(void *context, struct hatch_arena *arena,
-                             struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status low(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                             struct hatch_err *error)
 {
     double *difference = context;
     struct hatch_image image;

@@ -32,13 +32,11 @@ START_TEST(halving_keeps_the_mean_of_every_size)
         for (uint32_t height = 1; height <= 23; height++) {
             struct hatch_arena_mark mark = hatch_arena_mark(&keep);
             struct hatch_image fine = noise(width, height, "RGB");
-            struct hatch_image coarse =
-                noise(hatch_mip_size(width, 1), hatch_mip_size(height, 1), "RGB");
+            struct hatch_image coarse = noise(hatch_mip_size(width, 1), hatch_mip_size(height, 1), "RGB");
             hatch_image_halve(&fine, &coarse);
             for (uint32_t c = 0; c < 3; c++)
-                ck_assert_msg(fabs(mean_of(&coarse, c) - mean_of(&fine, c)) < 1e-6,
-                              "%ux%u, channel %u: %g, %g", width, height, c, mean_of(&coarse, c),
-                              mean_of(&fine, c));
+                ck_assert_msg(fabs(mean_of(&coarse, c) - mean_of(&fine, c)) < 1e-6, "%ux%u, channel %u: %g, %g", width,
+                              height, c, mean_of(&coarse, c), mean_of(&fine, c));
             hatch_arena_rewind(&keep, mark);
         }
 }
@@ -90,23 +88,21 @@ START_TEST(a_chain_goes_down_to_one_pixel_and_keeps_what_was_given)
 }
 END_TEST
 
-static double naive_box(const struct hatch_image *image, uint32_t channel, uint32_t side,
-                        uint32_t x, uint32_t y)
+static double naive_box(const struct hatch_image *image, uint32_t channel, uint32_t side, uint32_t x, uint32_t y)
 {
     double sum = 0;
     for (uint32_t j = 0; j < side; j++)
         for (uint32_t i = 0; i < side; i++)
-            sum += (double)image
-                       ->pixels[((y + j) % image->height * image->width + (x + i) % image->width) *
-                                    image->channel_count +
-                                channel];
+            sum +=
+                (double)image
+                    ->pixels[((y + j) % image->height * image->width + (x + i) % image->width) * image->channel_count +
+                             channel];
     return sum / ((double)side * side);
 }
 
 START_TEST(the_box_blur_is_the_naive_loop)
 {
-    static const uint32_t sizes[][3] = {{16, 16, 1}, {16, 16, 5}, {16, 16, 16},
-                                        {13, 7, 3},  {7, 13, 7},  {1, 1, 1}};
+    static const uint32_t sizes[][3] = {{16, 16, 1}, {16, 16, 5}, {16, 16, 16}, {13, 7, 3}, {7, 13, 7}, {1, 1, 1}};
     for (int s = 0; s < 6; s++) {
         uint32_t width = sizes[s][0], height = sizes[s][1];
         struct hatch_image image = noise(width, height, "RGB");
@@ -114,15 +110,14 @@ START_TEST(the_box_blur_is_the_naive_loop)
         HATCH_TEST_OK(hatch_blur_box(&image, 1, sizes[s][2], &scratch, blurred, &err), &err);
         for (uint32_t y = 0; y < height; y++)
             for (uint32_t x = 0; x < width; x++)
-                ck_assert_double_eq_tol(blurred[y * width + x],
-                                        naive_box(&image, 1, sizes[s][2], x, y), 1e-12);
+                ck_assert_double_eq_tol(blurred[y * width + x], naive_box(&image, 1, sizes[s][2], x, y), 1e-12);
     }
     ck_assert_uint_eq(scratch.used_bytes > 0 && hatch_arena_mark(&scratch).block != NULL, 0);
 }
 END_TEST
 
-static enum hatch_status complete(void *context, struct hatch_arena *to,
-                                  struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status complete(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                                  struct hatch_err *said)
 {
     (void)temporary;
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {*(struct hatch_image *)context};

@@ -20,11 +20,10 @@ static void end(void)
     hatch_arena_free(&keep);
 }
 
-static struct hatch_texels texture(uint32_t width, uint32_t height, uint32_t layers, uint32_t depth,
-                                   uint32_t channels)
+static struct hatch_texels texture(uint32_t width, uint32_t height, uint32_t layers, uint32_t depth, uint32_t channels)
 {
-    struct hatch_texels made = {.width = width, .height = height, .layers = layers, .depth = depth,
-                                .channels = channels};
+    struct hatch_texels made = {
+        .width = width, .height = height, .layers = layers, .depth = depth, .channels = channels};
     made.level_count = hatch_texels_chain_length(&made);
     HATCH_TEST_OK(hatch_texels_make(&keep, &made, &err), &err);
     return made;
@@ -70,8 +69,13 @@ START_TEST(bc4_blocks_are_read_as_specified)
 {
     uint8_t blocks[2][8] = {{211, 0, 0x88, 0xc6, 0xfa, 0, 0, 0}, {0, 252, 0x88, 0xc6, 0xfa, 0, 0, 0}};
     static const uint8_t want[2][8] = {{211, 0, 181, 151, 121, 90, 60, 30}, {0, 252, 50, 101, 151, 202, 0, 255}};
-    struct hatch_texels packed = {.width = 4, .height = 4, .channels = 1, .level_count = 1,
-                                  .code = HATCH_TEXELS_BC4, .texels = {blocks[_i]}}, back;
+    struct hatch_texels packed = {.width = 4,
+                                  .height = 4,
+                                  .channels = 1,
+                                  .level_count = 1,
+                                  .code = HATCH_TEXELS_BC4,
+                                  .texels = {blocks[_i]}},
+                        back;
     HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
     for (uint32_t i = 0; i < 8; i++) /* indices 0 to 7 */
         ck_assert_uint_eq(back.texels[0][i], want[_i][i]);
@@ -134,8 +138,13 @@ START_TEST(bc1_blocks_are_read_as_specified)
     uint8_t blocks[2][8] = {{0, 0xf8, 0x1f, 0, 0xe4, 0, 0, 0}, {0x1f, 0, 0, 0xf8, 0xe4, 0, 0, 0}};
     static const uint8_t want[2][4][3] = {{{255, 0, 0}, {0, 0, 255}, {170, 0, 85}, {85, 0, 170}},
                                           {{0, 0, 255}, {255, 0, 0}, {128, 0, 128}, {0, 0, 0}}};
-    struct hatch_texels packed = {.width = 4, .height = 4, .channels = 3, .level_count = 1,
-                                  .code = HATCH_TEXELS_BC1, .texels = {blocks[_i]}}, back;
+    struct hatch_texels packed = {.width = 4,
+                                  .height = 4,
+                                  .channels = 3,
+                                  .level_count = 1,
+                                  .code = HATCH_TEXELS_BC1,
+                                  .texels = {blocks[_i]}},
+                        back;
     HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
     ck_assert_uint_eq(back.channels, 3);
     for (uint32_t i = 0; i < 4; i++) /* indices 0 to 3 */
@@ -184,8 +193,9 @@ END_TEST
 START_TEST(a_block_of_another_mode_is_refused)
 {
     uint8_t block[16] = {1};
-    struct hatch_texels back, packed = {.width = 4, .height = 4, .channels = 4, .level_count = 1,
-                                        .code = HATCH_TEXELS_BC7, .texels = {block}};
+    struct hatch_texels back,
+        packed = {
+            .width = 4, .height = 4, .channels = 4, .level_count = 1, .code = HATCH_TEXELS_BC7, .texels = {block}};
     ck_assert_int_eq(hatch_texels_unpack(&packed, &keep, &back, &err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(err.text, "mode"));
 }

@@ -63,8 +63,7 @@ static void same(const struct hatch_texels *a, const struct hatch_texels *b)
     ck_assert(a->layers == b->layers && a->channels == b->channels && a->code == b->code);
     ck_assert_uint_eq(a->level_count, b->level_count);
     for (uint32_t level = 0; level < a->level_count; level++)
-        ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) ==
-                  0);
+        ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) == 0);
 }
 
 START_TEST(what_is_written_is_read)
@@ -105,8 +104,7 @@ START_TEST(damaged_keys_are_refused_or_left_out)
     for (size_t at = first; at < where + 100; at++) {
         memcpy(bytes, file.data, file.size);
         bytes[at] = 0xff;
-        enum hatch_status status =
-            hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err);
+        enum hatch_status status = hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err);
         ck_assert(status == HATCH_OK || status == HATCH_BAD_INPUT);
         ck_assert(status == HATCH_OK || (at < where ? at < 64 : 1));
     }
@@ -141,8 +139,7 @@ static struct hatch_bytes supercompress(struct hatch_bytes file, uint32_t levels
         size_t entry = 80 + 24 * level;
         size_t size = (size_t)get(file.data + entry + 8);
         uint8_t *packed = HATCH_NEW(&keep, uint8_t, ZSTD_compressBound(size), &err);
-        size_t length = ZSTD_compress(packed, ZSTD_compressBound(size),
-                                      file.data + get(file.data + entry), size, 3);
+        size_t length = ZSTD_compress(packed, ZSTD_compressBound(size), file.data + get(file.data + entry), size, 3);
         put(out.data + entry, out.size, 8);
         put(out.data + entry + 8, length, 8);
         HATCH_TEST_OK(hatch_buffer_add(&out, packed, length, &err), &err);
@@ -217,8 +214,7 @@ START_TEST(dds_is_laid_out_as_published)
     struct hatch_texels texture = make(2);
     struct hatch_buffer file = {.arena = &keep};
     HATCH_TEST_OK(hatch_dds_write(&texture, &file, &err), &err);
-    static const uint32_t want[][2] = {{4, 124}, {12, 16},  {16, 16}, {28, 5},
-                                       {76, 32}, {128, 61}, {132, 3}, {140, 6}};
+    static const uint32_t want[][2] = {{4, 124}, {12, 16}, {16, 16}, {28, 5}, {76, 32}, {128, 61}, {132, 3}, {140, 6}};
     ck_assert(memcmp(file.data, "DDS ", 4) == 0 && memcmp(file.data + 84, "DX10", 4) == 0);
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
         uint32_t value = (uint32_t)get(file.data + want[i][0]);
@@ -240,16 +236,16 @@ struct reading {
     struct hatch_texels texture;
 };
 
-static enum hatch_status read_ktx2(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_err *error)
+static enum hatch_status read_ktx2(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_err *error)
 {
     struct reading *reading = context;
     (void)scratch;
     return hatch_ktx2_read(reading->file, arena, &reading->texture, error);
 }
 
-static enum hatch_status write_both(void *context, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_err *error)
+static enum hatch_status write_both(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct hatch_err *error)
 {
     struct hatch_buffer ktx2 = {.arena = arena}, dds = {.arena = arena};
     (void)scratch;

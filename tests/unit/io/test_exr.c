@@ -48,8 +48,8 @@ static void make_part(const struct kind *kind, uint32_t part, struct hatch_mipma
     strcat(names, kind->ids ? "it" : "");
     for (uint32_t l = 0; l < mipmap->level_count; l++) {
         struct hatch_image *level = &mipmap->levels[l];
-        HATCH_TEST_OK(hatch_image_make(&keep, hatch_mip_size(kind->width, l),
-                                       hatch_mip_size(kind->height, l), names, level, &err),
+        HATCH_TEST_OK(hatch_image_make(&keep, hatch_mip_size(kind->width, l), hatch_mip_size(kind->height, l), names,
+                                       level, &err),
                       &err);
         if (kind->ids) {
             level->channels[level->channel_count - 2] = (struct hatch_channel){"id", HATCH_UINT};
@@ -128,9 +128,9 @@ START_TEST(what_is_written_is_read)
     for (uint32_t i = 0; i < count; i++)
         make_part(kind, i, &parts[i]);
     struct hatch_buffer file = write_all(parts, count, 1);
-    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got,
-                                 &got_count, &err),
-                  &err);
+    HATCH_TEST_OK(
+        hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got, &got_count, &err),
+        &err);
     ck_assert_uint_eq(got_count, count);
     for (uint32_t i = 0; i < count; i++)
         same_part(&got[i], &parts[i]);
@@ -189,8 +189,7 @@ START_TEST(every_cut_is_refused)
     for (size_t size = 0; size < file.size; size += size < 1500 ? 1 : 97) {
         struct hatch_bytes cut = {file.data, size};
         enum hatch_status status = hatch_exr_read(cut, NULL, &keep, &scratch, &got, &count, &err);
-        ck_assert_msg(status == HATCH_BAD_INPUT, "%zu of %zu bytes: status %d", size, file.size,
-                      (int)status);
+        ck_assert_msg(status == HATCH_BAD_INPUT, "%zu of %zu bytes: status %d", size, file.size, (int)status);
         ck_assert(err.text[0] && !got && count == 77);
     }
 }
@@ -216,9 +215,9 @@ START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
     struct hatch_buffer file = write_all(&part, 1, 1);
     struct hatch_arena small;
     hatch_arena_init(&small, 65536);
-    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &small, &scratch,
-                                    &got, &count, &err),
-                     HATCH_LIMIT);
+    ck_assert_int_eq(
+        hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &small, &scratch, &got, &count, &err),
+        HATCH_LIMIT);
     ck_assert_uint_eq(small.peak_bytes, 0);
 }
 END_TEST
@@ -239,9 +238,9 @@ START_TEST(a_window_that_lies_is_refused_before_anything_is_taken)
         at++;
     memcpy(file.data + at + sizeof name + 4 + 8, corner, sizeof corner);
     hatch_arena_init(&large, SIZE_MAX);
-    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &large, &scratch,
-                                    &got, &count, &err),
-                     HATCH_BAD_INPUT);
+    ck_assert_int_eq(
+        hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &large, &scratch, &got, &count, &err),
+        HATCH_BAD_INPUT);
     ck_assert_uint_eq(large.peak_bytes, 0);
     ck_assert(strstr(err.text, "40000x40000"));
 }
@@ -289,16 +288,16 @@ struct reading {
     struct hatch_mipmap *parts;
 };
 
-static enum hatch_status read_file(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status read_file(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                   struct hatch_err *error)
 {
     struct reading *reading = context;
     uint32_t count = 0;
     return hatch_exr_read(reading->file, NULL, arena, temporary, &reading->parts, &count, error);
 }
 
-static enum hatch_status write_file(void *context, struct hatch_arena *arena,
-                                    struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status write_file(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                    struct hatch_err *error)
 {
     const struct hatch_mipmap *part = context;
     struct hatch_exr_writer *writer = NULL;

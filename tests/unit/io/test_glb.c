@@ -54,9 +54,9 @@ static void make_meshes(void)
     const struct hatch_shape_options options = {.faces = 12, .jitter = 0.3f};
     for (uint32_t i = 0; i < 5; i++) {
         struct hatch_mesh *mesh = &scene_meshes[i].mesh;
-        HATCH_TEST_OK(hatch_shape_make(i % 2 ? HATCH_SHAPE_TORUS : HATCH_SHAPE_PLANE, &options,
-                                       &keep, &scratch, mesh, &err),
-                      &err);
+        HATCH_TEST_OK(
+            hatch_shape_make(i % 2 ? HATCH_SHAPE_TORUS : HATCH_SHAPE_PLANE, &options, &keep, &scratch, mesh, &err),
+            &err);
         scene_meshes[i].material = i == 4 ? HATCH_NONE : i;
         scene_meshes[i].file_vertices = mesh->vertex_count;
         scene_meshes[i].had_texcoords = scene_meshes[i].had_normals = true;
@@ -137,12 +137,10 @@ static void make_looks(void)
     };
     memcpy(materials, made, sizeof made);
     cameras[0] = (struct hatch_camera){.yfov_rad = 0.7f, .aspect = 1.7777778f, .znear = 0.01f};
-    cameras[1] =
-        (struct hatch_camera){.orthographic = true, .ymag = 0.3f, .aspect = 1.1f, .zfar = 9};
+    cameras[1] = (struct hatch_camera){.orthographic = true, .ymag = 0.3f, .aspect = 1.1f, .zfar = 9};
     cameras[2] = (struct hatch_camera){.yfov_rad = 1.2f, .znear = 0.1f, .zfar = 100};
     for (int i = 0; i < 3; i++)
-        lights[i] = (struct hatch_light){
-            (enum hatch_light_type)i, {1, 0.9f, 0.1f}, 3.3f, 0, 0, 0.78539816f};
+        lights[i] = (struct hatch_light){(enum hatch_light_type)i, {1, 0.9f, 0.1f}, 3.3f, 0, 0, 0.78539816f};
     lights[1].range = 12.5f;
     lights[2].inner_cone_rad = 0.1f;
     lights[2].outer_cone_rad = 0.2f;
@@ -157,8 +155,7 @@ static void make_motion(void)
     skins[0] = (struct hatch_skin){2, joints, inverse_bind};
     static const enum hatch_interpolation ways[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
     for (uint32_t i = 0; i < 3; i++)
-        channels[i] = (struct hatch_animation_channel){
-            i, (enum hatch_channel_path)i, ways[i], 3, times, values, 0};
+        channels[i] = (struct hatch_animation_channel){i, (enum hatch_channel_path)i, ways[i], 3, times, values, 0};
     channels[3] = (struct hatch_animation_channel){4, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2};
     animations[0] = (struct hatch_animation){4, channels, 2.5f};
 }
@@ -170,9 +167,8 @@ static void begin_scene(void)
     make_nodes();
     make_looks();
     make_motion();
-    whole = (struct hatch_scene){
-        5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
-        nodes, materials, textures, cameras, lights, skins, animations};
+    whole = (struct hatch_scene){5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
+                                 nodes, materials, textures, cameras, lights, skins, animations};
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
@@ -186,9 +182,9 @@ static struct hatch_buffer write_and_read(const struct hatch_scene *scene)
 {
     struct hatch_mesh_notes notes = {0};
     struct hatch_buffer file = written(scene);
-    HATCH_TEST_OK(hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep,
-                                  &scratch, &back, &notes, &err),
-                  &err);
+    HATCH_TEST_OK(
+        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch, &back, &notes, &err),
+        &err);
     return file;
 }
 
@@ -278,9 +274,8 @@ START_TEST(looks_come_back)
     ck_assert_mem_eq(back.lights, lights, sizeof lights);
     for (uint32_t c = 0; c < 3; c++) {
         const struct hatch_camera *a = &cameras[c], *b = &back.cameras[c];
-        ck_assert(a->orthographic == b->orthographic && a->yfov_rad == b->yfov_rad &&
-                  a->ymag == b->ymag && a->aspect == b->aspect && a->znear == b->znear &&
-                  a->zfar == b->zfar);
+        ck_assert(a->orthographic == b->orthographic && a->yfov_rad == b->yfov_rad && a->ymag == b->ymag &&
+                  a->aspect == b->aspect && a->znear == b->znear && a->zfar == b->zfar);
     }
 }
 END_TEST
@@ -295,8 +290,7 @@ START_TEST(motion_comes_back)
     ck_assert_uint_eq(back.animations[0].channel_count, 4);
     ck_assert_float_eq(back.animations[0].duration_s, 2.5f);
     for (uint32_t c = 0; c < 4; c++) {
-        const struct hatch_animation_channel *a = &channels[c],
-                                             *b = &back.animations[0].channels[c];
+        const struct hatch_animation_channel *a = &channels[c], *b = &back.animations[0].channels[c];
         ck_assert(a->node == b->node && a->path == b->path && a->interpolation == b->interpolation);
         same_floats(b->times_s, times, 3);
         ck_assert_uint_eq(b->targets, a->targets);
@@ -358,9 +352,9 @@ START_TEST(what_is_too_much_is_counted)
         HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, name, 1, &data, &err), &err);
     }
     struct hatch_buffer file = written(&whole);
-    HATCH_TEST_OK(hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch,
-                                  &back, &notes, &err),
-                  &err);
+    HATCH_TEST_OK(
+        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch, &back, &notes, &err),
+        &err);
     ck_assert_uint_eq(back.meshes[4].mesh.attribute_count, HATCH_MESH_ATTRIBUTES_READ + 2);
     ck_assert_uint_eq(notes.attributes_dropped, 2);
 }
@@ -378,8 +372,8 @@ START_TEST(the_box_is_exact)
     char want[120];
     float low[3], high[3];
     ck_assert(hatch_mesh_bounds(mesh, low, high));
-    snprintf(want, sizeof want, "\"min\":[%.9g,%.9g,%.9g],\"max\":[%.9g,%.9g,%.9g]", (double)low[0],
-             (double)low[1], (double)low[2], (double)high[0], (double)high[1], (double)high[2]);
+    snprintf(want, sizeof want, "\"min\":[%.9g,%.9g,%.9g],\"max\":[%.9g,%.9g,%.9g]", (double)low[0], (double)low[1],
+             (double)low[2], (double)high[0], (double)high[1], (double)high[2]);
     size_t length = strlen(want);
     bool found = false;
     for (size_t at = 0; at + length <= file.size && !found; at++)
@@ -449,8 +443,8 @@ START_TEST(four_gigabytes_are_too_many)
 }
 END_TEST
 
-static enum hatch_status write_one(void *context, struct hatch_arena *kept,
-                                   struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status write_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                   struct hatch_err *error)
 {
     struct hatch_buffer file = {.arena = kept};
     return hatch_glb_write_scene(context, "x", temporary, &file, error);

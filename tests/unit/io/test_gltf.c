@@ -20,8 +20,8 @@ static void begin_reading(void)
     companion = (struct hatch_bytes){NULL, 0};
 }
 
-static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
-                                 struct hatch_bytes *bytes, struct hatch_err *error)
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                                 struct hatch_err *error)
 {
     (void)context;
     (void)arena;
@@ -33,8 +33,7 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
 
 static enum hatch_status read_scene(const void *data, size_t size)
 {
-    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene,
-                           &notes, &err);
+    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene, &notes, &err);
 }
 
 static void same_attribute(const struct hatch_mesh *a, const struct hatch_mesh *b, uint32_t i)
@@ -67,9 +66,7 @@ START_TEST(shapes_come_back_bit_for_bit)
         for (uint32_t faces = 50; faces <= 200000; faces *= faces < 1000 ? 100 : 40) {
             struct hatch_mesh mesh;
             const struct hatch_shape_options options = {.faces = faces, .jitter = 0.5f};
-            HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch, &mesh,
-                                           &err),
-                          &err);
+            HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch, &mesh, &err), &err);
             round_trip(&mesh);
         }
 }
@@ -80,7 +77,7 @@ START_TEST(every_attribute_comes_back)
     static const struct {
         const char *name;
         uint32_t components;
-    } extras[] = {{"NORMAL", 3},   {"TEXCOORD_1", 2}, {"COLOR_0", 4}, {"JOINTS_0", 4},
+    } extras[] = {{"NORMAL", 3},    {"TEXCOORD_1", 2}, {"COLOR_0", 4}, {"JOINTS_0", 4},
                   {"WEIGHTS_0", 4}, {"_HATCH_DIR", 4}, {"_ONE", 1}};
     struct hatch_mesh mesh;
     HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &mesh, &err), &err);
@@ -89,8 +86,7 @@ START_TEST(every_attribute_comes_back)
         mesh.indices[i] = i;
     for (size_t i = 0; i < sizeof extras / sizeof *extras; i++) {
         float *data;
-        HATCH_TEST_OK(
-            hatch_mesh_add(&keep, &mesh, extras[i].name, extras[i].components, &data, &err), &err);
+        HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, extras[i].name, extras[i].components, &data, &err), &err);
         for (uint32_t k = 0; k < 3 * extras[i].components; k++)
             data[k] = (float)(k + i);
     }
@@ -132,24 +128,24 @@ static const struct {
     {7, 7, 7, 8, 8, 8},
 };
 
-#define HEAD                                                                                       \
-    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"b.bin\",\"byteLength\":128}],"       \
-    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"                                           \
-    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":48,\"byteStride\":12},"                        \
-    "{\"buffer\":0,\"byteOffset\":96,\"byteLength\":4},"                                           \
-    "{\"buffer\":0,\"byteOffset\":100,\"byteLength\":4},"                                          \
-    "{\"buffer\":0,\"byteOffset\":104,\"byteLength\":24}],"                                        \
-    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"      \
-    "{\"bufferView\":1,\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC3\"}," \
-    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"normalized\":true,\"count\":4,"   \
-    "\"type\":\"VEC4\"},"                                                                          \
-    "{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"},"                   \
-    "{\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":2,"               \
-    "\"indices\":{\"bufferView\":3,\"componentType\":5121},\"values\":{\"bufferView\":4}}},"       \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                   \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                     \
-    "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"     \
-    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},"      \
+#define HEAD                                                                                                           \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"b.bin\",\"byteLength\":128}],"                           \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"                                                               \
+    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":48,\"byteStride\":12},"                                            \
+    "{\"buffer\":0,\"byteOffset\":96,\"byteLength\":4},"                                                               \
+    "{\"buffer\":0,\"byteOffset\":100,\"byteLength\":4},"                                                              \
+    "{\"buffer\":0,\"byteOffset\":104,\"byteLength\":24}],"                                                            \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"                          \
+    "{\"bufferView\":1,\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC3\"},"                     \
+    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"normalized\":true,\"count\":4,"                       \
+    "\"type\":\"VEC4\"},"                                                                                              \
+    "{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"},"                                       \
+    "{\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":2,"                                   \
+    "\"indices\":{\"bufferView\":3,\"componentType\":5121},\"values\":{\"bufferView\":4}}},"                           \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                                       \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                                         \
+    "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},"                     \
+    "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},"                        \
     "{\"bufferView\":1,\"byteOffset\":8,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"}]"
 #define MESH(rest) HEAD ",\"meshes\":[{\"primitives\":[{" rest "}]}],\"nodes\":[{\"mesh\":0}]}"
 
@@ -169,8 +165,7 @@ static const struct hatch_mesh *reads(const char *json, uint32_t faces)
 
 START_TEST(strips_become_triangles)
 {
-    const struct hatch_mesh *mesh = reads(
-        MESH("\"attributes\":{\"POSITION\":0},\"indices\":3,\"mode\":5"), 2);
+    const struct hatch_mesh *mesh = reads(MESH("\"attributes\":{\"POSITION\":0},\"indices\":3,\"mode\":5"), 2);
     /* Flat normals: one for both, since the square is flat. */
     ck_assert_uint_eq(mesh->vertex_count, 4);
     ck_assert_float_eq(hatch_mesh_find(mesh, "NORMAL", 3)[2], 1);
@@ -182,8 +177,7 @@ END_TEST
 
 START_TEST(fans_become_triangles)
 {
-    const struct hatch_mesh *mesh = reads(
-        MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":0},\"mode\":6"), 2);
+    const struct hatch_mesh *mesh = reads(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":0},\"mode\":6"), 2);
     const uint32_t fan[] = {0, 1, 2, 0, 2, 3};
     ck_assert_mem_eq(mesh->indices, fan, sizeof fan);
     ck_assert(scene.meshes[0].had_normals);
@@ -192,8 +186,8 @@ END_TEST
 
 START_TEST(interleaved_and_normalised_numbers)
 {
-    const struct hatch_mesh *mesh = reads(
-        MESH("\"attributes\":{\"POSITION\":1,\"NORMAL\":0,\"COLOR_0\":2},\"mode\":5"), 2);
+    const struct hatch_mesh *mesh =
+        reads(MESH("\"attributes\":{\"POSITION\":1,\"NORMAL\":0,\"COLOR_0\":2},\"mode\":5"), 2);
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, -1, 0, 1, 1, 0};
     ck_assert_mem_eq(mesh->attributes[0].data, positions, sizeof positions);
     const float *color = hatch_mesh_find(mesh, "COLOR_0", 4);
@@ -205,8 +199,8 @@ END_TEST
 
 START_TEST(sparse_values_lie_over_zeros)
 {
-    const struct hatch_mesh *mesh = reads(
-        MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"_EXTRA\":4},\"mode\":5"), 2);
+    const struct hatch_mesh *mesh =
+        reads(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"_EXTRA\":4},\"mode\":5"), 2);
     const float want[] = {0, 0, 0, 7, 7, 7, 0, 0, 0, 8, 8, 8};
     ck_assert_mem_eq(hatch_mesh_find(mesh, "_EXTRA", 3), want, sizeof want);
 }
@@ -237,8 +231,8 @@ END_TEST
 /* The target is the square itself: half of it makes the square half as large again. */
 START_TEST(morph_targets_count_at_rest)
 {
-#define MORPH(mesh, node)                                                                                    \
-    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":5,\"targets\":["           \
+#define MORPH(mesh, node)                                                                                              \
+    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":5,\"targets\":["                     \
          "{\"NORMAL\":0},{\"POSITION\":" mesh "}]}],\"weights\":[1,0.5]}],\"nodes\":[{\"mesh\":0" node "}]}"
     ck_assert_float_eq(reads(MORPH("0", ""), 2)->attributes[0].data[3], 1.5f);
     ck_assert_float_eq(reads(MORPH("0", ",\"weights\":[0,2]"), 2)->attributes[0].data[3], 3);
@@ -249,15 +243,14 @@ END_TEST
 
 START_TEST(nodes_stand_after_their_parents)
 {
-    HATCH_TEST_OK(
-        read_text(HEAD ",\"scene\":0,\"scenes\":[{\"nodes\":[2]}],\"cameras\":[{\"type\":\"perspective\","
-                       "\"perspective\":{\"yfov\":0.5,\"znear\":0.1}}],"
-                       "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\","
-                       "\"spot\":{\"outerConeAngle\":0.5},\"intensity\":3,\"color\":[1,0.5,0]}]}},"
-                       "\"nodes\":[{\"camera\":0},{\"children\":[0],\"translation\":[1,2,3]},"
-                       "{\"children\":[1,4],\"rotation\":[0,2,0,0]},{},"
-                       "{\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}]}"),
-        &err);
+    HATCH_TEST_OK(read_text(HEAD ",\"scene\":0,\"scenes\":[{\"nodes\":[2]}],\"cameras\":[{\"type\":\"perspective\","
+                                 "\"perspective\":{\"yfov\":0.5,\"znear\":0.1}}],"
+                                 "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\","
+                                 "\"spot\":{\"outerConeAngle\":0.5},\"intensity\":3,\"color\":[1,0.5,0]}]}},"
+                                 "\"nodes\":[{\"camera\":0},{\"children\":[0],\"translation\":[1,2,3]},"
+                                 "{\"children\":[1,4],\"rotation\":[0,2,0,0]},{},"
+                                 "{\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}]}"),
+                  &err);
     ck_assert_uint_eq(scene.node_count, 4); /* node 3 is in no scene */
     const uint32_t parents[] = {HATCH_NONE, 0, 0, 1};
     for (int i = 0; i < 4; i++)
@@ -272,9 +265,9 @@ START_TEST(nodes_stand_after_their_parents)
 }
 END_TEST
 
-#define MOVING(channel)                                                                            \
-    HEAD ",\"nodes\":[{},{\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"                         \
-         "\"skins\":[{\"joints\":[0]}],\"animations\":[{\"channels\":[{\"sampler\":0,"             \
+#define MOVING(channel)                                                                                                \
+    HEAD ",\"nodes\":[{},{\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"                                             \
+         "\"skins\":[{\"joints\":[0]}],\"animations\":[{\"channels\":[{\"sampler\":0,"                                 \
          "\"target\":{" channel "}}],\"samplers\":[{\"input\":7,\"output\":6}]}]}"
 
 START_TEST(motion_is_checked)
@@ -288,8 +281,8 @@ START_TEST(motion_is_checked)
 }
 END_TEST
 
-#define SKINNED(joints)                                                                            \
-    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":" joints \
+#define SKINNED(joints)                                                                                                \
+    HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":" joints             \
          "},\"mode\":5}]}],\"skins\":[{\"joints\":[0]}],\"nodes\":[{\"mesh\":0,\"skin\":0}]}"
 
 START_TEST(joints_exist_and_normals_have_a_length)
@@ -299,8 +292,7 @@ START_TEST(joints_exist_and_normals_have_a_length)
     ck_assert_msg(strstr(err.text, "JOINTS_0: element 1") != NULL, "%s", err.text);
     ck_assert_int_eq(read_text(SKINNED("8")), HATCH_BAD_INPUT);
     ck_assert_msg(strstr(err.text, "names joint 255 of 1") != NULL, "%s", err.text);
-    const struct hatch_mesh *mesh =
-        reads(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":4},\"mode\":5"), 2);
+    const struct hatch_mesh *mesh = reads(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":4},\"mode\":5"), 2);
     const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     const float want[] = {0, 0, 1, 7, 7, 7};
     ck_assert_mem_eq(normals, want, sizeof want);
@@ -326,24 +318,19 @@ START_TEST(what_is_wrong_is_named_with_its_place)
             "node 0 is no root");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{},{\"children\":[1]}]}",
             "node 1: has two parents");
-    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}],\"scenes\":[{\"nodes\":[0,0]}]}",
-            "node 0 twice");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}],\"scenes\":[{\"nodes\":[0,0]}]}", "node 0 twice");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[7]}]}", "node 0: child 7");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}]}", "node 0: mesh 0");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":4294967296}]}", "mesh is 4294967296");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":\"0\"}]}", "mesh is \"0");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"scale\":[1,2]}]}", "scale wants 3 numbers, not 2");
-    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"rotation\":[0,0,0,0]}]}",
-            "rotation is zero");
-    refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"../x\"}]}",
-            "../x leaves");
-    refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"%2e%2e/x\"}]}",
-            "../x leaves");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"rotation\":[0,0,0,0]}]}", "rotation is zero");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"../x\"}]}", "../x leaves");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"%2e%2e/x\"}]}", "../x leaves");
     refused("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"/etc/passwd\"}]}", "leaves");
     refused(MESH("\"attributes\":{\"NORMAL\":0}"), "mesh 0, primitive 0: no POSITION");
     refused(MESH("\"attributes\":{\"POSITION\":19}"), "POSITION: accessor 19");
-    refused(MESH("\"attributes\":{\"POSITION\":0},\"indices\":9,\"mode\":5"),
-            "index 0 is the primitive restart value");
+    refused(MESH("\"attributes\":{\"POSITION\":0},\"indices\":9,\"mode\":5"), "index 0 is the primitive restart value");
     refused(MESH("\"attributes\":{\"POSITION\":2}"), "POSITION: 4 components, want 3");
     refused(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":6}"), "NORMAL: 3 elements");
     refused(MESH("\"attributes\":{\"POSITION\":0}"), "4 corners make no triangles");
@@ -355,10 +342,9 @@ END_TEST
 
 START_TEST(a_buffers_file_may_be_longer_and_not_shorter)
 {
-    static const char two[] =
-        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":7,\"uri\":\"a\"},"
-        "{\"byteLength\":3,\"uri\":\"data:application/octet-stream;base64,AAAA\"},"
-        "{\"uri\":\"b\",\"byteLength\":9}],\"images\":[{\"uri\":\"c\"}]}";
+    static const char two[] = "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":7,\"uri\":\"a\"},"
+                              "{\"byteLength\":3,\"uri\":\"data:application/octet-stream;base64,AAAA\"},"
+                              "{\"uri\":\"b\",\"byteLength\":9}],\"images\":[{\"uri\":\"c\"}]}";
     companion = (struct hatch_bytes){(const uint8_t *)&buffer, 10};
     HATCH_TEST_OK(read_scene(two, sizeof two - 1), &err);
     ck_assert_uint_eq(scene.textures[0].size, 10);
@@ -371,8 +357,8 @@ END_TEST
 START_TEST(uris_stay_in_their_folder)
 {
     static const char *const inside[] = {"a", "a/b.bin", "..a/b..", "a/...", "./a", " "};
-    static const char *const outside[] = {"", "/a", "..", "../a", "a/..", "a/../../b", "c:\\a",
-                                          "a\\..\\b", "http://x/y", "file:a"};
+    static const char *const outside[] = {"",          "/a",    "..",       "../a",       "a/..",
+                                          "a/../../b", "c:\\a", "a\\..\\b", "http://x/y", "file:a"};
     for (size_t i = 0; i < sizeof inside / sizeof *inside; i++)
         ck_assert_msg(hatch_gltf_uri_is_local(inside[i]), "%s", inside[i]);
     for (size_t i = 0; i < sizeof outside / sizeof *outside; i++)
@@ -382,8 +368,7 @@ END_TEST
 
 static enum hatch_status check(const char *json)
 {
-    return hatch_gltf_check_json((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, NULL,
-                                 &err);
+    return hatch_gltf_check_json((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, NULL, &err);
 }
 
 START_TEST(json_is_checked_before_it_is_parsed)
@@ -411,13 +396,13 @@ START_TEST(json_is_checked_before_it_is_parsed)
 }
 END_TEST
 
-static enum hatch_status read_one(void *context, struct hatch_arena *kept,
-                                  struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status read_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *error)
 {
     struct hatch_mesh_notes said = {0};
     const char *json = context;
-    return hatch_gltf_read((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, resolve, NULL,
-                           kept, temporary, &scene, &said, error);
+    return hatch_gltf_read((struct hatch_bytes){(const uint8_t *)json, strlen(json)}, resolve, NULL, kept, temporary,
+                           &scene, &said, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)

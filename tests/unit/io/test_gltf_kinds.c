@@ -26,8 +26,8 @@ static const struct {
           {0, 1, 1},
           {0, 0, 0, 1, 0, 0, 8, 0, 0}};
 
-static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
-                                 struct hatch_bytes *bytes, struct hatch_err *error)
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                                 struct hatch_err *error)
 {
     (void)context;
     (void)arena;
@@ -39,22 +39,22 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
 
 /* Accessors: 0 the square, 1 the square with a corner higher, 2 corners that sparse ones complete, 3 moves,
  * 4 turns, 5 times, 6 values, 7 two moves, 8 as many zeros as one likes. */
-#define HEAD                                                                                                    \
-    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":212}],\"bufferViews\":["     \
-    "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"                      \
-    "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":4},"     \
-    "{\"buffer\":0,\"byteOffset\":76,\"byteLength\":4},{\"buffer\":0,\"byteOffset\":80,\"byteLength\":36},"     \
-    "{\"buffer\":0,\"byteOffset\":116,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":164,\"byteLength\":48}]," \
-    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"                   \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":1,"            \
-    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":1}}},"                     \
-    "{\"bufferView\":2,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\",\"sparse\":{\"count\":2,"          \
-    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":4}}},"                     \
-    "{\"bufferView\":5,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                                  \
-    "{\"bufferView\":6,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"                                  \
-    "{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                                \
-    "{\"bufferView\":7,\"byteOffset\":12,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                \
-    "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},"                                  \
+#define HEAD                                                                                                           \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":212}],\"bufferViews\":["          \
+    "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"                             \
+    "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":4},"            \
+    "{\"buffer\":0,\"byteOffset\":76,\"byteLength\":4},{\"buffer\":0,\"byteOffset\":80,\"byteLength\":36},"            \
+    "{\"buffer\":0,\"byteOffset\":116,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":164,\"byteLength\":48}],"        \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"                          \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":1,"                  \
+    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":1}}},"                           \
+    "{\"bufferView\":2,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\",\"sparse\":{\"count\":2,"                \
+    "\"indices\":{\"bufferView\":3,\"componentType\":5123},\"values\":{\"bufferView\":4}}},"                           \
+    "{\"bufferView\":5,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                                         \
+    "{\"bufferView\":6,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"                                         \
+    "{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"},"                                       \
+    "{\"bufferView\":7,\"byteOffset\":12,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                       \
+    "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},"                                         \
     "{\"componentType\":5126,\"count\":99999,\"type\":\"VEC3\"}]"
 #define SQUARE(rest) ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" rest "}]}]"
 
@@ -90,8 +90,8 @@ START_TEST(positions_may_be_sparse)
 }
 END_TEST
 
-#define INSTANCES(attributes)                                                                                \
-    ",\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],\"nodes\":[{\"translation\":[0,7,0],\"mesh\":0,"  \
+#define INSTANCES(attributes)                                                                                          \
+    ",\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],\"nodes\":[{\"translation\":[0,7,0],\"mesh\":0,"            \
     "\"children\":[1],\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{" attributes "}}}},{}]}"
 
 START_TEST(instances_are_nodes)
@@ -154,12 +154,12 @@ START_TEST(zeros_behind_the_end_are_nothing)
 }
 END_TEST
 
-#define LOOKS(material)                                                                                       \
-    "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\",\"EXT_texture_webp\"],"   \
-    "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp;base64,AAAA\",\"name\":"  \
-    "\"bark\"},{\"uri\":\"gone.png\"},{\"uri\":\"no%20one.png\"}],\"textures\":[{\"extensions\":{"             \
-    "\"EXT_texture_webp\":{\"source\":0}}},{\"source\":0,\"extensions\":{\"KHR_texture_basisu\":{\"source\":"  \
-    "2}}},{\"extensions\":{\"KHR_texture_basisu\":{\"source\":2}}},{\"source\":1},{\"source\":3}],"            \
+#define LOOKS(material)                                                                                                \
+    "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\",\"EXT_texture_webp\"],"           \
+    "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp;base64,AAAA\",\"name\":"          \
+    "\"bark\"},{\"uri\":\"gone.png\"},{\"uri\":\"no%20one.png\"}],\"textures\":[{\"extensions\":{"                     \
+    "\"EXT_texture_webp\":{\"source\":0}}},{\"source\":0,\"extensions\":{\"KHR_texture_basisu\":{\"source\":"          \
+    "2}}},{\"extensions\":{\"KHR_texture_basisu\":{\"source\":2}}},{\"source\":1},{\"source\":3}],"                    \
     "\"materials\":[" material "]}"
 #define COLOUR(texture) "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":" texture "}}}"
 

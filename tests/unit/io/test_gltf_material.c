@@ -9,12 +9,11 @@ static struct hatch_scene scene;
 static struct hatch_mesh_notes notes;
 
 #define HEAD "{\"asset\":{\"version\":\"2.0\"}"
-#define TEXTURE                                                                                              \
-    ",\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"}],\"textures\":[{\"source\":0},{\"source\":0}]"
+#define TEXTURE ",\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"}],\"textures\":[{\"source\":0},{\"source\":0}]"
 
 /* Only the file "a+b.bin" is there. */
-static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena,
-                                 struct hatch_bytes *bytes, struct hatch_err *error)
+static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                                 struct hatch_err *error)
 {
     (void)context;
     (void)arena;
@@ -26,8 +25,7 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
 
 static enum hatch_status read_bytes(const void *data, size_t size)
 {
-    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene, &notes,
-                           &err);
+    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene, &notes, &err);
 }
 
 static void reads(const char *json)

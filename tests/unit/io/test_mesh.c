@@ -55,9 +55,9 @@ static void is_tetrahedron(void)
     ck_assert_mem_eq(mesh.indices, faces, sizeof faces);
 }
 
-#define PLY_HEAD(format)                                                                           \
-    "ply\nformat " format " 1.0\ncomment four faces\nelement vertex 4\nproperty float x\n"         \
-    "property float y\nproperty float z\nelement face 4\n"                                         \
+#define PLY_HEAD(format)                                                                                               \
+    "ply\nformat " format " 1.0\ncomment four faces\nelement vertex 4\nproperty float x\n"                             \
+    "property float y\nproperty float z\nelement face 4\n"                                                             \
     "property list uchar int vertex_indices\nend_header\n"
 
 static const char ascii_ply[] = PLY_HEAD("ascii") "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
@@ -112,8 +112,8 @@ static const char plain_off[] = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
 
 START_TEST(one_mesh_in_every_format)
 {
-    const struct hatch_bytes files[] = {text(ascii_ply), binary_ply(false), binary_ply(true),
-                                        text(plain_obj), text(plain_off)};
+    const struct hatch_bytes files[] = {text(ascii_ply), binary_ply(false), binary_ply(true), text(plain_obj),
+                                        text(plain_off)};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         HATCH_TEST_OK(read_bytes(files[i]), &err);
         is_tetrahedron();
@@ -121,8 +121,7 @@ START_TEST(one_mesh_in_every_format)
     const char *names[] = {"made by nobody", "solid, and yet binary"};
     for (int i = 0; i < 2; i++) {
         struct hatch_bytes file = binary_stl(names[i]);
-        HATCH_TEST_OK(hatch_mesh_read(file, HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err),
-                      &err);
+        HATCH_TEST_OK(hatch_mesh_read(file, HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
         ck_assert_uint_eq(mesh.vertex_count, 12);
         ck_assert_double_eq_tol(area(), 1.5 + sqrt(3.0) / 2, 1e-7);
     }
@@ -153,14 +152,16 @@ START_TEST(every_cut_is_seen)
     const struct {
         struct hatch_bytes file;
         size_t spare; /* bytes at the end that may be missing */
-    } files[] = {{text(ascii_ply), 1}, {binary_ply(true), 0},        {text(plain_off), 1},
-                 {binary_stl("s"), 0}, {binary_stl("solid cut"), 0}};
+    } files[] = {{text(ascii_ply), 1},
+                 {binary_ply(true), 0},
+                 {text(plain_off), 1},
+                 {binary_stl("s"), 0},
+                 {binary_stl("solid cut"), 0}};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct hatch_bytes cut = files[i].file;
         enum hatch_mesh_format format = hatch_mesh_format_of(cut, "x.stl");
         for (cut.size = 0; cut.size < files[i].file.size - files[i].spare; cut.size++)
-            ck_assert_msg(hatch_mesh_read(cut, format, &keep, &scratch, &mesh, origin, &notes, &err) ==
-                              HATCH_BAD_INPUT,
+            ck_assert_msg(hatch_mesh_read(cut, format, &keep, &scratch, &mesh, origin, &notes, &err) == HATCH_BAD_INPUT,
                           "file %zu, cut after %zu bytes, is read", i, cut.size);
     }
 }
@@ -200,8 +201,7 @@ START_TEST(what_is_wrong_is_named_with_its_place)
     refused("solid\nhello\n", "line 2: unknown word hello");
     refused("ply\nformat ascii 2.0\nend_header\n", "line 2: unknown format ascii");
     refused("ply\nelement vertex 1\nproperty float x\nend_header\n0\n", "no format");
-    refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
-            "no x, y and z");
+    refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n", "no x, y and z");
     refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n", "unknown type");
     refused("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
             "end_header\n3 0 1 2\n",
@@ -215,9 +215,9 @@ START_TEST(what_is_wrong_is_named_with_its_place)
 }
 END_TEST
 
-#define PLY_THREE                                                                                  \
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                \
-    "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"         \
+#define PLY_THREE                                                                                                      \
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                                    \
+    "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"                             \
     "0 0 0\n1 0 0\n0 1 0\n"
 
 START_TEST(ply_faces_are_checked)
@@ -317,15 +317,14 @@ static void cuts(const double (*outline)[2], uint32_t count, double want)
         for (int turned = 0; turned < 2; turned++) {
             struct hatch_buffer file = {.arena = &keep};
             for (uint32_t i = 0; i < count; i++)
-                HATCH_TEST_OK(hatch_buffer_print(&file, &err, "v %.9g %.9g %.9g\n", outline[i][0],
-                                                 outline[i][1], -outline[i][0] - outline[i][1]),
+                HATCH_TEST_OK(hatch_buffer_print(&file, &err, "v %.9g %.9g %.9g\n", outline[i][0], outline[i][1],
+                                                 -outline[i][0] - outline[i][1]),
                               &err);
             HATCH_TEST_OK(hatch_buffer_print(&file, &err, "f"), &err);
             for (uint32_t i = 0; i < count; i++)
-                HATCH_TEST_OK(hatch_buffer_print(
-                                  &file, &err, " %u",
-                                  (turned ? 2 * count + start - i : start + i) % count + 1),
-                              &err);
+                HATCH_TEST_OK(
+                    hatch_buffer_print(&file, &err, " %u", (turned ? 2 * count + start - i : start + i) % count + 1),
+                    &err);
             reads((struct hatch_bytes){file.data, file.size}, count, count - 2);
             ck_assert_double_eq_tol(area(), want * sqrt(3.0), 1e-5 * want);
         }
@@ -366,20 +365,22 @@ START_TEST(a_large_polygon_takes_no_time)
 }
 END_TEST
 
-static enum hatch_status read_one(void *context, struct hatch_arena *kept,
-                                  struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status read_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *error)
 {
     struct hatch_mesh_notes said = {0};
     struct hatch_bytes file = *(const struct hatch_bytes *)context;
     const char *name = file.data[0] == 's' ? "x.stl" : NULL;
-    return hatch_mesh_read(file, hatch_mesh_format_of(file, name), kept, temporary, &mesh, origin, &said,
-                           error);
+    return hatch_mesh_read(file, hatch_mesh_format_of(file, name), kept, temporary, &mesh, origin, &said, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_bytes files[] = {
-        text(ascii_ply), text(plain_obj), text(plain_off), binary_stl("s"),
+        text(ascii_ply),
+        text(plain_obj),
+        text(plain_off),
+        binary_stl("s"),
         text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)

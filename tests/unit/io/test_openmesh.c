@@ -57,8 +57,7 @@ START_TEST(a_decimated_sphere_is_a_sphere_at_any_size)
         for (uint32_t i = 0; i < mesh.vertex_count * 3; i++)
             mesh.attributes[0].data[i] *= scale;
         uint32_t left_out;
-        HATCH_TEST_OK(hatch_mesh_decimate(&mesh, 600, &keep, &scratch, &small, &left_out, &err),
-                      &err);
+        HATCH_TEST_OK(hatch_mesh_decimate(&mesh, 600, &keep, &scratch, &small, &left_out, &err), &err);
         ck_assert_uint_eq(left_out, 0);
         ck_assert_uint_le(small.face_count, 600);
         ck_assert_uint_ge(small.face_count, 596);
@@ -88,8 +87,8 @@ START_TEST(decimation_gives_the_same_bytes_and_leaves_small_meshes)
 }
 END_TEST
 
-static enum hatch_status decimate_one(void *context, struct hatch_arena *kept,
-                                      struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status decimate_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                      struct hatch_err *error)
 {
     struct hatch_mesh *mesh = context;
     return hatch_mesh_decimate(mesh, 20, kept, temporary, mesh + 1, NULL, error);

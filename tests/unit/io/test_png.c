@@ -19,8 +19,7 @@ static struct hatch_image ramp(uint32_t width, uint32_t height, const char *name
     return image;
 }
 
-static struct hatch_bytes encode(const struct hatch_image *image, enum hatch_png_encoding encoding,
-                                 uint32_t depth)
+static struct hatch_bytes encode(const struct hatch_image *image, enum hatch_png_encoding encoding, uint32_t depth)
 {
     struct hatch_buffer file = {.arena = &keep};
     HATCH_TEST_OK(hatch_png_write(image, encoding, depth, "seed 1", &scratch, &file, &err), &err);
@@ -59,8 +58,7 @@ START_TEST(raw_numbers_are_rounded_to_nearest_and_clamped)
     static const float want[] = {0, 0, 0, 1, 128, 255, 255, 0};
     struct hatch_image image = ramp(8, 1, "Y"), got;
     memcpy(image.pixels, values, sizeof values);
-    HATCH_TEST_OK(hatch_png_read(encode(&image, HATCH_PNG_RAW, 8), &keep, &scratch, &got, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_png_read(encode(&image, HATCH_PNG_RAW, 8), &keep, &scratch, &got, &err), &err);
     for (int i = 0; i < 8; i++)
         ck_assert(got.pixels[i] == hatch_srgb_to_linear(want[i] / 255));
 }
@@ -89,10 +87,9 @@ END_TEST
 /* A header of 33 bytes is all that is true of this file. */
 START_TEST(a_header_that_lies_is_refused_before_anything_is_taken)
 {
-    static const uint8_t lie[] = {0x89, 'P',  'N', 'G', 13,  10,  26,  10,   0,    0,    0,
-                                  13,   'I',  'H', 'D', 'R', 0,   0,   0xea, 0x60, 0,    0,
-                                  0xea, 0x60, 8,   2,   0,   0,   0,   0x0f, 0xb0, 0xe2, 0x15,
-                                  0,    0,    0,   1,   'I', 'D', 'A', 'T'};
+    static const uint8_t lie[] = {0x89, 'P',  'N',  'G',  13,   10,   26, 10, 0,    0,    0,   13,  'I', 'H',
+                                  'D',  'R',  0,    0,    0xea, 0x60, 0,  0,  0xea, 0x60, 8,   2,   0,   0,
+                                  0,    0x0f, 0xb0, 0xe2, 0x15, 0,    0,  0,  1,    'I',  'D', 'A', 'T'};
     uint8_t file[100] = {0};
     memcpy(file, lie, sizeof lie);
     struct hatch_bytes bytes = {file, sizeof file};
@@ -111,19 +108,18 @@ struct reading {
     struct hatch_image image;
 };
 
-static enum hatch_status read_file(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status read_file(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                   struct hatch_err *error)
 {
     struct reading *reading = context;
     return hatch_png_read(reading->file, arena, temporary, &reading->image, error);
 }
 
-static enum hatch_status write_file(void *context, struct hatch_arena *arena,
-                                    struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status write_file(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                    struct hatch_err *error)
 {
     struct hatch_buffer file = {.arena = arena};
-    enum hatch_status status =
-        hatch_png_write(context, HATCH_PNG_RAW, 16, NULL, temporary, &file, error);
+    enum hatch_status status = hatch_png_write(context, HATCH_PNG_RAW, 16, NULL, temporary, &file, error);
     ck_assert(status == HATCH_OK || file.size == 0);
     return status;
 }

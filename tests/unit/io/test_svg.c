@@ -157,7 +157,9 @@ static const struct {
     {"<path d='M0 0 9 9' style='stroke:navy;stroke-width:2px'/>", {0, 0, 128 / 255.0f}, 2, 1},
     {"<path d='M0 0 9 9' stroke='red' style='stroke : navy ; ;stroke-opacity:.25'/>", {0, 0, 128 / 255.0f}, 1, .25f},
     {"<g style='stroke:lime'><g opacity='.5'><path d='M0 0 9 9' stroke-width='1mm' opacity='50%'/></g></g>",
-     {0, 1, 0}, 96 / 25.4f, .25f},
+     {0, 1, 0},
+     96 / 25.4f,
+     .25f},
     {"<g color='blue' stroke='currentColor'><path d='M0 0 9 9' stroke-width='3pt'/></g>", {0, 0, 1}, 4, 1},
     {"<g stroke='#000' stroke-width='2' transform='scale(3 .75)'><path d='M0 0 9 9'/></g>", {0, 0, 0}, 3, 1},
     {"<path d='M0 0 9 9' stroke='black' stroke-width='5%'/>", {0, 0, 0}, 5, 1},
@@ -165,30 +167,47 @@ static const struct {
     {"<path d='M0 0 9 9' stroke='black' stroke-width='.25ex'/>", {0, 0, 0}, 2, 1},
     /* style sheets: stronger than attributes, weaker than style; ids over classes over elements, then the later */
     {"<defs><style>.cls-1{fill:none;stroke:lime;stroke-width:3px;}</style></defs><path class='cls-1' d='M0 0 9 9'/>",
-     {0, 1, 0}, 3, 1},
+     {0, 1, 0},
+     3,
+     1},
     {"<path class='a b' stroke='red' d='M0 0 9 9'/><style type='text/css'>"
      "<![CDATA[\n.a, .c { stroke : lime }\n]]></style>",
-     {0, 1, 0}, 1, 1},
+     {0, 1, 0},
+     1,
+     1},
     {"<style>#p{stroke:blue} .a{stroke:red} path{stroke:lime;stroke-width:2}</style>"
      "<path id='p' class='a' d='M0 0 9 9'/>",
-     {0, 0, 1}, 2, 1},
+     {0, 0, 1},
+     2,
+     1},
     {"<style>.a{stroke:red}.a{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     {"<style>path.a{stroke:lime}.a{stroke:red}path.b{stroke:blue}</style>"
-     "<path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
+     "<path class='a' d='M0 0 9 9'/>",
+     {0, 1, 0},
+     1,
+     1},
     {"<style>.a{stroke:red}</style><path class='a' style='stroke:lime' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     {"<style>/* .a{stroke:red} */ .a{/**/stroke:lime;/*;*/stroke-width/*x*/:4}</style><path class='a' d='M0 0 9 9'/>",
-     {0, 1, 0}, 4, 1},
+     {0, 1, 0},
+     4,
+     1},
     {"<style>.a/*/*/{stroke:lime}</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     {"<style>*{stroke-width:3}.a{stroke:lime;opacity:.5}</style><g class='a' opacity='.1'><path d='M0 0 9 9'/></g>",
-     {0, 1, 0}, 3, .5f},
+     {0, 1, 0},
+     3,
+     .5f},
     {"<style>@import url(http://example.org/a.css);@media print{.a{stroke:red}}.b .a{stroke:red}.a{stroke:lime}</style>"
      "<path class='a' d='M0 0 9 9'/>",
-     {0, 1, 0}, 1, 1},
+     {0, 1, 0},
+     1,
+     1},
     {"<style>.a{stroke:lime</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
     /* clones: in the clone's look where they have none */
     {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' stroke-width='2'/>", {0, 1, 0}, 2, 1},
     {"<use xlink:href='#p' xmlns:xlink='x' stroke='red'/><defs><g id='p' stroke='lime'><path d='M0 0 9 9'/></g></defs>",
-     {0, 1, 0}, 1, 1},
+     {0, 1, 0},
+     1,
+     1},
     {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' transform='scale(2)'/>", {0, 1, 0}, 2, 1},
 };
 
@@ -409,8 +428,7 @@ START_TEST(drawings_are_told_from_tables)
 }
 END_TEST
 
-static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work,
-                              struct hatch_err *said)
+static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work, struct hatch_err *said)
 {
     const char *text = page("<style>.a{stroke-dasharray:3 4}</style><g id='g' stroke='red'>"
                             "<circle cx='9' cy='9' r='5'/>"

@@ -36,8 +36,7 @@ START_TEST(no_two_faces_share_a_place)
     const struct hatch_surface *surface = &torus.of.surface;
     double scale, whole = 0;
     float *at = HATCH_NEW(&keep, float, 6 * (size_t)surface->face_count, &err);
-    HATCH_TEST_OK(hatch_lapped_atlas(surface, &torus.lapped, &torus.outline, MARGIN, &scratch, at, &scale, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_lapped_atlas(surface, &torus.lapped, &torus.outline, MARGIN, &scratch, at, &scale, &err), &err);
     for (uint32_t f = 0; f < surface->face_count; f++) {
         double p[3][3], normal[3];
         for (uint32_t c = 0; c < 3; c++) {

@@ -181,7 +181,8 @@ START_TEST(every_patch_is_a_disk)
     hatch_outline_make(3, 1, 0.05, &outline);
     uint8_t *covered = HATCH_NEW(&keep, uint8_t, of.surface.face_count, &err);
     HATCH_TEST_OK(hatch_ground_make(&of.surface, &of.frames, of.direction, &outline, &options, NULL, &keep, &scratch,
-                                    &ground, &err), &err);
+                                    &ground, &err),
+                  &err);
     HATCH_TEST_OK(hatch_growth_make(&ground, &outline, covered, &keep, &growth, &err), &err);
     HATCH_TEST_OK(hatch_cover_make(&outline, of.surface.face_count, &keep, &cover, &err), &err);
     for (uint32_t seed = 0; seed < of.surface.face_count; seed += 97) {
@@ -215,7 +216,8 @@ START_TEST(any_number_of_threads_and_any_power_of_two_give_the_same)
     struct hatch_lapped other;
     HATCH_TEST_OK(hatch_pool_make(3, &keep, &pool, &err), &err);
     HATCH_TEST_OK(hatch_lapped_make(&of.surface, &of.frames, of.direction, of.confidence, &one.outline, &LAPPED_PLAIN,
-                                    pool, &keep, &scratch, &other, &err), &err);
+                                    pool, &keep, &scratch, &other, &err),
+                  &err);
     hatch_pool_free(pool);
     ck_assert_uint_eq(one.lapped.vertex_count, other.vertex_count);
     ck_assert_mem_eq(one.lapped.vertices, other.vertices, other.vertex_count * sizeof *other.vertices);
@@ -264,7 +266,8 @@ START_TEST(a_patch_is_a_mesh_with_the_places_of_the_source)
         const struct hatch_lapped_patch *patch = &torus.lapped.patches[p];
         struct hatch_mesh mesh;
         HATCH_TEST_OK(hatch_lapped_mesh(&of.surface, &of.mesh, &torus.lapped, p, of.direction, of.confidence, 0.25,
-                                        &keep, &scratch, &mesh, &err), &err);
+                                        &keep, &scratch, &mesh, &err),
+                      &err);
         HATCH_TEST_OK(hatch_mesh_check(&mesh, &err), &err);
         ck_assert_uint_eq(mesh.face_count, patch->face_count);
         const float *hatch = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), *mask = hatch_mesh_find(&mesh, "TEXCOORD_1", 2);

@@ -33,8 +33,7 @@ START_TEST(joined_patches_are_the_surface)
     begin();
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     make_scene(&sphere, &caps);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
     ck_assert_uint_eq(frame.scene.mesh_count, 1);
     ck_assert_uint_eq(frame.scene.nodes[0].mesh_count, 1);
     ck_assert_uint_eq(patches[0].patch_count, CAPS);
@@ -42,8 +41,8 @@ START_TEST(joined_patches_are_the_surface)
     ck_assert_uint_eq(surface->face_count, sphere.face_count);
     ck_assert_uint_gt(joined->face_count, surface->face_count);
     for (uint32_t v = 0; v < surface->vertex_count; v++)
-        ck_assert_mem_eq(surface->attributes[0].data + 3 * v,
-                         joined->attributes[0].data + 3 * patches[0].vertex_of[v], 3 * sizeof(float));
+        ck_assert_mem_eq(surface->attributes[0].data + 3 * v, joined->attributes[0].data + 3 * patches[0].vertex_of[v],
+                         3 * sizeof(float));
     ck_assert_uint_eq(patches[0].layer_end[patches[0].layer_count - 1], 3 * joined->face_count);
     for (uint32_t a = 0; a < CAPS; a++)
         for (uint32_t b = a + 1; b < CAPS; b++)
@@ -81,11 +80,10 @@ END_TEST
 /* Draws tone and lines of what frame holds. */
 static void draw_lines(struct hatch_image *image)
 {
-    const struct line_style style = {
-        .kinds = HATCH_LINES_ALL, .asked = true, .width_px = 2, .crease_rad = 0.7};
+    const struct line_style style = {.kinds = HATCH_LINES_ALL, .asked = true, .width_px = 2, .crease_rad = 0.7};
     struct lines lines;
-    HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30,
-                             &frame.arena, &frame.scratch, &lines, &frame.err),
+    HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30, &frame.arena,
+                             &frame.scratch, &lines, &frame.err),
                   &frame.err);
     frame.renderer.lines = &lines;
     draw_in_tiles("gouraud", 160, 2, image);
@@ -161,8 +159,7 @@ START_TEST(patches_move_with_a_skin)
     struct hatch_mesh sphere = skinned_sphere();
     make_scene(&sphere, &caps);
     add_skin(&frame.scene);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
     frame_begin_scene(patches, &frame_unit, &map, &frame);
     lend_outline();
     black_map();
@@ -205,7 +202,8 @@ START_TEST(scenes_stand_in_a_row)
     scenes[0] = frame.scene;
     make_scene(&large, &caps);
     scenes[1] = frame.scene;
-    HATCH_TEST_OK(hatch_scene_join_row(scenes, 2, false, &frame.arena, &frame.scratch, &joined, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_scene_join_row(scenes, 2, false, &frame.arena, &frame.scratch, &joined, &frame.err),
+                  &frame.err);
     ck_assert_uint_eq(joined.node_count, 6);
     ck_assert_uint_eq(joined.nodes[1].parent, 0);
     ck_assert_uint_eq(joined.skins[0].joints[1], 3);
@@ -250,15 +248,14 @@ START_TEST(marks_lie_evenly_along_directions)
     float *directions;
     begin();
     struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 200);
-    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &plane, "_HATCH_DIR", 4, &directions, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &plane, "_HATCH_DIR", 4, &directions, &frame.err), &frame.err);
     for (size_t v = 0; v < plane.vertex_count; v++) {
         directions[4 * v] = v % 2 ? 1.0f : -1.0f;
         directions[4 * v + 3] = 0.5f;
     }
     frame_begin(&plane, &frame_unit, NULL, &frame);
-    HATCH_TEST_OK(field_make(&frame.gpu, &map_facing, 200, &frame.renderer.shaders, &frame.arena,
-                             &frame.scratch, &field, &frame.err),
+    HATCH_TEST_OK(field_make(&frame.gpu, &map_facing, 200, &frame.renderer.shaders, &frame.arena, &frame.scratch,
+                             &field, &frame.err),
                   &frame.err);
     struct target target;
     HATCH_TEST_OK(target_make(8, 8, 1, &frame.renderer.shaders, &target, &frame.err), &frame.err);
@@ -294,12 +291,10 @@ START_TEST(strokes_have_one_size_on_all_patches)
         nodes[1].scale[k] = 3;
     frame.scene.nodes = nodes;
     frame.scene.node_count = 2;
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
     frame_begin_scene(patches, &frame_unit, &map, &frame);
     ck_assert_uint_eq(frame.gpu.item_count, 2);
-    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, &map_facing, 300, SIZE, 3, &frame.scratch, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, &map_facing, 300, SIZE, 3, &frame.scratch, &frame.err), &frame.err);
     ck_assert_double_eq_tol((double)frame.gpu.items[1].repeat[0] / (double)frame.gpu.items[0].repeat[0], 3, 1e-3);
     /* 150 pixels to a unit; a unit of the hatch coordinates is one of the small sphere. */
     ck_assert_double_eq_tol((double)frame.gpu.items[0].repeat[0], 150.0 / SIZE, 0.05 * 150.0 / SIZE);

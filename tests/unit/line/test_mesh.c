@@ -121,9 +121,7 @@ START_TEST(creases_of_noise_are_left_out)
     struct hatch_edges edges;
     HATCH_TEST_OK(hatch_mesh_weld(&rough, &scratch, of_vertex, &point_count, &err), &err);
     hatch_mesh_corner_points(&rough, of_vertex, point);
-    HATCH_TEST_OK(hatch_edges_find(point, rough.face_count, point_count, NULL, &keep, &scratch,
-                                   &edges, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_edges_find(point, rough.face_count, point_count, NULL, &keep, &scratch, &edges, &err), &err);
     hatch_edges_kinds(&rough, &edges, CREASE_RAD, kinds);
     for (uint32_t e = 0; e < edges.count; e++)
         over_angle += kinds[e] == HATCH_EDGE_CREASE;
@@ -181,8 +179,8 @@ START_TEST(faces_without_area_are_no_lines)
 }
 END_TEST
 
-static enum hatch_status make(void *context, struct hatch_arena *arena,
-                              struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                              struct hatch_err *said)
 {
     static const double origin[3] = {0, 0, 0};
     const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true};

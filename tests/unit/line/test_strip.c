@@ -22,7 +22,7 @@ static struct hatch_line_trace polyline(const double *points, uint32_t count)
 }
 
 static struct hatch_line_strips strips_of(const struct hatch_line_trace *trace, const struct hatch_view *view,
-                                    const struct hatch_tile *tile)
+                                          const struct hatch_tile *tile)
 {
     struct hatch_line_chains chains = chains_of(trace);
     struct hatch_line_strips strips = {.strip_count = 0};
@@ -106,7 +106,8 @@ static uint32_t sum(const uint8_t *visible, uint32_t count)
 }
 
 /* visible: becomes what is left of it. */
-static void smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px, uint8_t *visible)
+static void smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+                   uint8_t *visible)
 {
     uint8_t seen[268];
     memcpy(seen, visible, sizeof seen);
@@ -193,10 +194,10 @@ START_TEST(what_haloes_leave_is_no_crumb)
     memset(seen + 103, HATCH_LINE_VISIBLE, 3);
     memset(seen + 110, HATCH_LINE_VISIBLE, 7);
     hatch_line_strips_smooth(&strips, 4, 8, 2, seen, visible);
-    ck_assert_uint_eq(sum(visible + 101, 8), 0);   /* 4.5 pixels are dropped */
-    ck_assert_uint_eq(sum(visible + 109, 9), 9);   /* 10.4 stay, with a piece on either side to be cut */
+    ck_assert_uint_eq(sum(visible + 101, 8), 0); /* 4.5 pixels are dropped */
+    ck_assert_uint_eq(sum(visible + 109, 9), 9); /* 10.4 stay, with a piece on either side to be cut */
     ck_assert_uint_eq(visible[108] + visible[118], 0);
-    ck_assert_uint_eq(sum(visible, 101), 101);     /* no trimming either: the halo says where it ends */
+    ck_assert_uint_eq(sum(visible, 101), 101); /* no trimming either: the halo says where it ends */
     ck_assert_uint_eq(sum(visible + 119, 149), 149);
     memset(seen + 110, HATCH_LINE_TOUCHED | HATCH_LINE_COVERED, 7);
     hatch_line_strips_smooth(&strips, 4, 8, 0, seen, visible);
@@ -239,12 +240,11 @@ START_TEST(chains_go_straight_on)
 }
 END_TEST
 
-static enum hatch_status make(void *context, struct hatch_arena *arena,
-                              struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                              struct hatch_err *said)
 {
     const struct hatch_line_trace *trace = context;
-    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes,
-                                     trace->ends};
+    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
     struct hatch_view view = view_from(0, 0, 4, true);
     struct hatch_line_chains chains;
     struct hatch_line_strips strips;

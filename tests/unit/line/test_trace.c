@@ -136,8 +136,7 @@ START_TEST(shuffled_and_unwelded_meshes_have_the_same_silhouette)
     shuffled.indices = HATCH_NEW(&keep, uint32_t, 3 * (size_t)plain.face_count, &err);
     for (uint32_t f = 0; f < plain.face_count; f++)
         for (uint32_t c = 0; c < 3; c++)
-            shuffled.indices[3 * ((f * 7919u) % plain.face_count) + c] =
-                plain.indices[3 * f + (c + f) % 3];
+            shuffled.indices[3 * ((f * 7919u) % plain.face_count) + c] = plain.indices[3 * f + (c + f) % 3];
     ck_assert_uint_ne(plain.face_count % 7919u, 0);
     const struct hatch_mesh *meshes[] = {&plain, &apart, &shuffled};
     struct hatch_view view = view_from(3, 2, 4, false);
@@ -206,8 +205,7 @@ START_TEST(curves_go_through_the_nodes)
         double along = hatch_vec_dot(&trace.nodes[3 * i], view.back);
         double square = hatch_vec_dot(&trace.nodes[3 * i], &trace.nodes[3 * i]);
         ck_assert_double_eq_tol(sqrt(square - along * along), 1, 4e-3);
-        length += hatch_vec_distance(&trace.nodes[3 * chains.nodes[i]],
-                                     &trace.nodes[3 * chains.nodes[i + 1]]);
+        length += hatch_vec_distance(&trace.nodes[3 * chains.nodes[i]], &trace.nodes[3 * chains.nodes[i + 1]]);
     }
     ck_assert_double_gt(length, chords);
     ck_assert_double_eq_tol(length, 2 * 3.14159265358979, 0.05);
@@ -255,8 +253,8 @@ START_TEST(long_faces_beside_short_ones_stay_straight)
 }
 END_TEST
 
-static enum hatch_status trace_all(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status trace_all(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                   struct hatch_err *said)
 {
     struct hatch_view view = view_from(3, 2, 4, false);
     const struct hatch_line_eye eye = {&view, 400};

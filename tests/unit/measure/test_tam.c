@@ -17,8 +17,7 @@ static void begin(void)
 
 static void measure(uint32_t tone, uint32_t level)
 {
-    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_image(&map.tam, tone, level, &map_scratch, &figures, &map_err), &map_err);
 }
 
 static float *pixels(uint32_t tone, uint32_t level)
@@ -30,8 +29,7 @@ static uint64_t missing(void)
 {
     uint64_t count = 12345;
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, map.options.growth};
-    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &count, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &count, &map_err), &map_err);
     return count;
 }
 
@@ -134,9 +132,8 @@ END_TEST
 static void redraw(const struct hatch_stroke *without, uint32_t tone, uint32_t level)
 {
     struct hatch_canvas canvas;
-    HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 2, false, false, &canvas, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 2, false, false, &canvas, &map_err),
+                  &map_err);
     for (uint32_t i = 0; i < map.strokes.count; i++) {
         const struct hatch_stroke *s = &map.strokes.items[i];
         if (s != without && s->column <= tone && s->level >= level)
@@ -183,8 +180,7 @@ START_TEST(a_script_of_another_map_is_refused)
     uint64_t count = 7;
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
     map.strokes.items[3].level = 2;
-    ck_assert_int_eq(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &count, &map_err),
-                     HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_measure_tam_nesting(&map.tam, &strokes, &map_scratch, &count, &map_err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(map_err.text, "stroke 4: column 0, level 2"));
     ck_assert_uint_eq(count, 7);
 }
@@ -197,8 +193,7 @@ START_TEST(one_strokes_darkness_is_its_area)
     map_fill(&map);
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
     for (uint32_t level = 0; level < 2; level++) {
-        HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch,
-                                                    &darkness, &map_err),
+        HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch, &darkness, &map_err),
                       &map_err);
         uint32_t size = 64 >> level;
         /* an ellipse of 4 pixels by half a tile; the last strokes of an image are shorter */
@@ -215,15 +210,13 @@ START_TEST(random_strokes_have_the_evenness_of_random_strokes)
     map.options.levels = 3;
     map_fill(&map);
     struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
-    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 8, &map_scratch, ratio, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 8, &map_scratch, ratio, &map_err), &map_err);
     for (uint32_t i = 0; i < 6 * HATCH_EVENNESS_BOXES; i++)
         ck_assert(ratio[i] > 0.1 && ratio[i] < 0.9);
     for (uint64_t run = 0; run < 8; run++) {
         struct hatch_canvas canvas;
-        HATCH_TEST_OK(
-            hatch_canvas_make(&map_arena, &map.style, &map.brush, 128, 1, false, false, &canvas, &map_err),
-            &map_err);
+        HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 128, 1, false, false, &canvas, &map_err),
+                      &map_err);
         for (uint32_t tone = 0, i = 0; tone < 6; tone++) {
             for (; i < map.strokes.count && map.strokes.items[i].column == tone; i++) {
                 struct hatch_stroke stroke = map.strokes.items[i];
@@ -233,8 +226,7 @@ START_TEST(random_strokes_have_the_evenness_of_random_strokes)
             }
             memcpy(pixels(tone, 0), canvas.paper[0], 128 * 128 * sizeof(float));
         }
-        HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 8, &map_scratch, ratio, &map_err),
-                      &map_err);
+        HATCH_TEST_OK(hatch_measure_evenness(&map.tam, &strokes, 8, &map_scratch, ratio, &map_err), &map_err);
         for (uint32_t i = 0; i < 6 * HATCH_EVENNESS_BOXES; i++)
             mean += ratio[i] / (6 * HATCH_EVENNESS_BOXES * 8);
     }

@@ -6,7 +6,6 @@
 #include "measure/mesh_figures.h"
 #include "meshes.h"
 
-
 static struct hatch_mesh sphere(uint32_t faces)
 {
     return bare_shape(HATCH_SHAPE_SPHERE, faces);
@@ -55,8 +54,7 @@ END_TEST
 
 START_TEST(what_is_no_surface_is_dropped_and_counted)
 {
-    const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2,
-                              2, 1, 0, 0, 0, 1, 0, 5, 1, 1, 1, 1};
+    const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2, 2, 1, 0, 0, 0, 1, 0, 5, 1, 1, 1, 1};
     struct hatch_mesh mesh = mesh_of(square, 6, faces, 8);
     float *uv;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
@@ -268,30 +266,30 @@ START_TEST(bounds_are_of_used_vertices)
 END_TEST
 
 /* Each works on a copy of the mesh: a success must not leave one in arenas that are gone. */
-static enum hatch_status clean_one(void *context, struct hatch_arena *kept,
-                                   struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status clean_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                   struct hatch_err *said)
 {
     struct hatch_mesh_notes notes = {0};
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
     return hatch_mesh_clean(kept, temporary, &mesh, &notes, said);
 }
 
-static enum hatch_status add_normals(void *context, struct hatch_arena *kept,
-                                     struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status add_normals(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                     struct hatch_err *said)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
     return hatch_mesh_add_normals(kept, temporary, &mesh, 0.4f, said);
 }
 
-static enum hatch_status add_tangents(void *context, struct hatch_arena *kept,
-                                      struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status add_tangents(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                      struct hatch_err *said)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
     return hatch_mesh_add_tangents(kept, temporary, &mesh, said);
 }
 
-static enum hatch_status measure_one(void *context, struct hatch_arena *kept,
-                                     struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status measure_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                     struct hatch_err *said)
 {
     struct hatch_mesh_figures figures;
     if (!HATCH_NEW(kept, uint8_t, 1, said)) /* the measure itself keeps nothing */

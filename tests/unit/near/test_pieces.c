@@ -17,8 +17,7 @@ struct list {
 
 static struct list lists[2];
 
-static enum hatch_status keep(void *context, const struct hatch_piece_corner *const corner[3],
-                              struct hatch_err *err)
+static enum hatch_status keep(void *context, const struct hatch_piece_corner *const corner[3], struct hatch_err *err)
 {
     struct list *list = context;
     if (list->count == MOST)
@@ -29,8 +28,7 @@ static enum hatch_status keep(void *context, const struct hatch_piece_corner *co
     return HATCH_OK;
 }
 
-static const struct hatch_piece_view wide = {
-    .low = {-1e9, -1e9}, .high = {1e9, 1e9}, .near = 0x1p-50, .ratio = 2};
+static const struct hatch_piece_view wide = {.low = {-1e9, -1e9}, .high = {1e9, 1e9}, .near = 0x1p-50, .ratio = 2};
 
 static void make_face(const double at[3][3], struct hatch_piece_corner face[3])
 {
@@ -163,8 +161,7 @@ END_TEST
  * each no longer than twice its distance. */
 START_TEST(pieces_stay_few)
 {
-    const struct hatch_piece_view narrow = {
-        .low = {-0.3, -0.3}, .high = {0.3, 0.3}, .near = 0x1p-60, .ratio = 2};
+    const struct hatch_piece_view narrow = {.low = {-0.3, -0.3}, .high = {0.3, 0.3}, .near = 0x1p-60, .ratio = 2};
     for (int octave = 0; octave <= 50; octave += 10) {
         double d = exp2(-octave);
         const double at[3][3] = {{-1, -d, 1}, {1, -d, 1}, {0.1, -0.5 * d, -1}};
@@ -181,9 +178,12 @@ END_TEST
 START_TEST(it_ends_anywhere)
 {
     static const double faces[][3][3] = {
-        {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},  {{0, 0, 0}, {1, 0, -1}, {0, 1, -1}},
-        {{-1, 0, -1}, {1, 0, 1}, {0, 1, -1}},  {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-        {{-1, 0, -1}, {0, 0, 0}, {1, 0, 1}},   {{-1, -1, 1}, {1, -1, 1}, {0, 1, 2}},
+        {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
+        {{0, 0, 0}, {1, 0, -1}, {0, 1, -1}},
+        {{-1, 0, -1}, {1, 0, 1}, {0, 1, -1}},
+        {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {{-1, 0, -1}, {0, 0, 0}, {1, 0, 1}},
+        {{-1, -1, 1}, {1, -1, 1}, {0, 1, 2}},
         {{-1, 1e-7, 1}, {0, 1.1e-7, 0.5e-7}, {1, 1e-7, -1}},
         {{-1e30, 0, -1}, {1e30, 0, 1}, {0, 1e30, -1}},
     };

@@ -22,8 +22,7 @@ static void begin(void)
     hatch_style_default(&style);
     style.width_px = 6;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_CRAYON, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, true, &canvas, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, true, &canvas, &err), &err);
 }
 
 static void end(void)
@@ -60,14 +59,12 @@ START_TEST(strokes_only_darken_and_the_mean_is_kept_count_of)
             uint32_t size = hatch_canvas_size(&canvas, level);
             struct hatch_stroke stroke = random_stroke(i);
             memcpy(before, canvas.paper[level], size * size * sizeof *before);
-            double was = canvas.darkness[level],
-                   gain = hatch_canvas_try(&canvas, &stroke, level, 1);
+            double was = canvas.darkness[level], gain = hatch_canvas_try(&canvas, &stroke, level, 1);
             ck_assert_mem_eq(before, canvas.paper[level], size * size * sizeof *before);
             ck_assert_double_ge(gain, 0);
             hatch_canvas_draw(&canvas, &stroke, level, 0, 1);
             ck_assert_double_eq_tol(canvas.darkness[level] - was, gain, 1e-12);
-            ck_assert_double_eq_tol(canvas.darkness[level], darkness_of(canvas.paper[level], size),
-                                    1e-5);
+            ck_assert_double_eq_tol(canvas.darkness[level], darkness_of(canvas.paper[level], size), 1e-5);
             for (uint32_t k = 0; k < size * size; k++)
                 ck_assert(canvas.paper[level][k] <= before[k] && canvas.paper[level][k] >= 0);
         }
@@ -81,8 +78,7 @@ START_TEST(overlaps_are_as_the_style_says)
     struct hatch_stroke stroke = random_stroke(3);
     for (int darkens = 0; darkens < 2; darkens++) {
         style.overlap = darkens ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
-        HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
-                      &err);
+        HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
         const struct hatch_footprint *f = &canvas.footprint;
@@ -100,10 +96,8 @@ START_TEST(a_grown_stroke_is_the_stroke)
 {
     struct hatch_canvas whole;
     style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
-    HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err),
-                  &err); /* no grain, no taper */
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &whole, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err), &err); /* no grain, no taper */
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &whole, &err), &err);
     struct hatch_stroke stroke = random_stroke(5);
     hatch_canvas_draw(&canvas, &stroke, 0, 0, 0.4f);
     hatch_canvas_draw(&canvas, &stroke, 0, 0.4f, 0.7f);

@@ -20,10 +20,8 @@ START_TEST(columns_come_in_order_with_their_labels)
         snprintf(name, sizeof name, "tone.%03u", tone);
         ck_assert_str_eq(column->name, name);
         ck_assert_uint_eq(column->level_count, 7);
-        ck_assert_double_eq_tol(hatch_mipmap_attribute(column, "hatch:tone")->number,
-                                0.15 * (tone + 1), 1e-6);
-        ck_assert_str_eq(hatch_mipmap_attribute(column, "hatch:seed")->text,
-                         "18446744073709551615");
+        ck_assert_double_eq_tol(hatch_mipmap_attribute(column, "hatch:tone")->number, 0.15 * (tone + 1), 1e-6);
+        ck_assert_str_eq(hatch_mipmap_attribute(column, "hatch:seed")->text, "18446744073709551615");
         ck_assert_str_eq(hatch_mipmap_attribute(column, "hatch:style")->text, "ink");
         ck_assert_double_eq(hatch_mipmap_attribute(column, "hatch:levels")->number, 2);
     }
@@ -39,8 +37,7 @@ START_TEST(strokes_say_where_they_belong_in_drawing_order)
         const struct hatch_stroke *s = &map.strokes.items[i], *before = s - (i > 0);
         ck_assert_uint_eq(s->id, i + 1);
         ck_assert(s->column < 6 && s->level < 2);
-        ck_assert(s->column > before->column ||
-                  (s->column == before->column && s->level <= before->level));
+        ck_assert(s->column > before->column || (s->column == before->column && s->level <= before->level));
         ck_assert(s->length <= map.style.length_max && s->length >= 0);
     }
 }
@@ -122,13 +119,11 @@ START_TEST(the_exhaustive_choice_goes_where_paper_is_left)
 {
     struct hatch_canvas canvas;
     float *pyramids[1][HATCH_MIP_LEVELS_MAX];
-    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {
-        {.width = 64, .height = 64, .channel_count = 1}};
+    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{.width = 64, .height = 64, .channel_count = 1}};
     struct hatch_mipmap chain = {.levels = levels};
     map_style(NULL, "jitter 0\ndirection 90 0 1\nlength 0.1 0.3", &map);
-    HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
+                  &map_err);
     for (uint32_t i = 0; i < 64 * 64; i++)
         canvas.paper[0][i] = i % 64 >= 32;
     levels[0].pixels = canvas.paper[0];
@@ -179,8 +174,7 @@ START_TEST(growing_strokes_begin_small)
     map_fill(&map);
     ck_assert_uint_gt(map.strokes.count, whole); /* smaller ones, so more of them */
     for (uint32_t tone = 0; tone < 12; tone++)
-        ck_assert_double_eq(hatch_mipmap_attribute(&map.columns[tone], "hatch:growth")->number,
-                            (double)0.6f);
+        ck_assert_double_eq(hatch_mipmap_attribute(&map.columns[tone], "hatch:growth")->number, (double)0.6f);
 }
 END_TEST
 
@@ -189,15 +183,13 @@ static uint32_t full_grown(uint32_t tone)
 {
     struct hatch_canvas canvas;
     uint32_t count = 0;
-    HATCH_TEST_OK(
-        hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
-        &map_err);
+    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
+                  &map_err);
     for (uint32_t i = 0; i < map.strokes.count && map.strokes.items[i].column == 0; i++) {
         bool whole = true;
         (void)hatch_canvas_try(&canvas, &map.strokes.items[i], 0, 1);
         for (uint32_t k = 0; k < canvas.footprint.count; k++)
-            whole &= map.columns[tone].levels[0].pixels[canvas.footprint.at[k]] <=
-                     1.001f - canvas.footprint.alpha[k];
+            whole &= map.columns[tone].levels[0].pixels[canvas.footprint.at[k]] <= 1.001f - canvas.footprint.alpha[k];
         count += whole;
     }
     return count;
@@ -218,8 +210,7 @@ START_TEST(growing_strokes_end_at_their_full_size)
 }
 END_TEST
 
-static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch_mipmap *column,
-                                struct hatch_err *err)
+static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     (void)column;
     uint32_t *calls = context;
@@ -232,9 +223,9 @@ START_TEST(a_sink_that_fails_ends_the_work)
     map_style("ink", NULL, &map);
     uint32_t calls = 0;
     struct hatch_stroke_list list = {.count = 9};
-    ck_assert_int_eq(hatch_tam_fill(&map.style, &map.brush, &map.options, &map_arena, &map_scratch,
-                                    refuse, &calls, &list, &map_err),
-                     HATCH_IO);
+    ck_assert_int_eq(
+        hatch_tam_fill(&map.style, &map.brush, &map.options, &map_arena, &map_scratch, refuse, &calls, &list, &map_err),
+        HATCH_IO);
     ck_assert_str_eq(map_err.text, "no room for column 2");
     ck_assert_uint_eq(calls, 3);
     ck_assert_uint_eq(list.count, 9);
@@ -242,8 +233,7 @@ START_TEST(a_sink_that_fails_ends_the_work)
 }
 END_TEST
 
-static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column,
-                                struct hatch_err *err)
+static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     (void)context, (void)tone, (void)column, (void)err;
     return HATCH_OK;
@@ -252,8 +242,7 @@ static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch
 static enum hatch_status fill(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
                               struct hatch_err *err)
 {
-    return hatch_tam_fill(&map.style, &map.brush, &map.options, keep, scratch, ignore, NULL,
-                          context, err);
+    return hatch_tam_fill(&map.style, &map.brush, &map.options, keep, scratch, ignore, NULL, context, err);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -284,15 +273,14 @@ START_TEST(the_sheet_shows_every_image_in_its_place)
             uint32_t left = 8 + 72 * place + (level ? 16 : 0), top = level ? 8 : 48;
             for (uint32_t i = 0; i < image->width * image->height; i++) {
                 uint32_t x = left + i % image->width, y = top + i / image->width;
-                ck_assert_float_eq(sheet.picture.pixels[y * sheet.picture.width + x],
-                                   image->pixels[i]);
+                ck_assert_float_eq(sheet.picture.pixels[y * sheet.picture.width + x], image->pixels[i]);
             }
         }
 }
 END_TEST
 
-static enum hatch_status make_sheet(void *context, struct hatch_arena *keep,
-                                    struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status make_sheet(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
 {
     (void)scratch;
     return hatch_tam_sheet_make(64, 2, 6, true, 6, keep, context, err);

@@ -22,8 +22,7 @@ static void begin(void)
     hatch_arena_init(&keep, (size_t)64 << 20);
     hatch_style_default(&style);
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
     HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
@@ -110,8 +109,7 @@ START_TEST(a_start_finds_what_was_deposited)
         ck_assert_double_lt(change_by_starting_anew(level), 1e-4);
     }
     hatch_potential_start(&field, 0); /* the finest level alone */
-    ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1,
-                            1e-4);
+    ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1, 1e-4);
 }
 END_TEST
 
@@ -127,8 +125,7 @@ START_TEST(the_field_has_no_borders)
     memcpy(was, field.potential, (size_t)size * size * sizeof *was);
     double scale = mean_potential();
     HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
     stroke.x += 0.5f;
     stroke.y += 0.5f;
     hatch_potential_start(&field, 0);
@@ -191,8 +188,7 @@ START_TEST(the_score_looks_where_the_ink_is)
 {
     brush_of_columns(80, 10, 20);
     for (uint32_t i = 0; i < field.size * field.size; i++)
-        field.potential[i] =
-            i % field.size >= field.size / 8 && i % field.size < field.size / 4 ? 1 : 0.25f;
+        field.potential[i] = i % field.size >= field.size / 8 && i % field.size < field.size / 4 ? 1 : 0.25f;
     struct hatch_stroke stroke = {.x = 0.5f, .y = 0.3f, .length = 1};
     for (uint32_t most = 8; most <= 64; most *= 2)
         ck_assert_float_eq_tol(hatch_potential_score(&field, &stroke, most), 1, 1e-5f);
@@ -218,12 +214,10 @@ START_TEST(the_score_is_the_mean_along_the_line)
                 double at = ((k + 0.5) / samples - 0.5) * cells;
                 double x = (double)stroke.x * size + at * cos((double)stroke.angle_rad);
                 double y = (double)stroke.y * size + at * sin((double)stroke.angle_rad);
-                off += fabs(x - round(x)) < 1e-3 ||
-                       fabs(y - round(y)) < 1e-3; /* either cell will do */
+                off += fabs(x - round(x)) < 1e-3 || fabs(y - round(y)) < 1e-3; /* either cell will do */
                 x -= floor(x / size) * size;
                 y -= floor(y / size) * size;
-                sum += (double)field.potential[(uint32_t)y % field.size * field.size +
-                                               (uint32_t)x % field.size];
+                sum += (double)field.potential[(uint32_t)y % field.size * field.size + (uint32_t)x % field.size];
             }
             double score = (double)hatch_potential_score(&field, &stroke, most);
             ck_assert_double_eq_tol(score, sum / samples, 1e-5 + (double)off / samples);

@@ -16,8 +16,7 @@ static void begin(void)
 
 static enum hatch_status parse(const char *text)
 {
-    return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style,
-                             &err);
+    return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style, &err);
 }
 
 START_TEST(an_empty_file_is_the_default)
@@ -123,8 +122,7 @@ static const struct {
     {"length 0.5", "line 1: length: a value is missing"},
     {"length 0 4.5", "line 1: length: 4.5"},
     {"length -1 1", "line 1: length: -1"},
-    {"width 2\nlength 1 0.5\nwidth 3",
-     "line 2: length: the shortest, 1, is above the longest, 0.5"},
+    {"width 2\nlength 1 0.5\nwidth 3", "line 2: length: the shortest, 1, is above the longest, 0.5"},
     {"bend 5", "line 1: bend: a value is missing"},
     {"bend 5 359", "line 1: bend: 359"},
     {"bend 90 45", "line 1: bend: the least, 90, is above the most, 45"},
@@ -163,16 +161,15 @@ static const struct {
     {"brush image  # none", "line 1: brush: image wants a file name"},
     {"name", "line 1: name: want one word"},
     {"name two words", "line 1: name: more values"},
-    {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
-     "line 1: name: want one word"},
+    {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "line 1: name: want one word"},
 };
 
 START_TEST(a_bad_line_is_named_and_changes_nothing)
 {
     struct hatch_style was = style;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'",
-                  err.text, bad[_i].says);
+    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'", err.text,
+                  bad[_i].says);
     ck_assert_mem_eq(&was, &style, sizeof style);
 }
 END_TEST
@@ -184,8 +181,8 @@ START_TEST(colors_lie_on_a_path)
     hatch_style_color_at(&style, 0.5f, rgb);
     ck_assert(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0);
     HATCH_TEST_OK(parse("color 0.2 ff0000\ncolor 0.4 0000ff\ncolor 0.8 000000"), &err);
-    static const float want[][4] = {{0, 1, 0, 0},         {0.2f, 1, 0, 0},     {0.25f, 0.75f, 0, 0.25f},
-                                    {0.4f, 0, 0, 1},      {0.6f, 0, 0, 0.5f}, {0.9f, 0, 0, 0}};
+    static const float want[][4] = {{0, 1, 0, 0},    {0.2f, 1, 0, 0},    {0.25f, 0.75f, 0, 0.25f},
+                                    {0.4f, 0, 0, 1}, {0.6f, 0, 0, 0.5f}, {0.9f, 0, 0, 0}};
     for (int i = 0; i < 6; i++) {
         hatch_style_color_at(&style, want[i][0], rgb);
         for (int c = 0; c < 3; c++)
@@ -226,8 +223,7 @@ static Suite *suite(void)
     tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_do_not_matter);
     tcase_add_test(tests, every_brush_has_its_word);
     tcase_add_test(tests, a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them);
-    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0,
-                        sizeof bad / sizeof *bad);
+    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tests, colors_lie_on_a_path);
     tcase_add_test(tests, targets_rise_to_the_darkest);
     suite_add_tcase(suite, tests);

@@ -11,8 +11,7 @@ static struct test_frame frame;
 static struct hatch_tam map;
 
 /* A lamp before the upper left corner, so that every vertex has a tone of its own. */
-static const struct hatch_light lamp = {
-    .type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1.9f};
+static const struct hatch_light lamp = {.type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1.9f};
 static const double lamp_at[3] = {-0.8, 0.7, 0.9};
 
 static void add_lamp(void)

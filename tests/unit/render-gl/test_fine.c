@@ -46,27 +46,27 @@ static void make_volume(enum hatch_volume_layout layout)
     struct hatch_volume_options how = {.tones = TONES / 2, .layout = layout};
     struct hatch_volume_figures figures;
     HATCH_TEST_OK(hatch_volume_make(&map, &how, NULL, &frame.arena, &volume, &figures, &frame.err), &frame.err);
-    fine = (struct fine){.form = COLUMNS_VOLUME, .texels = volume.texels, .levels = volume.levels,
-                         .darkest = volume.darkest};
+    fine = (struct fine){
+        .form = COLUMNS_VOLUME, .texels = volume.texels, .levels = volume.levels, .darkest = volume.darkest};
 }
 
 static void make_thresholds(void)
 {
     struct hatch_threshold_options how = {.bins = HATCH_THRESHOLD_BINS, .seed = 1};
     struct hatch_threshold_figures figures;
-    HATCH_TEST_OK(hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &figures,
-                                        &frame.err),
-                  &frame.err);
-    fine = (struct fine){.form = COLUMNS_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels,
-                         .darkest = 1};
+    HATCH_TEST_OK(
+        hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &figures, &frame.err),
+        &frame.err);
+    fine = (struct fine){
+        .form = COLUMNS_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels, .darkest = 1};
 }
 
 static void make_exact(void)
 {
     struct hatch_exact exact;
     HATCH_TEST_OK(hatch_exact_make(&map, NULL, &frame.arena, &frame.scratch, &exact, &frame.err), &frame.err);
-    fine = (struct fine){.form = COLUMNS_THRESHOLDS, .texels = exact.texels, .exact = exact, .levels = exact.levels,
-                         .darkest = 1};
+    fine = (struct fine){
+        .form = COLUMNS_THRESHOLDS, .texels = exact.texels, .exact = exact, .levels = exact.levels, .darkest = 1};
 }
 
 /* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone

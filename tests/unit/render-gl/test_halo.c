@@ -12,13 +12,13 @@ enum { SIZE = 256 };
 static struct test_frame frame;
 
 static const struct hatch_view near_by = {.eye = {0, 0, 4},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .back = {0, 0, 1},
-                                    .half_height = 0.25,
-                                    .aspect = 1,
-                                    .near = HATCH_VIEW_NEAR,
-                                    .pivot = 4};
+                                          .right = {1, 0, 0},
+                                          .up = {0, 1, 0},
+                                          .back = {0, 0, 1},
+                                          .half_height = 0.25,
+                                          .aspect = 1,
+                                          .near = HATCH_VIEW_NEAR,
+                                          .pivot = 4};
 
 static void show(const struct hatch_mesh *mesh)
 {
@@ -87,8 +87,8 @@ START_TEST(haloes_are_as_wide_as_asked_for)
             }
             ck_assert_double_le(inside, 1e-6);
             for (int end = 0; end < 2; end++)
-                ck_assert_msg(fabs(white[end] - width) <= 0.5, "%g px for %g, %u samples, view %zu", white[end],
-                              width, side * side, i % 2);
+                ck_assert_msg(fabs(white[end] - width) <= 0.5, "%g px for %g, %u samples, view %zu", white[end], width,
+                              side * side, i % 2);
         }
     frame_end(&frame);
 }
@@ -127,7 +127,7 @@ START_TEST(one_surface_has_none)
         for (int turn = 0; turn < 6; turn++)
             for (int view = 0; view < 2; view++) {
                 struct hatch_image with, without;
-                            struct hatch_mesh mesh = kind == 0   ? plane_at(6, 0)
+                struct hatch_mesh mesh = kind == 0   ? plane_at(6, 0)
                                          : kind == 1 ? bare_shape(HATCH_SHAPE_SPHERE, 2000u << turn)
                                                      : wall_and_floor();
                 tilt(&mesh, kind == 2 ? 0.35 + 0.15 * turn : 1.5 - 0.28 * turn);
@@ -140,7 +140,7 @@ START_TEST(one_surface_has_none)
                 ck_assert_msg(more <= (kind == 1 ? 2 : 0), "kind %d, turn %d, view %d: %g pixels", kind, turn, view,
                               more);
                 frame_end(&frame);
-                        }
+            }
 }
 END_TEST
 

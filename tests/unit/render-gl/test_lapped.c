@@ -10,9 +10,7 @@ static double composite(uint32_t count, uint32_t tone, int column, int row)
         int x = (column + shifts[p][0]) % SIZE, y = (row + shifts[p][1]) % SIZE;
         int mx = column + shifts[p][2], my = row + shifts[p][3];
         double texel = round(255 * (double)map.columns[tone].levels[0].pixels[y * SIZE + x]) / 255;
-        double share = mx < 0 || my < 0 || mx >= SIZE || my >= SIZE
-                           ? 0
-                           : (double)mask.pixels[2 * (my * SIZE + mx) + 1];
+        double share = mx < 0 || my < 0 || mx >= SIZE || my >= SIZE ? 0 : (double)mask.pixels[2 * (my * SIZE + mx) + 1];
         paper += share * (texel - paper);
     }
     return paper;
@@ -34,8 +32,8 @@ static double worst_against_composite(const char *technique, uint32_t materials)
     double worst = 0;
     for (int row = 0; row < SIZE; row++)
         for (int column = 0; column < SIZE; column++)
-            worst = fmax(worst, fabs((double)image.pixels[3 * (row * SIZE + column)] -
-                                     composite(4, tone, column, row)));
+            worst =
+                fmax(worst, fabs((double)image.pixels[3 * (row * SIZE + column)] - composite(4, tone, column, row)));
     frame_end(&frame);
     return worst;
 }
@@ -116,17 +114,17 @@ static void place_plain(uint32_t patch, const float *position, float hatch[2], f
 
 START_TEST(one_patch_is_ordinary_texture_coordinates)
 {
-    static const char *const names[] = {"tam",         "tam-flat",   "tam-face",     "tam-gouraud",
+    static const char *const names[] = {"tam",        "tam-flat",      "tam-face", "tam-gouraud",
                                         "tam-triple", "tam-threshold", "gouraud"};
     const struct cut cut = {.count = 1, .materials = 1, .place = place_plain};
     const struct hatch_view slant = {.eye = {0, 1.2, 2.4},
-                               .right = {1, 0, 0},
-                               .up = {0, 0.894427191, -0.447213595},
-                               .back = {0, 0.447213595, 0.894427191},
-                               .half_height = 0.5,
-                               .aspect = 1,
-                               .near = 0.1,
-                               .pivot = 2.7};
+                                     .right = {1, 0, 0},
+                                     .up = {0, 0.894427191, -0.447213595},
+                                     .back = {0, 0.447213595, 0.894427191},
+                                     .half_height = 0.5,
+                                     .aspect = 1,
+                                     .near = 0.1,
+                                     .pivot = 2.7};
     struct hatch_image lapped, plain;
     begin();
     fill_mask();

@@ -33,18 +33,14 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
 {
     static struct shader_source shaders;
     const struct hatch_bounds bounds = {.radius = 1};
-    const struct line_style style = {
-        .kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
+    const struct line_style style = {.kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
     shaders = (struct shader_source){NULL, &scratch};
     HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &keep, &scene, &err), &err);
     HATCH_TEST_OK(scene_upload(&scene, NULL, &bounds, &keep, &scratch, &gpu, &err), &err);
     HATCH_TEST_OK(scene_set_pose(&gpu, HATCH_NONE, 0, &scratch, &err), &err);
-    HATCH_TEST_OK(
-        lines_make(&gpu, &style, &shaders, (uint64_t)1 << 30, &keep, &scratch, &lines, &err), &err);
+    HATCH_TEST_OK(lines_make(&gpu, &style, &shaders, (uint64_t)1 << 30, &keep, &scratch, &lines, &err), &err);
     renderer = (struct renderer){.shaders = shaders,
-                                 .style = {.inks = {.paper = {1, 1, 1}},
-                                           .curve = {.gamma = 1},
-                                           .hatch_scale = 1},
+                                 .style = {.inks = {.paper = {1, 1, 1}}, .curve = {.gamma = 1}, .hatch_scale = 1},
                                  .scene = &gpu,
                                  .lines = &lines,
                                  .size_max_px = context.size_max_px};
@@ -68,9 +64,7 @@ static struct hatch_image draw(const struct hatch_view *view, uint32_t target_px
 static double ink_at(const struct hatch_image *image, double x, double y)
 {
     long column = lround(x - 0.5), row = 399 - lround(y - 0.5);
-    return column < 0 || column > 399 || row < 0 || row > 399
-               ? 0.0
-               : (double)image->pixels[3 * (400 * row + column)];
+    return column < 0 || column > 399 || row < 0 || row > 399 ? 0.0 : (double)image->pixels[3 * (400 * row + column)];
 }
 
 static double ink_of(const struct hatch_image *image)
@@ -151,8 +145,7 @@ static void flood(const struct hatch_image *image, uint8_t *seen, size_t start)
             for (int x = -1; x <= 1; x++) {
                 long column = (long)(at % 400) + x, row = (long)(at / 400) + y;
                 size_t next = (size_t)(400 * row + column);
-                if (column < 0 || column > 399 || row < 0 || row > 399 || seen[next] ||
-                    image->pixels[3 * next] < 0.02f)
+                if (column < 0 || column > 399 || row < 0 || row > 399 || seen[next] || image->pixels[3 * next] < 0.02f)
                     continue;
                 seen[next] = 1;
                 stack[count++] = next;
@@ -222,8 +215,7 @@ START_TEST(hidden_parts_of_a_torus_are_left_out)
     for (uint32_t i = 0; i < trace.node_count; i++) {
         bool near_other = false;
         for (uint32_t j = 0; j < trace.node_count && !near_other; j++)
-            near_other = hidden[j] != hidden[i] &&
-                         hypot(at[i][0] - at[j][0], at[i][1] - at[j][1]) < 8;
+            near_other = hidden[j] != hidden[i] && hypot(at[i][0] - at[j][0], at[i][1] - at[j][1]) < 8;
         if (near_other)
             continue;
         counts[hidden[i]]++;

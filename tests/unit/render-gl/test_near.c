@@ -41,8 +41,8 @@ static struct hatch_view view_near(const struct hatch_mesh *mesh, double distanc
         choice.target[k] = 0.3 * corner[0][k] + 0.3 * corner[1][k] + 0.4 * corner[2][k] + shift[k];
         choice.eye[k] = choice.target[k] + distance * (0.9 * normal[k] + 0.44 * side[k]);
     }
-    HATCH_TEST_OK(hatch_view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH, &frame.scratch,
-                            &view, &frame.err),
+    HATCH_TEST_OK(hatch_view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH,
+                                  &frame.scratch, &view, &frame.err),
                   &frame.err);
     return view;
 }

@@ -57,8 +57,16 @@ static uint32_t read_strokes(double span, double size_px, struct stroke *strokes
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
     struct hatch_image picture;
-    struct hatch_view view = {.eye = {0, 0, 5}, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .orthographic = true,
-                        .half_height = span, .aspect = 1, .near = 0.1, .far = 10, .pivot = 5};
+    struct hatch_view view = {.eye = {0, 0, 5},
+                              .right = {1, 0, 0},
+                              .up = {0, 1, 0},
+                              .back = {0, 0, 1},
+                              .orthographic = true,
+                              .half_height = span,
+                              .aspect = 1,
+                              .near = 0.1,
+                              .far = 10,
+                              .pivot = 5};
     uint32_t there = 0;
     double pixels = SIZE / (2 * span);
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);

@@ -24,8 +24,9 @@ static void begin(int turn, bool mirrored, bool own)
         float u = along[0] * x + along[1] * y, up = along[0] * y - along[1] * x;
         texcoord[2 * v] = own ? 0 : mirrored ? -u : u;
         texcoord[2 * v + 1] = own ? 0 : -up;
-        memcpy(tangent + 4 * v, (float[4]){mirrored ? -along[0] : along[0], mirrored ? -along[1] : along[1], 0,
-                                           mirrored ? -1.0f : 1.0f}, 16);
+        memcpy(tangent + 4 * v,
+               (float[4]){mirrored ? -along[0] : along[0], mirrored ? -along[1] : along[1], 0, mirrored ? -1.0f : 1.0f},
+               16);
     }
     for (uint32_t i = 0; !own && i < mesh.attribute_count; i++)
         if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
@@ -37,9 +38,8 @@ static void begin(int turn, bool mirrored, bool own)
         frame_begin(&mesh, &frame_unit, NULL, &frame);
     }
     frame.renderer.style.pixel_light = true;
-    frame.renderer.style.light = (struct own_light){.wanted = true,
-                                                    .azimuth_rad = atan2(to_light[0], to_light[2]),
-                                                    .elevation_rad = asin(to_light[1])};
+    frame.renderer.style.light = (struct own_light){
+        .wanted = true, .azimuth_rad = atan2(to_light[0], to_light[2]), .elevation_rad = asin(to_light[1])};
 }
 
 static void set_normal(double x, double y, double z, double strength)
@@ -50,8 +50,7 @@ static void set_normal(double x, double y, double z, double strength)
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
     glTextureStorage2D(texture, 1, GL_RGBA32F, 1, 1);
     glTextureSubImage2D(texture, 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel);
-    HATCH_TEST_OK(normals_set(&frame.gpu, &frame.gpu.items[0], &map, texture, &frame.arena, &frame.scratch,
-                              &frame.err),
+    HATCH_TEST_OK(normals_set(&frame.gpu, &frame.gpu.items[0], &map, texture, &frame.arena, &frame.scratch, &frame.err),
                   &frame.err);
 }
 

@@ -7,12 +7,31 @@ enum { SIZE = 160 };
 
 static const struct model_how models[] = {
     {.layers = 3, .tile_px = 60, .length_px = 20, .width_px = 2, .angle_rad = {0, 1.5, 0.4}, .overlap = 1},
-    {.layers = 4, .tile_px = 40, .length_px = 14, .width_px = 3, .angle_rad = {0.7, -1, 2, 0}, .ink = 0.8,
-     .overlap = 0.2, .fade_size = true, .seeds = 37},
-    {.layers = 2, .tile_px = 77, .length_px = 30, .width_px = 1.5, .angle_rad = {0.1, 1.2}, .seeds = 16,
-     .law = HATCH_FADE_PAPER, .overlap = 0.5},
-    {.layers = 4, .tile_px = 50, .length_px = 25, .width_px = 2, .angle_rad = {0, 1.5, 0.5, 2}, .ink = 0.9,
-     .law = HATCH_FADE_WEIGHTED, .overlap = 0.3},
+    {.layers = 4,
+     .tile_px = 40,
+     .length_px = 14,
+     .width_px = 3,
+     .angle_rad = {0.7, -1, 2, 0},
+     .ink = 0.8,
+     .overlap = 0.2,
+     .fade_size = true,
+     .seeds = 37},
+    {.layers = 2,
+     .tile_px = 77,
+     .length_px = 30,
+     .width_px = 1.5,
+     .angle_rad = {0.1, 1.2},
+     .seeds = 16,
+     .law = HATCH_FADE_PAPER,
+     .overlap = 0.5},
+    {.layers = 4,
+     .tile_px = 50,
+     .length_px = 25,
+     .width_px = 2,
+     .angle_rad = {0, 1.5, 0.5, 2},
+     .ink = 0.9,
+     .law = HATCH_FADE_WEIGHTED,
+     .overlap = 0.3},
 };
 
 static const struct {
@@ -33,10 +52,10 @@ static struct hatch_rptam rptam;
 static void set_view(int scene, struct hatch_view *view)
 {
     *view = (struct hatch_view){.half_height = scenes[scene].half_height,
-                          .aspect = 1,
-                          .near = 0.01,
-                          .far = 100,
-                          .pivot = scenes[scene].distance};
+                                .aspect = 1,
+                                .near = 0.01,
+                                .far = 100,
+                                .pivot = scenes[scene].distance};
     hatch_view_set_back(view, scenes[scene].back);
     for (int k = 0; k < 3; k++)
         view->eye[k] = scenes[scene].distance * view->back[k];
@@ -56,8 +75,8 @@ static void draw_both(int scene, double low, double high, struct raster *raster,
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, picture);
     *raster = (struct raster){.mesh = &mesh, .view = &view, .size = SIZE};
     for (int k = 0; k < 3; k++)
-        raster->to_light[k] = cos(0.7) * sin(-0.7) * view.right[k] + sin(0.7) * view.up[k] +
-                              cos(0.7) * cos(-0.7) * view.back[k];
+        raster->to_light[k] =
+            cos(0.7) * sin(-0.7) * view.right[k] + sin(0.7) * view.up[k] + cos(0.7) * cos(-0.7) * view.back[k];
     raster_draw(raster, &frame.arena);
 }
 

@@ -132,8 +132,11 @@ static void begin_lamps(enum hatch_light_type type, uint32_t count)
                                            .skin = HATCH_NONE,
                                            .camera = HATCH_NONE,
                                            .light = i};
-        lights[i] = (struct hatch_light){.type = type, .color = {1, 1, 1}, .intensity = 1 / (float)count,
-                                         .inner_cone_rad = 0.9f, .outer_cone_rad = 1.0f};
+        lights[i] = (struct hatch_light){.type = type,
+                                         .color = {1, 1, 1},
+                                         .intensity = 1 / (float)count,
+                                         .inner_cone_rad = 0.9f,
+                                         .outer_cone_rad = 1.0f};
     }
     frame.scene.nodes = nodes;
     frame.scene.node_count = count + 1;
@@ -161,8 +164,10 @@ START_TEST(shadows_have_their_maps)
     static const struct {
         enum hatch_light_type type;
         uint32_t count;
-    } cases[] = {{HATCH_LIGHT_POINT, SHADOW_LAYERS / 6}, {HATCH_LIGHT_POINT, SHADOW_LAYERS / 6 + 3},
-                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS}, {HATCH_LIGHT_SPOT, SHADOW_LAYERS + 8}};
+    } cases[] = {{HATCH_LIGHT_POINT, SHADOW_LAYERS / 6},
+                 {HATCH_LIGHT_POINT, SHADOW_LAYERS / 6 + 3},
+                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS},
+                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS + 8}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         uint32_t layers = cases[i].type == HATCH_LIGHT_SPOT ? 1 : 6, count = cases[i].count;
         double through = 1 - fmin(1, SHADOW_LAYERS / layers / (double)count);
@@ -191,8 +196,8 @@ START_TEST(nothing_shades_itself)
         for (int turn = 0; turn < 5; turn++) {
             struct hatch_image image[2];
             frame_arenas(&frame);
-            struct hatch_mesh mesh = shape ? frame_shape(&frame, HATCH_SHAPE_SPHERE, 3000)
-                                           : frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
+            struct hatch_mesh mesh =
+                shape ? frame_shape(&frame, HATCH_SHAPE_SPHERE, 3000) : frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
             frame_begin(&mesh, &frame_unit, NULL, &frame);
             frame.renderer.style.light =
                 (struct own_light){.wanted = true, .azimuth_rad = 0.37 * turn, .elevation_rad = 0.1 * turn};

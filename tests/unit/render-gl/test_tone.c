@@ -43,8 +43,7 @@ static struct hatch_view view_from(double distance)
 
 static void set_repeat(const struct hatch_view *view)
 {
-    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, view, HEIGHT, 256, 4, &frame.scratch, &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, view, HEIGHT, 256, 4, &frame.scratch, &frame.err), &frame.err);
 }
 
 /* The low pass is a box of half the map's side: what the eye blends at reading distance. */
@@ -61,9 +60,7 @@ START_TEST(strokes_have_the_tone_of_the_light)
         double low, ink = 1 - 0.99;
         frame_draw(&frame, "tam", &view, WIDTH, HEIGHT, 2, &strokes);
         frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
-        HATCH_TEST_OK(hatch_image_low_difference(&strokes, &tone, 128, &frame.scratch, &low,
-                                                 &frame.err),
-                      &frame.err);
+        HATCH_TEST_OK(hatch_image_low_difference(&strokes, &tone, 128, &frame.scratch, &low, &frame.err), &frame.err);
         ck_assert_msg(low <= 0.03, "at %g: %g", distances[i], low);
         ck_assert_double_lt(hatch_image_mean(&tone), 1 - ink);
     }
@@ -71,8 +68,7 @@ START_TEST(strokes_have_the_tone_of_the_light)
 }
 END_TEST
 
-static double threshold_error(uint32_t side, const struct hatch_view *view,
-                              const struct hatch_image *reference)
+static double threshold_error(uint32_t side, const struct hatch_view *view, const struct hatch_image *reference)
 {
     struct hatch_image image;
     struct hatch_difference difference;

@@ -4,7 +4,10 @@
 #include "arenas.h"
 #include "scene/pose.h"
 
-#define IDENTITY {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}
+#define IDENTITY                                                                                                       \
+    {                                                                                                                  \
+        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1                                                                 \
+    }
 
 /* Node 0 shows a triangle with a skin of nodes 1 and 2, of which the second stands 5 to the right. */
 static struct hatch_node nodes[3];
@@ -17,8 +20,14 @@ static struct hatch_scene_mesh shown;
 static float times[2] = {0, 1}, counts[4] = {0, 0, 1, 2};
 static struct hatch_animation_channel channel = {0, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, counts, 2};
 static struct hatch_animation animation = {1, &channel, 1};
-static struct hatch_scene scene = {.nodes = nodes, .node_count = 3, .meshes = &shown, .mesh_count = 1,
-                                   .skins = &skin, .skin_count = 1, .animations = &animation, .animation_count = 1};
+static struct hatch_scene scene = {.nodes = nodes,
+                                   .node_count = 3,
+                                   .meshes = &shown,
+                                   .mesh_count = 1,
+                                   .skins = &skin,
+                                   .skin_count = 1,
+                                   .animations = &animation,
+                                   .animation_count = 1};
 static struct hatch_pose pose;
 
 static void pose_triangle(const float weights[4], double at[3])

@@ -46,7 +46,7 @@ START_TEST(nodes_are_placed_by_their_parents)
     const struct hatch_scene scene = {.node_count = 3, .nodes = nodes};
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
     is_at(world, 1, 0, 0);
-    is_at(world + 16, 2, 0, 0); /* z has become x */
+    is_at(world + 16, 2, 0, 0);  /* z has become x */
     is_at(world + 32, 2, 0, -5); /* and x minus z */
     apply(world + 32, 0, 1, 0, p);
     ck_assert_float_eq_tol(p[1], 6, 1e-5f);
@@ -63,22 +63,23 @@ static struct hatch_scene moved_by(struct hatch_animation_channel channel)
     moved_node = resting;
     moving = channel;
     movement = (struct hatch_animation){1, &moving, moving.times_s[moving.key_count - 1]};
-    return (struct hatch_scene){
-        .node_count = 1, .nodes = &moved_node, .animation_count = 1, .animations = &movement};
+    return (struct hatch_scene){.node_count = 1, .nodes = &moved_node, .animation_count = 1, .animations = &movement};
 }
 
 START_TEST(keys_are_interpolated_each_way)
 {
     float times[] = {1, 2, 4}, values[] = {0, 0, 0, 10, 0, 0, 10, 4, 0};
-    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
-        .path = HATCH_PATH_TRANSLATION, .interpolation = HATCH_LINEAR, .key_count = 3,
-        .times_s = times, .values = values});
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_TRANSLATION,
+                                                                               .interpolation = HATCH_LINEAR,
+                                                                               .key_count = 3,
+                                                                               .times_s = times,
+                                                                               .values = values});
     const struct {
         double time_s;
         float linear[2], step[2];
     } want[] = {
-        {0, {0, 0}, {0, 0}},  {1.25, {2.5f, 0}, {0, 0}}, {2, {10, 0}, {10, 0}},
-        {3, {10, 2}, {10, 0}}, {4, {10, 4}, {10, 4}},     {5.25, {2.5f, 0}, {0, 0}}, /* wrapped */
+        {0, {0, 0}, {0, 0}},    {1.25, {2.5f, 0}, {0, 0}}, {2, {10, 0}, {10, 0}},
+        {3, {10, 2}, {10, 0}},  {4, {10, 4}, {10, 4}},     {5.25, {2.5f, 0}, {0, 0}}, /* wrapped */
         {-1, {10, 2}, {10, 0}},
     };
     float world[16];
@@ -100,9 +101,11 @@ START_TEST(cubic_keys_follow_their_tangents)
     /* In-tangent, value, out-tangent: x(t) = t³ - t over [0, 2], whose slopes are -1 and 11. */
     float times[] = {0, 2};
     float values[] = {9, 9, 9, 0, 0, 0, -1, 0, 0, 11, 0, 0, 6, 0, 0, 9, 9, 9};
-    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
-        .path = HATCH_PATH_TRANSLATION, .interpolation = HATCH_CUBIC, .key_count = 2,
-        .times_s = times, .values = values});
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_TRANSLATION,
+                                                                               .interpolation = HATCH_CUBIC,
+                                                                               .key_count = 2,
+                                                                               .times_s = times,
+                                                                               .values = values});
     for (double t = 0; t <= 2; t += 0.125) {
         float world[16];
         hatch_scene_pose(&scene, 0, t, world);
@@ -116,9 +119,12 @@ START_TEST(weights_of_morph_targets_move)
     /* As above, of three targets; the node says something else, which counts without an animation. */
     float times[] = {0, 2}, rest[] = {0.5f, 0, -1};
     float values[] = {9, 9, 9, 0, 0, 1, -1, 0, 0, 11, 0, 0, 6, 0, 1, 9, 9, 9};
-    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
-        .path = HATCH_PATH_WEIGHTS, .interpolation = HATCH_CUBIC, .key_count = 2,
-        .times_s = times, .values = values, .targets = 3});
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_WEIGHTS,
+                                                                               .interpolation = HATCH_CUBIC,
+                                                                               .key_count = 2,
+                                                                               .times_s = times,
+                                                                               .values = values,
+                                                                               .targets = 3});
     double weights[3];
     moved_node.weights = rest;
     for (double t = 0; t <= 2; t += 0.125) {
@@ -140,9 +146,11 @@ START_TEST(rotations_turn_evenly_the_short_way)
     float times[] = {0, 1};
     /* A quarter turn around z, its end given as minus the quaternion. */
     float values[] = {0, 0, 0, 1, 0, 0, -HALF_SQRT, -HALF_SQRT};
-    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
-        .path = HATCH_PATH_ROTATION, .interpolation = HATCH_LINEAR, .key_count = 2,
-        .times_s = times, .values = values});
+    const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_ROTATION,
+                                                                               .interpolation = HATCH_LINEAR,
+                                                                               .key_count = 2,
+                                                                               .times_s = times,
+                                                                               .values = values});
     for (double t = 0; t <= 1; t += 0.125) {
         float world[16], p[3];
         hatch_scene_pose(&scene, 0, t, world);
@@ -166,9 +174,11 @@ START_TEST(rotations_turn_about_their_axis)
             for (int k = 0; k < 3; k++)
                 values[4 + k] = (float)(sin(half) * axis[k]);
             values[7] = (float)cos(half);
-            const struct hatch_scene scene = moved_by((struct hatch_animation_channel){
-                .path = HATCH_PATH_ROTATION, .interpolation = HATCH_LINEAR, .key_count = 2,
-                .times_s = times, .values = values});
+            const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_ROTATION,
+                                                                                       .interpolation = HATCH_LINEAR,
+                                                                                       .key_count = 2,
+                                                                                       .times_s = times,
+                                                                                       .values = values});
             double turn = cos(half) < 0 ? angle - 3.14159265358979324 : angle; /* half of the shorter way */
             hatch_scene_pose(&scene, 0, 0.5, world);
             for (int column = 0; column < 3; column++) {
@@ -191,11 +201,10 @@ START_TEST(a_skin_at_rest_leaves_its_mesh)
     nodes[1].parent = 0;
     nodes[1].translation[1] = 2;
     uint32_t joints[] = {0, 1};
-    float inverse[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, 0, 0, 1,
+    float inverse[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, 0,  0, 1,
                          1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, -2, 0, 1};
     struct hatch_skin skin = {2, joints, inverse};
-    const struct hatch_scene scene = {
-        .node_count = 2, .nodes = nodes, .skin_count = 1, .skins = &skin};
+    const struct hatch_scene scene = {.node_count = 2, .nodes = nodes, .skin_count = 1, .skins = &skin};
     float world[32], matrices[32];
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
     hatch_scene_skin(&scene, 0, world, matrices);
@@ -216,8 +225,7 @@ static struct hatch_mesh make_sphere(void)
     struct hatch_mesh mesh;
     struct hatch_err err;
     const struct hatch_shape_options options = {.faces = 500};
-    HATCH_TEST_OK(
-        hatch_shape_make(HATCH_SHAPE_SPHERE, &options, &keep, &scratch, &mesh, &err), &err);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_SPHERE, &options, &keep, &scratch, &mesh, &err), &err);
     return mesh;
 }
 
@@ -233,8 +241,7 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
     nodes[1].scale[0] = -2; /* a mirror */
     nodes[1].translation[0] = 10;
     nodes[2].mesh_count = 0;
-    const struct hatch_scene scene = {
-        .mesh_count = 1, .meshes = meshes, .node_count = 3, .nodes = nodes};
+    const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 3, .nodes = nodes};
     struct hatch_err err;
     HATCH_TEST_OK(hatch_scene_flatten(&scene, &keep, &scratch, &flat, &err), &err);
     ck_assert_uint_eq(flat.face_count, 2 * sphere.face_count);
@@ -267,13 +274,12 @@ struct flattening {
     struct hatch_mesh mesh;
 };
 
-static enum hatch_status flatten_one(void *context, struct hatch_arena *kept,
-                                     struct hatch_arena *temporary, struct hatch_err *err)
+static enum hatch_status flatten_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                     struct hatch_err *err)
 {
     struct flattening *f = context;
     struct hatch_scene scene;
-    enum hatch_status status =
-        hatch_scene_of_mesh(&f->scene.meshes[0].mesh, kept, &scene, err);
+    enum hatch_status status = hatch_scene_of_mesh(&f->scene.meshes[0].mesh, kept, &scene, err);
     return status == HATCH_OK ? hatch_scene_flatten(&scene, kept, temporary, &f->mesh, err) : status;
 }
 

@@ -5,11 +5,10 @@
 #include "fail_alloc.h"
 #include "seed/cycle.h"
 
-static enum hatch_status make(enum hatch_cycle_method method, uint32_t count, uint64_t seed,
-                              uint8_t *crumbs, struct hatch_err *said)
+static enum hatch_status make(enum hatch_cycle_method method, uint32_t count, uint64_t seed, uint8_t *crumbs,
+                              struct hatch_err *said)
 {
-    const struct hatch_cycle_options options = {
-        .method = method, .count = count, .seed = seed, .steps_max = 1000000};
+    const struct hatch_cycle_options options = {.method = method, .count = count, .seed = seed, .steps_max = 1000000};
     return hatch_cycle_make(&options, &scratch, crumbs, NULL, said);
 }
 
@@ -131,8 +130,8 @@ START_TEST(other_counts_than_powers_of_four_need_the_general_method)
 }
 END_TEST
 
-static enum hatch_status make_for_allocation(void *context, struct hatch_arena *kept,
-                                             struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status make_for_allocation(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                             struct hatch_err *said)
 {
     const struct hatch_cycle_options *options = context;
     uint8_t *crumbs = HATCH_NEW(kept, uint8_t, options->count, said);

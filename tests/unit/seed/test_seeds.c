@@ -10,15 +10,13 @@
 
 static enum hatch_status read_text(const char *text, struct hatch_seeds *seeds, struct hatch_err *said)
 {
-    return hatch_seeds_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &keep, seeds,
-                            said);
+    return hatch_seeds_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &keep, seeds, said);
 }
 
 /* 0123 for ever: u = 0.0101... = 1/3, v = 0.0011... = 1/5, and the same turned. */
 START_TEST(seeds_stand_at_periodic_fractions)
 {
-    static const double want[4][2] = {{1.0 / 3, 1.0 / 5}, {2.0 / 3, 2.0 / 5},
-                                      {1.0 / 3, 4.0 / 5}, {2.0 / 3, 3.0 / 5}};
+    static const double want[4][2] = {{1.0 / 3, 1.0 / 5}, {2.0 / 3, 2.0 / 5}, {1.0 / 3, 4.0 / 5}, {2.0 / 3, 3.0 / 5}};
     struct hatch_seeds seeds;
     struct hatch_seed_place places[4];
     HATCH_TEST_OK(read_text("0123\n", &seeds, &err), &err);
@@ -40,8 +38,7 @@ START_TEST(a_file_is_read_as_it_was_written)
     ck_assert_uint_eq(seeds.layers[1].count, 7);
     HATCH_TEST_OK(hatch_seeds_write(&seeds, "why", &file, &err), &err);
     ck_assert_mem_eq(file.data, "# why\n0123\n3021301\n", file.size);
-    HATCH_TEST_OK(hatch_seeds_read((struct hatch_bytes){file.data, file.size}, &keep, &again, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_seeds_read((struct hatch_bytes){file.data, file.size}, &keep, &again, &err), &err);
     ck_assert_mem_eq(again.layers[1].crumbs, seeds.layers[1].crumbs, 7);
 }
 END_TEST
@@ -160,11 +157,10 @@ START_TEST(more_candidates_spread_seeds_better)
 }
 END_TEST
 
-static enum hatch_status make_and_measure(void *context, struct hatch_arena *results,
-                                          struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status make_and_measure(void *context, struct hatch_arena *results, struct hatch_arena *temporary,
+                                          struct hatch_err *said)
 {
-    const struct hatch_seeds_options options = {
-        .cycle = {.count = 20, .seed = 3}, .layers = 2, .candidates = 2};
+    const struct hatch_seeds_options options = {.cycle = {.count = 20, .seed = 3}, .layers = 2, .candidates = 2};
     struct hatch_seeds seeds;
     uint64_t steps;
     double within, together;

@@ -8,12 +8,10 @@
 
 #define PI 3.14159265358979323846
 
-
-static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise,
-                              uint64_t seed)
+static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise, uint64_t seed)
 {
-    return shape_with(
-        shape, (struct hatch_shape_options){.faces = faces, .jitter = jitter, .noise = noise, .seed = seed});
+    return shape_with(shape,
+                      (struct hatch_shape_options){.faces = faces, .jitter = jitter, .noise = noise, .seed = seed});
 }
 
 static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
@@ -54,16 +52,15 @@ START_TEST(areas_are_those_of_the_formulas)
         enum hatch_shape shape;
         double area;
     } known[] = {
-        {HATCH_SHAPE_SPHERE, 4 * PI},          {HATCH_SHAPE_CYLINDER, 4 * PI},
-        {HATCH_SHAPE_CONE, PI * sqrt(5.0)},    {HATCH_SHAPE_WAVE, wave_area()},
-        {HATCH_SHAPE_TORUS, 4 * PI * PI * 0.4},
-        {HATCH_SHAPE_PLANE, 4},                {HATCH_SHAPE_SADDLE, saddle_area()},
+        {HATCH_SHAPE_SPHERE, 4 * PI},        {HATCH_SHAPE_CYLINDER, 4 * PI},         {HATCH_SHAPE_CONE, PI * sqrt(5.0)},
+        {HATCH_SHAPE_WAVE, wave_area()},     {HATCH_SHAPE_TORUS, 4 * PI * PI * 0.4}, {HATCH_SHAPE_PLANE, 4},
+        {HATCH_SHAPE_SADDLE, saddle_area()},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         struct hatch_mesh mesh = make(known[i].shape, 40000, 0, 0, 1);
         double area = measure(&mesh).area;
-        ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g",
-                      hatch_shape_name(known[i].shape), area, known[i].area);
+        ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g", hatch_shape_name(known[i].shape),
+                      area, known[i].area);
     }
 }
 END_TEST
@@ -75,16 +72,14 @@ START_TEST(topology_is_that_of_the_surface)
         uint32_t components, loops;
         int64_t euler, genus;
     } known[] = {
-        {HATCH_SHAPE_SPHERE, 1, 0, 2, 0},   {HATCH_SHAPE_CYLINDER, 1, 2, 0, 0},
-        {HATCH_SHAPE_CONE, 1, 1, 1, 0},     {HATCH_SHAPE_TORUS, 1, 0, 0, 1},
-        {HATCH_SHAPE_PLANE, 1, 1, 1, 0},    {HATCH_SHAPE_ELLIPSOID, 1, 0, 2, 0},
-        {HATCH_SHAPE_SADDLE, 1, 1, 1, 0},   {HATCH_SHAPE_WAVE, 1, 1, 1, 0},
+        {HATCH_SHAPE_SPHERE, 1, 0, 2, 0}, {HATCH_SHAPE_CYLINDER, 1, 2, 0, 0}, {HATCH_SHAPE_CONE, 1, 1, 1, 0},
+        {HATCH_SHAPE_TORUS, 1, 0, 0, 1},  {HATCH_SHAPE_PLANE, 1, 1, 1, 0},    {HATCH_SHAPE_ELLIPSOID, 1, 0, 2, 0},
+        {HATCH_SHAPE_SADDLE, 1, 1, 1, 0}, {HATCH_SHAPE_WAVE, 1, 1, 1, 0},
     };
     const float jitters[] = {0, 1}, noises[] = {0, 0.3f};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         for (int k = 0; k < 4; k++) {
-            struct hatch_mesh mesh =
-                make(known[i].shape, 700, jitters[k % 2], noises[k / 2], (uint64_t)k);
+            struct hatch_mesh mesh = make(known[i].shape, 700, jitters[k % 2], noises[k / 2], (uint64_t)k);
             struct hatch_mesh_figures f = measure(&mesh);
             const char *name = hatch_shape_name(known[i].shape);
             ck_assert_msg(f.components == known[i].components, "%s: components", name);
@@ -102,8 +97,8 @@ START_TEST(smallest_shapes_are_surfaces)
         for (uint32_t faces = 2; faces < 40; faces++) {
             struct hatch_mesh mesh = make((enum hatch_shape)shape, faces, 1, 0, faces);
             struct hatch_mesh_figures f = measure(&mesh);
-            ck_assert_uint_eq(f.degenerate_faces + f.duplicate_faces + f.non_manifold_edges +
-                                  f.contrary_edges + f.unused_vertices,
+            ck_assert_uint_eq(f.degenerate_faces + f.duplicate_faces + f.non_manifold_edges + f.contrary_edges +
+                                  f.unused_vertices,
                               0);
         }
 }
@@ -127,8 +122,7 @@ START_TEST(normals_are_those_of_the_formulas)
                 continue; /* the apex has none */
             hatch_shape_curvature((enum hatch_shape)shape, p, want, direction, k);
             ck_assert_msg(hatch_vec_distance(n, want) < 1e-5, "%s: vertex %u: normal off by %g",
-                          hatch_shape_name((enum hatch_shape)shape), v,
-                          hatch_vec_distance(n, want));
+                          hatch_shape_name((enum hatch_shape)shape), v, hatch_vec_distance(n, want));
         }
     }
 }
@@ -150,8 +144,7 @@ START_TEST(faces_look_outwards_at_any_jitter)
                 back += hatch_vec_dot(normal, n) <= 0;
             }
         }
-        ck_assert_msg(back == 0, "%s: %u corners look inwards",
-                      hatch_shape_name((enum hatch_shape)shape), back);
+        ck_assert_msg(back == 0, "%s: %u corners look inwards", hatch_shape_name((enum hatch_shape)shape), back);
     }
 }
 END_TEST
@@ -276,8 +269,7 @@ START_TEST(curvatures_are_those_of_the_formulas)
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         double n[3], d[3], k[2];
-        ck_assert(hatch_shape_curvature(known[i].shape, known[i].position, n, d, k) ==
-                  known[i].defined);
+        ck_assert(hatch_shape_curvature(known[i].shape, known[i].position, n, d, k) == known[i].defined);
         ck_assert_double_eq_tol(k[0], known[i].curvature[0], 1e-12);
         ck_assert_double_eq_tol(k[1], known[i].curvature[1], 1e-12);
         ck_assert_double_eq_tol(fabs(hatch_vec_dot(d, known[i].direction)), known[i].defined, 1e-12);
@@ -299,14 +291,11 @@ START_TEST(field_is_the_truth_whatever_the_noise)
         for (int i = 0; i < 2; i++) {
             const struct hatch_shape_options options = {
                 .faces = 1000, .jitter = 1, .noise = 0.3f * (float)i, .seed = 3, .field = true};
-            HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch,
-                                           &mesh[i], &err), &err);
+            HATCH_TEST_OK(hatch_shape_make((enum hatch_shape)shape, &options, &keep, &scratch, &mesh[i], &err), &err);
         }
         const float *field = hatch_mesh_find(&mesh[0], "_HATCH_DIR", 4);
-        ck_assert_mem_eq(field, hatch_mesh_find(&mesh[1], "_HATCH_DIR", 4),
-                         (size_t)mesh[0].vertex_count * 16);
-        bool none = shape == HATCH_SHAPE_TEAPOT || shape == HATCH_SHAPE_SPHERE ||
-                    shape == HATCH_SHAPE_PLANE;
+        ck_assert_mem_eq(field, hatch_mesh_find(&mesh[1], "_HATCH_DIR", 4), (size_t)mesh[0].vertex_count * 16);
+        bool none = shape == HATCH_SHAPE_TEAPOT || shape == HATCH_SHAPE_SPHERE || shape == HATCH_SHAPE_PLANE;
         for (uint32_t v = 0; v < mesh[0].vertex_count; v++) {
             double p[3], n[3], d[3];
             corner(&mesh[0], v, p, n);
@@ -372,8 +361,7 @@ START_TEST(even_texture_is_more_even_than_natural)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 20000, 0, 0, 1), even;
     const struct hatch_shape_options options = {.faces = 20000, .uv = HATCH_SHAPE_UV_EVEN};
-    HATCH_TEST_OK(
-        hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, &keep, &scratch, &even, &err), &err);
+    HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, &keep, &scratch, &even, &err), &err);
     ck_assert_double_lt(measure(&even).uv.angle[2], measure(&mesh).uv.angle[2]);
     ck_assert_mem_eq(hatch_mesh_find(&even, "POSITION", 3), hatch_mesh_find(&mesh, "POSITION", 3),
                      mesh.vertex_count * 12);
@@ -388,8 +376,8 @@ START_TEST(face_counts_come_near_the_wish)
             struct hatch_mesh mesh = make((enum hatch_shape)shape, wishes[i], 0, 0, 1);
             double share = mesh.face_count / (double)wishes[i];
             double slack = 2 / sqrt(wishes[i]) + 0.005;
-            ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u",
-                          hatch_shape_name((enum hatch_shape)shape), mesh.face_count, wishes[i]);
+            ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u", hatch_shape_name((enum hatch_shape)shape),
+                          mesh.face_count, wishes[i]);
         }
 }
 END_TEST

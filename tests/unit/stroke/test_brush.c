@@ -14,12 +14,11 @@ static void check_sums(const struct hatch_brush *brush)
         for (uint32_t y = 0; y < brush->height; y++) {
             float alpha = brush->alpha[y * brush->width + x];
             ck_assert(alpha >= 0 && alpha <= 1); /* NaN fails */
-            ck_assert_double_eq_tol((double)brush->cumulative[x * (brush->height + 1) + y],
-                                    sum / brush->height, 1e-5);
+            ck_assert_double_eq_tol((double)brush->cumulative[x * (brush->height + 1) + y], sum / brush->height, 1e-5);
             sum += (double)alpha;
         }
-        ck_assert_double_eq_tol((double)brush->cumulative[x * (brush->height + 1) + brush->height],
-                                sum / brush->height, 1e-5);
+        ck_assert_double_eq_tol((double)brush->cumulative[x * (brush->height + 1) + brush->height], sum / brush->height,
+                                1e-5);
     }
 }
 
@@ -35,8 +34,7 @@ START_TEST(profiles_are_alphas_with_ink_in_the_middle)
         ck_assert_float_eq(brush.alpha[0], 1.0f);
     else
         ck_assert_float_le(brush.alpha[0], 0.5f * middle); /* no square corners */
-    bool grainy =
-        _i == HATCH_BRUSH_PENCIL || _i == HATCH_BRUSH_CRAYON || _i == HATCH_BRUSH_CHARCOAL;
+    bool grainy = _i == HATCH_BRUSH_PENCIL || _i == HATCH_BRUSH_CRAYON || _i == HATCH_BRUSH_CHARCOAL;
     ck_assert_int_eq(brush.grain != NULL, grainy);
     for (uint32_t y = 0; y < brush.height; y++) /* a stroke's two sides are alike */
         for (uint32_t x = 0; x < brush.width; x++)
@@ -154,8 +152,8 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
     return hatch_brush_make(HATCH_BRUSH_PENCIL, to, context, said);
 }
 
-static enum hatch_status make_from_image(void *context, struct hatch_arena *to,
-                                         struct hatch_arena *temporary, struct hatch_err *said)
+static enum hatch_status make_from_image(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                                         struct hatch_err *said)
 {
     (void)temporary;
     float black = 0;

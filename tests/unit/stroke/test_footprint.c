@@ -29,15 +29,10 @@ static void end(void)
     hatch_arena_free(&keep);
 }
 
-static struct hatch_stroke stroke_at(float x, float y, float length_px, float width_px,
-                                     float angle_rad)
+static struct hatch_stroke stroke_at(float x, float y, float length_px, float width_px, float angle_rad)
 {
-    return (struct hatch_stroke){.x = x,
-                                 .y = y,
-                                 .length = length_px / (float)SIZE,
-                                 .angle_rad = angle_rad,
-                                 .width_px = width_px,
-                                 .tone = 1};
+    return (struct hatch_stroke){
+        .x = x, .y = y, .length = length_px / (float)SIZE, .angle_rad = angle_rad, .width_px = width_px, .tone = 1};
 }
 
 static double ink_of(const struct hatch_footprint *f)
@@ -60,10 +55,8 @@ START_TEST(ink_is_length_times_width_times_tone_along_the_axes)
     static const float widths[] = {0.1f, 0.5f, 1, 1.8f, 3.3f, 10};
     for (uint32_t w = 0; w < sizeof widths / sizeof *widths; w++)
         for (uint64_t i = 0; i < 40; i++) {
-            float length = 10.5f + (float)i, x = hatch_random_unit(1, 1, i),
-                  y = hatch_random_unit(1, 2, i);
-            struct hatch_stroke stroke =
-                stroke_at(x, y, length, widths[w], i % 2 ? 0 : 1.57079633f);
+            float length = 10.5f + (float)i, x = hatch_random_unit(1, 1, i), y = hatch_random_unit(1, 2, i);
+            struct hatch_stroke stroke = stroke_at(x, y, length, widths[w], i % 2 ? 0 : 1.57079633f);
             stroke.tone = 0.25f + 0.75f * hatch_random_unit(1, 3, i);
             double want = (double)(length * widths[w] * stroke.tone);
             ck_assert_double_eq_tol(draw(stroke, &print) / want, 1, 1e-4);
@@ -81,8 +74,7 @@ START_TEST(ink_is_length_times_width_at_any_angle)
             double mean = 0;
             for (uint64_t i = 0; i < 50; i++) {
                 float x = hatch_random_unit(2, 1, i), y = hatch_random_unit(2, 2, i);
-                double ink =
-                    draw(stroke_at(x, y, 60, widths[w], (float)angle * 0.1745329f), &print);
+                double ink = draw(stroke_at(x, y, 60, widths[w], (float)angle * 0.1745329f), &print);
                 ck_assert_double_eq_tol(ink / (double)(60 * widths[w]), 1, 0.02);
                 mean += ink / (double)(60 * widths[w]) / 50;
             }
@@ -98,8 +90,7 @@ START_TEST(a_stroke_thinner_than_a_pixel_keeps_its_ink_wherever_it_lies)
     for (uint32_t i = 0; i < 64; i++) {
         float y = 0.5f + (float)i / 64 / (float)SIZE;
         float centre = y * (float)SIZE, nearest = floorf(centre) + 0.5f;
-        hit +=
-            fabsf(nearest - centre) < 0.15f; /* a stroke 0.3 pixels wide covers a pixel's centre */
+        hit += fabsf(nearest - centre) < 0.15f; /* a stroke 0.3 pixels wide covers a pixel's centre */
         ck_assert_double_eq_tol(draw(stroke_at(0.5f, y, 40, 0.3f, 0), &print), 12, 0.01);
     }
     ck_assert_uint_lt(hit, 32);
@@ -246,8 +237,8 @@ START_TEST(a_striped_brush_keeps_its_mean_when_it_is_drawn_small)
         image.pixels[i] = i % 512 % 16 ? 1 : 0; /* one column of 16 is black */
     HATCH_TEST_OK(hatch_brush_from_image(&image, &keep, &brush, &err), &err);
     for (uint64_t i = 0; i < 40; i++) {
-        struct hatch_stroke stroke = stroke_at(hatch_random_unit(5, 1, i),
-                                               hatch_random_unit(5, 2, i), 32, 4, 0.1f * (float)i);
+        struct hatch_stroke stroke =
+            stroke_at(hatch_random_unit(5, 1, i), hatch_random_unit(5, 2, i), 32, 4, 0.1f * (float)i);
         hatch_footprint_draw(&stroke, &brush, SIZE, 1, 1, &print);
         ck_assert_double_eq_tol(ink_of(&print) / (32 * 4 / 16.0), 1, 0.05);
     }

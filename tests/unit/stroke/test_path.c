@@ -121,16 +121,21 @@ END_TEST
 START_TEST(an_arc_is_the_path_along_it)
 {
     for (int side = -1; side <= 1; side += 2) {
-        struct hatch_stroke arc = {.x = 0.5f, .y = 0.45f, .length = 0.5f, .angle_rad = 0.7f,
-                                   .bend_rad = 2.2f * (float)side, .width_px = 3, .tone = 1};
+        struct hatch_stroke arc = {.x = 0.5f,
+                                   .y = 0.45f,
+                                   .length = 0.5f,
+                                   .angle_rad = 0.7f,
+                                   .bend_rad = 2.2f * (float)side,
+                                   .width_px = 3,
+                                   .tone = 1};
         struct hatch_path_builder b = builder();
         double radius = 0.5 / (2.2 * side), cosine = cos(0.7), sine = sin(0.7);
         for (int i = 0; i <= 200; i++) {
             double s = (i / 200.0 - 0.5) * 2.2 * side;
             double along = radius * sin(s), aside = radius * (1 - cos(s));
-            HATCH_TEST_OK(hatch_path_line(&b, 0.5 + along * cosine - aside * sine,
-                                          0.45 + along * sine + aside * cosine, &err),
-                          &err);
+            HATCH_TEST_OK(
+                hatch_path_line(&b, 0.5 + along * cosine - aside * sine, 0.45 + along * sine + aside * cosine, &err),
+                &err);
         }
         struct hatch_stroke path = finished(&b, 3);
         struct hatch_brush ink;
@@ -244,8 +249,7 @@ START_TEST(scripts_keep_arcs_paths_and_levels)
     HATCH_TEST_OK(hatch_script_parse(bytes, SIZE, &keep, &list, &err), &err);
     ck_assert_uint_eq(list.count, 3);
     ck_assert_uint_eq(list.items[0].path->count, strokes[0].path->count);
-    ck_assert_mem_eq(list.items[0].path->xy, strokes[0].path->xy,
-                     2 * sizeof(float) * strokes[0].path->count);
+    ck_assert_mem_eq(list.items[0].path->xy, strokes[0].path->xy, 2 * sizeof(float) * strokes[0].path->count);
     list.items[0].path = strokes[0].path;
     ck_assert_mem_eq(list.items, strokes, sizeof strokes);
 }
@@ -272,8 +276,8 @@ START_TEST(a_bad_row_is_named)
                           "x\ty\tlength\tangle\twidth\ttone\tr\tg\tb\tcolumn\tlevel\tenters\tpath\n"
                           "0\t0\t0\t0\t.1\t1\t0\t0\t0\t%s\n",
                           bad_rows[_i].fields);
-    enum hatch_status status = hatch_script_parse(
-        (struct hatch_bytes){(const uint8_t *)text, (size_t)length}, SIZE, &keep, &list, &err);
+    enum hatch_status status =
+        hatch_script_parse((struct hatch_bytes){(const uint8_t *)text, (size_t)length}, SIZE, &keep, &list, &err);
     if (_i == 0) { /* one level of its own is no contradiction */
         ck_assert_int_eq(status, HATCH_OK);
         return;

@@ -62,8 +62,7 @@ START_TEST(what_is_printed_reads_back_exactly)
         HATCH_TEST_OK(hatch_script_parse(bytes, sizes[s], &keep, &list, &err), &err);
         ck_assert_uint_eq(list.count, 5000);
         for (uint32_t i = 0; i < 5000; i++)
-            ck_assert_msg(memcmp(&strokes[i], &list.items[i], sizeof *strokes) == 0,
-                          "size %u, stroke %u", sizes[s], i);
+            ck_assert_msg(memcmp(&strokes[i], &list.items[i], sizeof *strokes) == 0, "size %u, stroke %u", sizes[s], i);
     }
 }
 END_TEST
@@ -137,8 +136,7 @@ START_TEST(a_bad_script_names_its_line)
 {
     list.count = 7;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text,
-                  bad[_i].says);
+    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text, bad[_i].says);
     ck_assert_uint_eq(list.count, 7);
 }
 END_TEST
@@ -153,8 +151,8 @@ START_TEST(too_many_columns_are_refused)
 }
 END_TEST
 
-static enum hatch_status read_again(void *context, struct hatch_arena *to,
-                                    struct hatch_arena *scratch, struct hatch_err *said)
+static enum hatch_status read_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+                                    struct hatch_err *said)
 {
     (void)scratch;
     struct hatch_buffer *text = context;
@@ -162,8 +160,8 @@ static enum hatch_status read_again(void *context, struct hatch_arena *to,
     return hatch_script_parse((struct hatch_bytes){text->data, text->size}, 256, to, &made, said);
 }
 
-static enum hatch_status print_again(void *context, struct hatch_arena *to,
-                                     struct hatch_arena *scratch, struct hatch_err *said)
+static enum hatch_status print_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
+                                     struct hatch_err *said)
 {
     (void)scratch;
     struct hatch_buffer text = {.arena = to};

@@ -2,8 +2,7 @@
 #include "field_make.h"
 
 /* The ring entries of a point. */
-#define FOR_RING(of, p, i)                                                                         \
-    for (uint32_t i = (of)->surface.ring_first[p]; i < (of)->surface.ring_first[(p) + 1]; i++)
+#define FOR_RING(of, p, i) for (uint32_t i = (of)->surface.ring_first[p]; i < (of)->surface.ring_first[(p) + 1]; i++)
 
 /* A direction carried along an entry and back is itself; both ends agree on the weight. */
 static void check_entries(const struct field_case *of)
@@ -143,8 +142,8 @@ START_TEST(a_sphere_carries_the_meridian_along_itself)
             if (fabs(at[1]) > 0.9 || fabs(cross) > 1e-3)
                 continue;
             const double up[3] = {0, 1, 0};
-            double turn = hatch_frames_angle(&of.frames, q, up) + of.frames.turn_rad[i] -
-                          hatch_frames_angle(&of.frames, p, up);
+            double turn =
+                hatch_frames_angle(&of.frames, q, up) + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, up);
             ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-3);
         }
 }

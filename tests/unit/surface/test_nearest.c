@@ -5,7 +5,6 @@
 #include "surface_check.h"
 #include "surface/nearest.h"
 
-
 /* Two triangles far from one another and of other sizes, and a vertex between that none uses. */
 static struct hatch_mesh two_triangles(void)
 {

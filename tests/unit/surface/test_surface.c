@@ -17,9 +17,8 @@ START_TEST(shapes_have_their_euler_characteristic)
         enum hatch_shape kind;
         int euler;
         uint32_t loops;
-    } want[] = {{HATCH_SHAPE_SPHERE, 2, 0},   {HATCH_SHAPE_ELLIPSOID, 2, 0},
-                {HATCH_SHAPE_TORUS, 0, 0},    {HATCH_SHAPE_CYLINDER, 0, 2},
-                {HATCH_SHAPE_CONE, 1, 1},     {HATCH_SHAPE_PLANE, 1, 1}};
+    } want[] = {{HATCH_SHAPE_SPHERE, 2, 0},   {HATCH_SHAPE_ELLIPSOID, 2, 0}, {HATCH_SHAPE_TORUS, 0, 0},
+                {HATCH_SHAPE_CYLINDER, 0, 2}, {HATCH_SHAPE_CONE, 1, 1},      {HATCH_SHAPE_PLANE, 1, 1}};
     const struct hatch_surface_notes nothing = {.components = 1};
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
         struct hatch_mesh mesh = bare_shape(want[i].kind, 1000);
@@ -55,8 +54,7 @@ static void check_faces_turn_evenly(const struct hatch_surface *s)
 {
     for (uint32_t f = 0; f < s->face_count; f++) {
         const uint32_t *p = &s->corners[3 * f];
-        ck_assert(!(turned_between(s, p[0], p[1]) ^ turned_between(s, p[1], p[2]) ^
-                    turned_between(s, p[2], p[0])));
+        ck_assert(!(turned_between(s, p[0], p[1]) ^ turned_between(s, p[1], p[2]) ^ turned_between(s, p[2], p[0])));
     }
 }
 
@@ -199,8 +197,8 @@ static void shuffle(uint32_t *list, uint32_t count, uint64_t stream)
 }
 
 /* to_face: per face of a its face in b. Corners, sides, rings and points are the same but for numbers. */
-static void check_same(const struct hatch_surface *a, const struct hatch_surface *b,
-                       const uint32_t *to_face, double tolerance)
+static void check_same(const struct hatch_surface *a, const struct hatch_surface *b, const uint32_t *to_face,
+                       double tolerance)
 {
     ck_assert_uint_eq(a->face_count, b->face_count);
     ck_assert_uint_eq(a->point_count, b->point_count);
@@ -216,11 +214,9 @@ static void check_same(const struct hatch_surface *a, const struct hatch_surface
     }
     for (uint32_t p = 0; p < a->point_count; p++) {
         ck_assert_double_le(hatch_vec_distance(&a->points[3 * p], &b->points[3 * to[p]]), tolerance);
-        ck_assert_uint_eq(a->ring_first[p + 1] - a->ring_first[p],
-                          b->ring_first[to[p] + 1] - b->ring_first[to[p]]);
+        ck_assert_uint_eq(a->ring_first[p + 1] - a->ring_first[p], b->ring_first[to[p] + 1] - b->ring_first[to[p]]);
         const struct hatch_component *part = &b->components[b->point_component[to[p]]];
-        expect(&a->components[a->point_component[p]], part->euler, part->border_loops,
-               part->orientable);
+        expect(&a->components[a->point_component[p]], part->euler, part->border_loops, part->orientable);
     }
 }
 
@@ -259,8 +255,7 @@ START_TEST(order_of_faces_and_vertices_does_not_matter)
 }
 END_TEST
 
-static void check_same_order(const struct hatch_surface *a, const struct hatch_surface *b,
-                             double tolerance)
+static void check_same_order(const struct hatch_surface *a, const struct hatch_surface *b, double tolerance)
 {
     uint32_t *same = HATCH_NEW(&scratch, uint32_t, a->face_count, &err);
     for (uint32_t f = 0; f < a->face_count; f++)
@@ -379,8 +374,8 @@ START_TEST(normals_turn_with_all_of_their_faces)
 }
 END_TEST
 
-static enum hatch_status make_one(void *context, struct hatch_arena *kept,
-                                  struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status make_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *error)
 {
     struct hatch_surface surface;
     struct hatch_surface_notes noted;
@@ -392,8 +387,8 @@ struct source {
     const struct hatch_surface *surface;
 };
 
-static enum hatch_status mesh_one(void *context, struct hatch_arena *kept,
-                                  struct hatch_arena *temporary, struct hatch_err *error)
+static enum hatch_status mesh_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *error)
 {
     const struct source *from = context;
     struct hatch_mesh mesh;

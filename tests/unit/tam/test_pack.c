@@ -14,16 +14,13 @@ static struct hatch_mipmap columns[TONES];
 
 static void make_map(bool color, struct hatch_tam *tam)
 {
-    *tam = (struct hatch_tam){
-        .size_px = SIZE, .tones = TONES, .levels = 1, .color = color, .columns = columns};
+    *tam = (struct hatch_tam){.size_px = SIZE, .tones = TONES, .levels = 1, .color = color, .columns = columns};
     for (uint32_t tone = 0; tone < TONES; tone++) {
         columns[tone] = (struct hatch_mipmap){.level_count = LEVELS};
         columns[tone].levels = HATCH_NEW(&keep, struct hatch_image, LEVELS, &err);
         for (uint32_t l = 0; l < LEVELS; l++) {
             struct hatch_image *level = &columns[tone].levels[l];
-            HATCH_TEST_OK(
-                hatch_image_make(&keep, SIZE >> l, SIZE >> l, color ? "RGBi" : "Yi", level, &err),
-                &err);
+            HATCH_TEST_OK(hatch_image_make(&keep, SIZE >> l, SIZE >> l, color ? "RGBi" : "Yi", level, &err), &err);
             for (size_t i = 0; i < (size_t)level->width * level->height * level->channel_count; i++)
                 level->pixels[i] = hatch_random_unit(tone, l, i) * 1.2f - 0.1f;
         }
@@ -40,8 +37,7 @@ static void end(void)
     hatch_arena_free(&keep);
 }
 
-static double clamped(const struct hatch_tam *tam, uint32_t tone, uint32_t level, size_t texel,
-                      uint32_t channel)
+static double clamped(const struct hatch_tam *tam, uint32_t tone, uint32_t level, size_t texel, uint32_t channel)
 {
     const struct hatch_image *image = &tam->columns[tone].levels[level];
     double value = (double)image->pixels[texel * image->channel_count + channel];
@@ -51,8 +47,7 @@ static double clamped(const struct hatch_tam *tam, uint32_t tone, uint32_t level
 static void near(uint8_t code, double value, bool ink_is_one)
 {
     double want = 255 * (ink_is_one ? 1 - value : value);
-    ck_assert_msg((double)code >= want - 0.5001 && (double)code <= want + 0.5001, "%u for %g", code,
-                  want);
+    ck_assert_msg((double)code >= want - 0.5001 && (double)code <= want + 0.5001, "%u for %g", code, want);
 }
 
 START_TEST(three_tones_stand_in_one_texture_on_every_level)
@@ -111,8 +106,8 @@ START_TEST(a_coloured_map_does_not_fit_one_channel_a_tone)
 }
 END_TEST
 
-static enum hatch_status pack_both(void *context, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, struct hatch_err *error)
+static enum hatch_status pack_both(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   struct hatch_err *error)
 {
     struct hatch_texels first, all;
     (void)scratch;

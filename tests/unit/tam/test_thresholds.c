@@ -118,7 +118,7 @@ END_TEST
 static float apart(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)v, (void)level, (void)channel;
-    bool left = u > 0.25f && u < 0.5f, right = u > 0.5f + 1.0f / 64 && u < 0.75f;
+    bool left = u > 0.25f && u<0.5f, right = u> 0.5f + 1.0f / 64 && u < 0.75f;
     return (left && tone > 0.1999f) || (right && tone > 0.7999f) ? 0 : 1;
 }
 
@@ -276,9 +276,8 @@ START_TEST(a_pixel_that_gets_lighter_is_named)
     struct hatch_tam tam = made_map(64, 10, 1, "Y", gets_lighter);
     const struct hatch_threshold_options how = {.bins = 7};
     static const char says[] = "tone.006: level 1: pixel (9, 16) gets lighter, from 0.400 to 0.902";
-    ck_assert_int_eq(
-        hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
-        HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
+                     HATCH_BAD_INPUT);
     ck_assert_msg(strstr(map_err.text, says) != NULL, "%s", map_err.text);
     ck_assert_int_eq(hatch_exact_make(&tam, NULL, &map_arena, &map_scratch, &exact, &map_err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(map_err.text, says));
@@ -304,9 +303,8 @@ START_TEST(colour_is_refused)
 {
     struct hatch_tam tam = made_map(64, 10, 1, "RGB", made_ramp);
     const struct hatch_threshold_options how = {.bins = 7};
-    ck_assert_int_eq(
-        hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
-        HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
+                     HATCH_BAD_INPUT);
     HATCH_TEST_OK(hatch_tam_check_nesting(&tam, NULL, &map_scratch, &map_err), &map_err);
 }
 END_TEST

@@ -77,8 +77,7 @@ START_TEST(a_ramp_is_a_ramp_at_every_place_tone_and_level)
     for (int i = 0; i <= 100; i++)
         for (int lod = 0; lod <= 12; lod++) {
             float value, tone = (float)i / 100;
-            hatch_volume_sample(&volume, 0.013f * (float)i, -0.7f * (float)i, tone, 0.5f * (float)lod, true,
-                                &value);
+            hatch_volume_sample(&volume, 0.013f * (float)i, -0.7f * (float)i, tone, 0.5f * (float)lod, true, &value);
             /* half a step of 8 bits, half a column; between levels the correction's h is between theirs */
             float half = fminf(0.5f, 0.5f / 32 * exp2f(0.5f * (float)lod));
             float most = 0.005f + (lod % 2 && !_i ? 0.22f * half : 0);
@@ -161,8 +160,7 @@ START_TEST(filtered_levels_are_means_of_eight)
     make(&tam, 256, HATCH_VOLUME_3D, false); /* deeper than it is wide */
     ck_assert_uint_eq(volume.texels.level_count, 9);
     ck_assert_uint_eq(hatch_texels_level_size(&volume.texels, 7), 2);
-    ck_assert_uint_eq(volume.texels.texels[8][0],
-                      (volume.texels.texels[7][0] + volume.texels.texels[7][1] + 1u) / 2);
+    ck_assert_uint_eq(volume.texels.texels[8][0], (volume.texels.texels[7][0] + volume.texels.texels[7][1] + 1u) / 2);
 }
 END_TEST
 
@@ -202,8 +200,7 @@ START_TEST(a_map_that_is_too_coarse_is_refused)
 {
     struct hatch_tam tam = made_map(64, 1, 0.9f, "Y", made_ramp);
     const struct hatch_volume_options how = {64, HATCH_VOLUME_3D, false};
-    ck_assert_int_eq(hatch_volume_make(&tam, &how, NULL, &map_arena, &volume, &figures, &map_err),
-                     HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_volume_make(&tam, &how, NULL, &map_arena, &volume, &figures, &map_err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(map_err.text, "too coarse"));
 }
 END_TEST
