@@ -63,7 +63,7 @@ archive = $(patsubst %,$(B)/lib/libhatch-%.a,$(1))
 FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
 COMMANDS := $(patsubst cmd/%.c,%,$(wildcard cmd/*.c)) $(FOLDERS)
 SRC_cmd := $(wildcard cmd/shared/*.c)
-SHADERS := $(wildcard cmd/render-gl/shaders/*)
+SHADERS := $(wildcard cmd/render-gl/shaders/*/*)
 $(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c))))
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
@@ -71,7 +71,7 @@ PLUGIN := $(B)/lib/hatch/hatch-oiio.so
 # What is not a binary lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
 SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
-          $(call copies,cmd/render-gl/shaders,hatch/shaders,*)
+          $(call copies,cmd/render-gl/shaders,hatch/shaders,*/*)
 COMPLETIONS := $(COMMANDS:%=$(B)/share/bash-completion/completions/%) \
                $(COMMANDS:%=$(B)/share/zsh/site-functions/_%) \
                $(COMMANDS:%=$(B)/share/fish/vendor_completions.d/%.fish)
@@ -104,10 +104,10 @@ $(foreach a,core cmd $(PACKAGES) $(filter-out render-gl,$(FOLDERS)),$(eval $(cal
 SHADER_OBJ := $(if $(SHADERS),$(B)/obj/gen/shader_files.o)
 $(eval $(call archive_rule,render-gl,$(SHADER_OBJ)))
 
-# cmd/render-gl/shader_files.h says what the generated table is.
-$(B)/gen/shader_files.c: $(SHADERS) cmd/render-gl/embed.sh
+# cmd/render-gl/gpu/shader_files.h declares the generated table.
+$(B)/gen/shader_files.c: $(SHADERS) cmd/render-gl/gpu/bindings.h cmd/render-gl/gpu/embed.sh
 	@mkdir -p $(@D)
-	sh cmd/render-gl/embed.sh $(SHADERS) >$@.part && mv $@.part $@
+	sh cmd/render-gl/gpu/embed.sh cmd/render-gl/gpu/bindings.h cmd/render-gl/shaders $(SHADERS) >$@.part && mv $@.part $@
 $(B)/obj/gen/%.o: $(B)/gen/%.c
 	@mkdir -p $(@D)
 	$(call say,cc $<)$(CC) -std=c11 $(BASE) $(WARN) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<

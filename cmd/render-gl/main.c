@@ -1,11 +1,13 @@
 /* render-gl: draws a 3D scene with strokes. */
-#include "render-gl/job.h"
-#include "render-gl/words.h"
+#include "render-gl/mode/modes.h"
+#include "render-gl/mode/parse_args.h"
+#include "render-gl/mode/show.h"
+#include "render-gl/window/window.h"
 
-/* Opened before the work, so that a folder that is missing or may not be written fails at once. */
+/* Opened before the work, so that a folder that is missing or read-only fails at once. */
 static void open_outputs(struct job *job)
 {
-    const struct options *options = &job->options;
+    const struct options *options = job->options;
     bool report = options->timed_frames || options->probe;
     struct hatch_err err;
     if (!report)
@@ -17,7 +19,7 @@ static void open_outputs(struct job *job)
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < count; frame++) {
         char name[4096];
-        words_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
+        parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
         job->outputs[frame] = cmd_open_output(name, !report);
     }
 }
@@ -25,15 +27,17 @@ static void open_outputs(struct job *job)
 int main(int argc, char **argv)
 {
     static struct job job;
-    options_read(argc, argv, &job.args, &job.options);
+    job.options = options_read(argc, argv, shown, &job.args);
+    params_read(job.options);
+    job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);
     job_read(&job);
     job_prepare(&job);
-    if (job.options.window)
+    if (job.options->window)
         window_run(&job);
-    else if (job.options.timed_frames)
+    else if (job.options->timed_frames)
         timing_report(&job);
-    else if (job.options.probe)
+    else if (job.options->probe)
         probe_report(&job);
     else
         pictures_write(&job);

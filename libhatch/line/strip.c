@@ -206,11 +206,10 @@ static void walk_chains(struct walk *w, const struct hatch_line_chains *chains)
 }
 
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
-                                         const struct hatch_view *view, const struct hatch_tile *tile, double margin_px,
-                                         struct hatch_arena *arena, struct hatch_line_strips *strips,
-                                         struct hatch_err *err)
+                                         const struct hatch_line_picture *picture, struct hatch_arena *arena,
+                                         struct hatch_line_strips *strips, struct hatch_err *err)
 {
-    struct walk walk = {.trace = trace, .view = view, .tile = tile, .margin_px = margin_px};
+    struct walk walk = {.trace = trace, .view = picture->view, .tile = picture->tile, .margin_px = picture->margin_px};
     walk_chains(&walk, chains);
     struct hatch_line_strips *made = &walk.strips;
     size_t pieces = made->piece_count;

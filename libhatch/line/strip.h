@@ -47,12 +47,18 @@ struct hatch_line_strips {
     struct hatch_line_sample *samples; /* one per piece */
 };
 
-/* Cuts chains at the near plane, and margin_px outside the tile; where the cuts between pieces are
- * does not depend on the tile. Results go to the arena. */
+/* The picture that lines are cut for. */
+struct hatch_line_picture {
+    const struct hatch_view *view;
+    const struct hatch_tile *tile;
+    double margin_px; /* distance outside the tile up to which lines are kept */
+};
+
+/* Cuts chains at the near plane and margin_px outside the tile. The cuts between pieces do not depend on the tile.
+ *   strips  out: in arena */
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
-                                         const struct hatch_view *view, const struct hatch_tile *tile, double margin_px,
-                                         struct hatch_arena *arena, struct hatch_line_strips *strips,
-                                         struct hatch_err *err) HATCH_MUST_USE;
+                                         const struct hatch_line_picture *picture, struct hatch_arena *arena,
+                                         struct hatch_line_strips *strips, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes visibility even along each strip. A hidden gap shorter than gap_px between visible parts is closed; then a
  * visible crumb shorter than crumb_px, which nothing joins, is hidden, and so is one that haloes leave; then the

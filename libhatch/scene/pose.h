@@ -25,6 +25,13 @@ struct hatch_bounds {
     bool empty;     /* no face anywhere */
 };
 
+/* A point of the world in the unit scene. world and unit may be the same array. */
+static inline void hatch_bounds_to_unit(const struct hatch_bounds *bounds, const double world[3], double unit[3])
+{
+    for (int k = 0; k < 3; k++)
+        unit[k] = (world[k] - bounds->center[k]) / bounds->radius;
+}
+
 /* Makes room; hatch_pose_at fills it. */
 enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_pose *pose,
                                   struct hatch_err *err) HATCH_MUST_USE;

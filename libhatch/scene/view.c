@@ -43,8 +43,7 @@ static void fit_point(void *context, const double point[3])
     const struct hatch_view *view = fit->view;
     double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
     double p[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = (point[k] - fit->bounds->center[k]) / fit->bounds->radius;
+    hatch_bounds_to_unit(fit->bounds, point, p);
     for (int turn = 0; turn < fit->turns; turn++) {
         double angle = 2.0 * 3.14159265358979324 * turn / fit->turns, c = cos(angle), s = sin(angle);
         double q[3] = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0]};
@@ -61,15 +60,15 @@ static void fit_point(void *context, const double point[3])
 /* The closest eye from which every corner is inside the picture: for each side of the frustum the
  * corner that is furthest out decides, which gives the distance and the sideways shift at once. */
 static enum hatch_status frame_scene(const struct hatch_view_choice *choice, struct hatch_pose *pose,
-                                     const struct hatch_pose_span *span, const struct hatch_bounds *bounds,
-                                     struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
+                                     const struct hatch_framing *framing, struct hatch_arena *scratch,
+                                     struct hatch_view *view, struct hatch_err *err)
 {
     double level = cos(choice->elevation_rad);
     hatch_view_set_back(view, (const double[3]){level * sin(choice->azimuth_rad), sin(choice->elevation_rad),
                                                 level * cos(choice->azimuth_rad)});
     view->half_height = tan(0.5 * choice->fov_rad);
-    struct fit fit = {.view = view, .bounds = bounds, .turns = choice->turns ? TURNS : 1};
-    HATCH_TRY(hatch_pose_each_corner(pose, span, scratch, fit_point, &fit, err));
+    struct fit fit = {.view = view, .bounds = framing->bounds, .turns = choice->turns ? TURNS : 1};
+    HATCH_TRY(hatch_pose_each_corner(pose, framing->span, scratch, fit_point, &fit, err));
     double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
     double x = 0.5 * (fit.right - fit.left), y = 0.5 * (fit.up - fit.down);
     double distance = fmax(0.5 * (fit.right + fit.left) / tan_x, 0.5 * (fit.up + fit.down) / tan_y);
@@ -79,7 +78,7 @@ static enum hatch_status frame_scene(const struct hatch_view_choice *choice, str
     for (int k = 0; k < 3; k++)
         view->eye[k] = distance * view->back[k] + x * view->right[k] + y * view->up[k];
     view->near = HATCH_VIEW_NEAR;
-    view->near_is_own = true;
+    view->near_is_automatic = true;
     view->pivot = distance;
     return HATCH_OK;
 }
@@ -146,7 +145,7 @@ static enum hatch_status look_from(const struct hatch_view_choice *choice, const
                           "--camera X,Y,Z:X,Y,Z names the place and something else to look at");
     view->half_height = tan(0.5 * choice->fov_rad);
     view->near = HATCH_VIEW_NEAR;
-    view->near_is_own = true;
+    view->near_is_automatic = true;
     view->pivot = sqrt(hatch_vec_dot(back, back));
     hatch_view_set_back(view, back);
     return HATCH_OK;
@@ -169,17 +168,17 @@ bool hatch_view_is_fixed(const struct hatch_view_choice *choice, const struct ha
 }
 
 enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct hatch_pose *pose,
-                                  const struct hatch_pose_span *span, const struct hatch_bounds *bounds, double aspect,
-                                  struct hatch_arena *scratch, struct hatch_view *view, struct hatch_err *err)
+                                  const struct hatch_framing *framing, struct hatch_arena *scratch,
+                                  struct hatch_view *view, struct hatch_err *err)
 {
-    struct hatch_view made = {.aspect = aspect};
+    struct hatch_view made = {.aspect = framing->aspect};
     uint32_t camera = choice->kind == HATCH_VIEW_FIRST_CAMERA ? first_camera(pose->scene) : choice->index;
     if (!hatch_view_is_fixed(choice, pose->scene))
-        HATCH_TRY(look_through(camera, pose, bounds, aspect, &made, err));
+        HATCH_TRY(look_through(camera, pose, framing->bounds, framing->aspect, &made, err));
     else if (choice->kind == HATCH_VIEW_EYE)
-        HATCH_TRY(look_from(choice, bounds, &made, err));
+        HATCH_TRY(look_from(choice, framing->bounds, &made, err));
     else
-        HATCH_TRY(frame_scene(choice, pose, span, bounds, scratch, &made, err));
+        HATCH_TRY(frame_scene(choice, pose, framing, scratch, &made, err));
     *view = made;
     return HATCH_OK;
 }
@@ -189,7 +188,7 @@ void hatch_view_free_near(struct hatch_view *view)
     if (view->orthographic)
         return;
     view->near = fmin(view->near, HATCH_VIEW_NEAR);
-    view->near_is_own = true;
+    view->near_is_automatic = true;
 }
 
 static void turn(double v[3], double c, double s)

@@ -12,11 +12,11 @@ struct hatch_view {
     double eye_rest[3];              /* what doubles leave of the eye: both together are where it is */
     double right[3], up[3], back[3]; /* unit axes; the camera looks along -back */
     bool orthographic;
-    double half_height; /* perspective: of the picture at distance 1; orthographic: in units */
-    double aspect;      /* width over height */
-    double near, far;   /* far counts for orthographic views alone */
-    bool near_is_own;   /* near is nobody's wish: it may follow what there is to see */
-    double pivot;       /* distance to what the camera looks at: what orbiting turns around */
+    double half_height;     /* perspective: of the picture at distance 1; orthographic: in units */
+    double aspect;          /* width over height */
+    double near, far;       /* far counts for orthographic views alone */
+    bool near_is_automatic; /* near is nobody's wish: it may follow what there is to see */
+    double pivot;           /* distance to what the camera looks at: what orbiting turns around */
 };
 
 /* Which view a command line asks for. */
@@ -46,12 +46,18 @@ struct hatch_tile {
 /* Does the view stay the same when the scene moves? Views through the scene's cameras may not. */
 bool hatch_view_is_fixed(const struct hatch_view_choice *choice, const struct hatch_scene *scene);
 
-/* Finds the view at the pose. A framed view shows all of the span's moments, and the pose is at the
- * last of them then. HATCH_BAD_INPUT for a camera that the scene has not. */
+/* What a view is fitted to. */
+struct hatch_framing {
+    const struct hatch_pose_span *span; /* a framed view shows all of its moments */
+    const struct hatch_bounds *bounds;
+    double aspect; /* of the picture: width over height */
+};
+
+/* Finds the view at the pose; where it is a framed one, the pose is at the last moment of the span then.
+ * HATCH_BAD_INPUT for a camera that the scene does not have. */
 enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct hatch_pose *pose,
-                                  const struct hatch_pose_span *span, const struct hatch_bounds *bounds, double aspect,
-                                  struct hatch_arena *scratch, struct hatch_view *view,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+                                  const struct hatch_framing *framing, struct hatch_arena *scratch,
+                                  struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
 
 /* A coordinate of the world in the unit scene. */
 struct hatch_pair hatch_view_unit(const struct hatch_bounds *bounds, int axis, double world);

@@ -36,8 +36,9 @@ static void meet_face(struct ray *ray)
 static void take_corner(void *context, const double point[3])
 {
     struct ray *ray = context;
-    for (int k = 0; k < 3; k++)
-        ray->corners[ray->corner][k] = (point[k] - ray->bounds->center[k]) / ray->bounds->radius - ray->view->eye[k];
+    double *corner = ray->corners[ray->corner];
+    hatch_bounds_to_unit(ray->bounds, point, corner);
+    hatch_vec_sub(corner, ray->view->eye, corner);
     ray->corner = (ray->corner + 1) % 3;
     if (ray->corner == 0)
         meet_face(ray);

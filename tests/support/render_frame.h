@@ -10,7 +10,7 @@
 #include "shapes/shapes.h"
 #include "render-gl/context.h"
 #include "render-gl/picture.h"
-#include "render-gl/repeat.h"
+#include "scene/uv_repeat.h"
 #include "run.h"
 
 struct test_frame {

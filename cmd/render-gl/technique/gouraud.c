@@ -1,14 +1,22 @@
-#include "render-gl/technique/technique.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/shaded.h"
+
+static const struct frame_shading shading = {
+    .stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
+    .defines = "",
+    .pixel_light = true,
+    .patches = FRAME_PATCHES_UNSEEN,
+    .pass_count = 1,
+    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
+};
 
 /* The tone that the other techniques draw with strokes: the reference for tone and for speed. */
 const struct technique technique_gouraud = {
     .name = "gouraud",
     .summary = "the tone alone, without strokes",
-    .columns = COLUMNS_NONE,
-    .stages = {.vertex = "gouraud.vert", .fragment = "gouraud.frag"},
-    .defines = "",
-    .pixel_light = true,
-    .pass_count = 1,
-    .patches = PATCHES_UNSEEN,
-    .pass_names = {"tone"},
+    .features = TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_REFERENCE,
+    .state_size = sizeof(struct shaded_state),
+    .shading = &shading,
+    .prepare = shaded_prepare,
+    .draw = shaded_draw,
 };

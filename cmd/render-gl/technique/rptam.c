@@ -1,13 +1,113 @@
-#include "render-gl/technique/technique.h"
+#include "render-gl/technique/rptam.h"
+
+#include <stdio.h>
+
+#include "render-gl/scene/attributes.h"
+#include "render-gl/technique/list.h"
+
+static const struct technique_param params[] = {
+    {"stroke", true, 1.1},     {"stroke-ink", false, 0.05}, {"stroke-turn", false, 5}, {"seed-tile", true, 1.1},
+    {"seed-layers", false, 1}, {"overlap", false, 0.1},     {NULL, false, 0}};
+
+static enum hatch_status prepare_shader(struct technique_context *context, struct technique_instance *instance,
+                                        struct hatch_err *err)
+{
+    const struct rptam_state *state = instance->state;
+    char defines[64];
+    snprintf(defines, sizeof defines, "%s%s", state->seeds.vary ? "#define STROKES_VARY 1\n" : "",
+             state->seeds.shrink ? "#define STROKES_SHRINK 1\n" : "");
+    return shaded_prepare_with(context, instance, defines, err);
+}
+
+static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    struct rptam_state *state = instance->state;
+    struct hatch_arena *scratch = &context->args->scratch;
+    if (!state->seeds.layers)
+        HATCH_TRY(seeds_upload(state->model, rptam_options.loop == 1, scratch, &state->seeds, err));
+    HATCH_TRY(scene_set_uv_tangents(context->frame->scene, scratch, err));
+    return prepare_shader(context, instance, err);
+}
+
+static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err)
+{
+    const struct rptam_state *state = instance->state;
+    seeds_use(&state->seeds);
+    return shaded_draw(context, instance, err);
+}
+
+static enum hatch_status changed(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    struct rptam_state *state = instance->state;
+    struct seeds fresh;
+    HATCH_TRY(rptam_make_model(context->args, state, err));
+    if (!state->seeds.layers)
+        return HATCH_OK;
+    HATCH_TRY(seeds_upload(state->model, rptam_options.loop == 1, &context->args->scratch, &fresh, err));
+    seeds_free(&state->seeds);
+    state->seeds = fresh;
+    return prepare_shader(context, instance, err);
+}
+
+static double darkest(const struct technique_instance *instance)
+{
+    const struct rptam_state *state = instance->state;
+    return state->model->darkest;
+}
+
+static void free_state(struct technique_instance *instance)
+{
+    struct rptam_state *state = instance->state;
+    seeds_free(&state->seeds);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_free(&state->source.arenas[i]);
+}
+
+static const struct frame_shading strokes = {
+    .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/rptam.frag"},
+    .defines = "",
+    .pixel_light = true,
+    .pieces = true,
+    .pass_count = 1,
+    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
+};
 
 /* Recursive procedural tonal art maps (Szécsi & Szirányi 2014, Algorithm 2). */
 const struct technique technique_rptam = {
     .name = "rptam",
     .summary = "strokes at seeds that nest for ever: one width at every distance",
-    .seeds = true,
-    .stages = {.vertex = "rptam.vert", .fragment = "rptam.frag"},
+    .options = rptam_option_table,
+    .params = params,
+    .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_PIECES,
+    .state_size = sizeof(struct rptam_state),
+    .shading = &strokes,
+    .read = rptam_read,
+    .prepare = prepare,
+    .draw = draw,
+    .changed = changed,
+    .darkest = darkest,
+    .free = free_state,
+};
+
+static const struct frame_shading places = {
+    .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/places.frag"},
     .defines = "",
-    .pixel_light = true,
+    .pieces = true,
+    .patches = FRAME_PATCHES_COVER,
     .pass_count = 1,
-    .pass_names = {"strokes"},
+    .passes = {{.name = "places", .depth = FRAME_DEPTH_NEARER}},
+};
+
+const struct technique technique_rptam_places = {
+    .name = "places",
+    .summary = "",
+    .features = TECHNIQUE_STROKES | TECHNIQUE_PIECES | TECHNIQUE_NO_COLOR,
+    .state_size = sizeof(struct rptam_state),
+    .shading = &places,
+    .prepare = prepare,
+    .draw = draw,
+    .free = free_state,
 };

@@ -1,12 +1,23 @@
-#include "render-gl/technique/technique.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/shaded.h"
+
+static const struct frame_shading shading = {
+    .stages = {.vertex = "corners/corner.vert",
+               .geometry = "corners/corners.geom",
+               .fragment = "corners/vertex_column.frag"},
+    .defines = "",
+    .pass_count = 1,
+    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
+};
 
 /* The third of §5's approximations: Gouraud shading with a palette of columns. */
 const struct technique technique_tam_gouraud = {
     .name = "tam-gouraud",
     .summary = "one column a vertex, blended over faces: pops between tones",
-    .columns = COLUMNS_ARRAY,
-    .stages = {.vertex = "corner.vert", .geometry = "corners.geom", .fragment = "vertex_column.frag"},
-    .defines = "",
-    .pass_count = 1,
-    .pass_names = {"strokes"},
+    .asset = &asset_columns,
+    .features = TECHNIQUE_STROKES,
+    .state_size = sizeof(struct shaded_state),
+    .shading = &shading,
+    .prepare = shaded_prepare,
+    .draw = shaded_draw,
 };

@@ -1,22 +1,53 @@
 #include "render-gl/technique/technique.h"
 
-#include <stddef.h>
-
-extern const struct technique technique_tam, technique_tam_flat, technique_tam_face, technique_tam_gouraud,
-    technique_tam_triple, technique_tam_threshold, technique_gouraud, technique_rptam, technique_volume,
-    technique_threshold, technique_threshold_soft, technique_probe, technique_patches, technique_field,
-    technique_places;
-
-const struct technique *const techniques[TECHNIQUE_COUNT] = {
-    &technique_tam,        &technique_tam_flat,      &technique_tam_face,       &technique_tam_gouraud,
-    &technique_tam_triple, &technique_tam_threshold, &technique_gouraud,        &technique_rptam,
-    &technique_volume,     &technique_threshold,     &technique_threshold_soft, &technique_probe,
-    &technique_patches,    &technique_field,         &technique_places};
-
-const char *const *technique_names(void)
+enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
+                                 struct cmd_args *args, struct hatch_err *err)
 {
-    static const char *names[TECHNIQUE_CHOICES + 1];
-    for (size_t i = 0; i < TECHNIQUE_CHOICES; i++)
-        names[i] = techniques[i]->name;
-    return names;
+    void *state = HATCH_NEW(&args->keep, char, technique->state_size, err);
+    if (!state)
+        return HATCH_LIMIT;
+    *instance = (struct technique_instance){.technique = technique, .state = state};
+    return HATCH_OK;
+}
+
+enum hatch_status technique_prepare(struct technique_context *context, struct technique_instance *instance,
+                                    struct hatch_err *err)
+{
+    const struct technique *technique = instance->technique;
+    if (technique->asset)
+        HATCH_TRY(assets_upload(context->assets, technique->asset, &context->args->scratch, &instance->tones, err));
+    return technique->prepare ? technique->prepare(context, instance, err) : HATCH_OK;
+}
+
+enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
+                                 const struct frame_request *request, struct hatch_err *err)
+{
+    const struct technique *technique = instance->technique;
+    struct frame *frame = context->frame;
+    double high = frame->style.curve.high;
+    if (technique->tone_scale > 0)
+        frame->style.curve.high *= technique->tone_scale;
+    if (instance->tones)
+        asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
+    else
+        frame_block_set_tones(&frame->block, &(struct frame_tones){.count = 0});
+    enum hatch_status status = frame_begin(frame, request, technique->features & TECHNIQUE_PIECES, err);
+    frame->style.curve.high = high;
+    HATCH_TRY(status);
+    HATCH_TRY(technique->draw(context, instance, err));
+    return frame_end(frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
+}
+
+void technique_close(struct technique_instance *instance)
+{
+    if (instance->technique && instance->technique->free)
+        instance->technique->free(instance);
+    *instance = (struct technique_instance){.technique = NULL};
+}
+
+uint32_t technique_reach_px(const struct technique_context *context, const struct technique_instance *instance,
+                            double line_px)
+{
+    uint32_t frame = frame_reach_px(context->frame, line_px), own = instance->technique->reach_px;
+    return frame > own ? frame : own;
 }

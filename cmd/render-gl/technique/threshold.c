@@ -1,13 +1,22 @@
-#include "render-gl/technique/technique.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/shaded.h"
+
+static const struct frame_shading shading = {
+    .stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
+    .defines = "#define STROKES 1\n",
+    .pixel_light = true,
+    .pass_count = 1,
+    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
+};
 
 /* Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.2. */
 const struct technique technique_threshold = {
     .name = "threshold",
     .summary = "seven thresholds a texel: no grey strokes, soft edges",
-    .columns = COLUMNS_THRESHOLDS,
-    .stages = {.vertex = "gouraud.vert", .fragment = "threshold.frag"},
-    .defines = "#define STROKES 1\n",
-    .pixel_light = true,
-    .pass_count = 1,
-    .pass_names = {"strokes"},
+    .asset = &asset_thresholds,
+    .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .state_size = sizeof(struct shaded_state),
+    .shading = &shading,
+    .prepare = shaded_prepare,
+    .draw = shaded_draw,
 };

@@ -1,13 +1,22 @@
-#include "render-gl/technique/technique.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/shaded.h"
 
-/* One threshold and a steep ramp: Freudenberg's way, to compare with (Webb et al. 2002, §3.2). */
-const struct technique technique_threshold_soft = {
-    .name = "threshold-soft",
-    .summary = "one threshold a texel and a steep ramp, as before there were seven",
-    .columns = COLUMNS_THRESHOLDS,
-    .stages = {.vertex = "gouraud.vert", .fragment = "threshold.frag"},
+static const struct frame_shading shading = {
+    .stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
     .defines = "#define STROKES 1\n#define SOFT 1\n",
     .pixel_light = true,
     .pass_count = 1,
-    .pass_names = {"strokes"},
+    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
+};
+
+/* One threshold and a steep ramp, Freudenberg's method, to compare with (Webb et al. 2002, §3.2). */
+const struct technique technique_threshold_soft = {
+    .name = "threshold-soft",
+    .summary = "one threshold a texel and a steep ramp, as before there were seven",
+    .asset = &asset_thresholds,
+    .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .state_size = sizeof(struct shaded_state),
+    .shading = &shading,
+    .prepare = shaded_prepare,
+    .draw = shaded_draw,
 };

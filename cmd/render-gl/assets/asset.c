@@ -1,0 +1,102 @@
+#include "render-gl/assets/asset.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/texture.h"
+#include "shared/map.h"
+
+void asset_read(struct cmd_args *args, const char *path, struct asset *asset)
+{
+    const char *name = cmd_input_name(path);
+    struct hatch_bytes file = cmd_read(args, path);
+    struct hatch_err err;
+    *asset = (struct asset){.map.tones = 0};
+    if (tone_texture_is(file))
+        cmd_check(tone_texture_read(file, &args->keep, &args->scratch, &asset->texture, &err), name, &err);
+    else
+        cmd_parse_map(args, name, file, &asset->map);
+}
+
+bool asset_is_map(const struct asset *asset)
+{
+    return asset->map.tones > 0;
+}
+
+float asset_darkest(const struct asset *asset)
+{
+    return asset_is_map(asset) ? asset->map.target[asset->map.tones - 1] : asset->texture.darkest;
+}
+
+uint32_t asset_size_px(const struct asset *asset)
+{
+    return asset_is_map(asset) ? asset->map.size_px : asset->texture.size_px;
+}
+
+uint32_t asset_levels(const struct asset *asset)
+{
+    return asset_is_map(asset) ? asset->map.levels : asset->texture.levels;
+}
+
+bool assets_have(const struct assets *assets, const struct asset_kind *kind)
+{
+    return !kind || (assets->asset && kind->is(assets->asset));
+}
+
+enum hatch_status assets_upload(struct assets *assets, const struct asset_kind *kind, struct hatch_arena *scratch,
+                                const struct asset_tones **tones, struct hatch_err *err)
+{
+    size_t i = 0;
+    while (assets->uploaded[i].kind && assets->uploaded[i].kind != kind)
+        i++;
+    assert(i < sizeof assets->uploaded / sizeof *assets->uploaded);
+    if (!assets->uploaded[i].kind)
+        HATCH_TRY(kind->upload(assets->asset, &assets->limits, scratch, &assets->uploaded[i].tones, err));
+    assets->uploaded[i].kind = kind;
+    *tones = &assets->uploaded[i].tones;
+    return HATCH_OK;
+}
+
+void assets_free(struct assets *assets)
+{
+    for (size_t i = 0; i < sizeof assets->uploaded / sizeof *assets->uploaded; i++) {
+        asset_tones_free(&assets->uploaded[i].tones);
+        assets->uploaded[i].kind = NULL;
+    }
+}
+
+void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size)
+{
+    snprintf(text, size, "%s%s%s", tones->layered ? "#define LAYERED 1\n" : "", tones->exact ? "#define EXACT 1\n" : "",
+             anisotropy > 1 && !tones->exact ? "#define ANISOTROPIC 1\n" : "");
+}
+
+void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block)
+{
+    frame_block_set_tones(block, &(struct frame_tones){tones->count, tones->targets, tones->reaches_ink});
+    gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
+    if (anisotropy > 1) /* in the sampler and not in the shader, where software renderers pay for it at each read */
+        glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));
+}
+
+void asset_tones_make_sampler(struct asset_tones *tones, float anisotropy)
+{
+    GLint filter = tones->exact ? GL_NEAREST : GL_LINEAR;
+    glCreateSamplers(1, &tones->sampler);
+    glSamplerParameteri(tones->sampler, GL_TEXTURE_MIN_FILTER, tones->exact ? filter : GL_LINEAR_MIPMAP_LINEAR);
+    glSamplerParameteri(tones->sampler, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(tones->sampler, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glSamplerParameteri(tones->sampler, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glSamplerParameteri(tones->sampler, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    if (anisotropy > 1.0f && !tones->exact)
+        glSamplerParameterf(tones->sampler, GL_TEXTURE_MAX_ANISOTROPY, anisotropy);
+}
+
+void asset_tones_free(struct asset_tones *tones)
+{
+    glDeleteTextures(1, &tones->texture);
+    glDeleteSamplers(1, &tones->sampler);
+    *tones = (struct asset_tones){.count = 0};
+}

@@ -1,0 +1,120 @@
+/* Tonal art maps on the GPU, with their authored mip levels: as six grey columns, or every column. */
+#include <math.h>
+
+#include "image/color.h"
+#include "render-gl/assets/asset.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+
+/* Darkness of one texel as a byte. A coloured map read as grey gives its luminance. */
+static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t channel, bool color)
+{
+    const float *at = image->pixels + texel * image->channel_count;
+    float light = channel < 3 && color ? at[channel] : at[0];
+    if (channel == 3 && color)
+        light = hatch_color_luminance(at);
+    float ink = 255.0f * (1.0f - light);
+    return ink <= 0.0f ? 0 : ink >= 255.0f ? 255 : (uint8_t)lrintf(ink);
+}
+
+/* Which of the map's columns is at a place among `count`, evenly chosen, the darkest among them. */
+static uint32_t chosen_column(const struct hatch_tam *map, uint32_t count, uint32_t slot)
+{
+    return (slot + 1) * map->tones / count - 1;
+}
+
+/* One level of a layer, while it is filled. */
+struct image {
+    const struct hatch_tam *map;
+    uint32_t count; /* columns on the GPU */
+    uint32_t layer, level, channels;
+    size_t texel_count;
+    uint8_t *texels;
+};
+
+/* The first layer holds columns 1 to 4, the second 3 to 6. */
+static void fill_six(const struct image *image)
+{
+    for (uint32_t c = 0; c < 4 && 2 * image->layer + c < image->count; c++) {
+        uint32_t column = chosen_column(image->map, image->count, 2 * image->layer + c);
+        const struct hatch_image *from = &image->map->columns[column].levels[image->level];
+        for (size_t i = 0; i < image->texel_count; i++)
+            image->texels[4 * i + c] = ink_of(from, i, 3, image->map->color);
+    }
+}
+
+static void fill_column(const struct image *image)
+{
+    const struct hatch_image *from = &image->map->columns[image->layer].levels[image->level];
+    for (size_t i = 0; i < image->channels * image->texel_count; i++)
+        image->texels[i] = ink_of(from, i / image->channels, (uint32_t)(i % image->channels), image->map->color);
+}
+
+/* How a map becomes layers. */
+struct form {
+    uint32_t count, layers, channels;
+    void (*fill)(const struct image *image);
+};
+
+static enum hatch_status fill_layers(const struct hatch_tam *map, const struct form *form, GLuint texture,
+                                     struct hatch_arena *scratch, struct hatch_err *err)
+{
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (uint32_t layer = 0; layer < form->layers; layer++)
+        for (uint32_t level = 0; level < map->columns[0].level_count; level++) {
+            struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+            GLsizei size = (GLsizei)hatch_mip_size(map->size_px, level);
+            struct image image = {map, form->count, layer, level, form->channels, (size_t)size * (size_t)size, NULL};
+            image.texels = HATCH_NEW(scratch, uint8_t, image.channels * image.texel_count, err);
+            if (!image.texels)
+                return HATCH_LIMIT;
+            form->fill(&image);
+            glTextureSubImage3D(texture, (GLint)level, 0, 0, (GLint)layer, size, size, 1,
+                                image.channels == 4 ? GL_RGBA : GL_RED, GL_UNSIGNED_BYTE, image.texels);
+            hatch_arena_rewind(scratch, mark);
+        }
+    return HATCH_OK;
+}
+
+static enum hatch_status upload(const struct hatch_tam *map, const struct form *form, const struct asset_limits *limits,
+                                struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+{
+    struct asset_tones made = {.layered = true, .count = form->count};
+    if (map->size_px > limits->size_max_px)
+        return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU takes %u", map->size_px,
+                          limits->size_max_px);
+    for (uint32_t i = 0; i < form->count; i++)
+        made.targets[i] = map->target[chosen_column(map, form->count, i)];
+    made.texture = gpu_texture_make(GL_TEXTURE_2D_ARRAY, (GLsizei)map->columns[0].level_count,
+                                    form->channels == 1 ? GL_R8 : GL_RGBA8, map->size_px, map->size_px, form->layers);
+    if (form->channels == 1)
+        gpu_texture_read_grey(made.texture);
+    asset_tones_make_sampler(&made, limits->anisotropy);
+    enum hatch_status status = fill_layers(map, form, made.texture, scratch, err);
+    if (status == HATCH_OK)
+        status = gpu_check_memory(err, "%u columns of %u texels", form->count, map->size_px);
+    if (status == HATCH_OK)
+        *tones = made;
+    else
+        asset_tones_free(&made);
+    return status;
+}
+
+static enum hatch_status upload_six(const struct asset *asset, const struct asset_limits *limits,
+                                    struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+{
+    uint32_t count = asset->map.tones < ASSET_SIX_COLUMNS_MAX ? asset->map.tones : ASSET_SIX_COLUMNS_MAX;
+    return upload(&asset->map, &(struct form){count, 2, 4, fill_six}, limits, scratch, tones, err);
+}
+
+static enum hatch_status upload_columns(const struct asset *asset, const struct asset_limits *limits,
+                                        struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+{
+    const struct hatch_tam *map = &asset->map;
+    return upload(map, &(struct form){map->tones, map->tones, map->color ? 4 : 1, fill_column}, limits, scratch, tones,
+                  err);
+}
+
+#define MAP_NAME "a tonal art map (tamgen makes one)"
+const struct asset_kind asset_six_columns = {MAP_NAME, asset_is_map, upload_six};
+const struct asset_kind asset_columns = {MAP_NAME, asset_is_map, upload_columns};

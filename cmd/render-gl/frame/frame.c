@@ -1,0 +1,99 @@
+#include "render-gl/frame/frame.h"
+
+#include <math.h>
+
+#include "render-gl/frame/items.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+
+static enum hatch_status draw_shadows(struct frame *frame, struct hatch_err *err)
+{
+    struct shadow *shadow = &frame->shadow;
+    HATCH_TRY(shadow_prepare(shadow, &frame->programs, err));
+    HATCH_TRY(shadow_begin(shadow, &frame->block, frame->scene, frame->style.shadow_edge, err));
+    for (uint32_t layer = 0; layer < shadow->layers && !shadow->drawn; layer++) {
+        shadow_begin_layer(shadow, layer);
+        frame_draw_depths(frame->scene, shadow->draw);
+    }
+    shadow->drawn = true;
+    shadow_use(shadow);
+    gpu_timer_end_pass(frame->timer, "shadows");
+    return HATCH_OK;
+}
+
+static void clear(const struct frame *frame)
+{
+    static const float far = 0.0f;
+    const float *rgb = frame->request.background;
+    const float color[4] = {rgb[0], rgb[1], rgb[2], 0.0f};
+    const struct frame_pass pass = {
+        .name = "clear", .target = &frame->request.canvas->samples, .clear = color, .clear_depth = &far};
+    frame_pass_begin(&pass);
+    frame_pass_end(&pass, frame->timer);
+}
+
+enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, bool pieces,
+                              struct hatch_err *err)
+{
+    const struct frame_style *style = &frame->style;
+    struct frame_block *block = &frame->block;
+    struct hatch_unit_scene *unit = &frame->scene->unit;
+    frame->request = *request;
+    frame->view = *request->view;
+    gpu_timer_begin(frame->timer);
+    frame_targets_begin(&frame->targets);
+    frame_block_set_inks(block, &style->inks);
+    frame_block_set_curve(block, &style->curve);
+    frame_block_set_hatch(block, style->hatch_turn_rad, style->hatch_scale);
+    const struct hatch_near_options options = {.pieces = pieces && !frame->floats_alone,
+                                               .turn = {(double)block->hatch[0], (double)block->hatch[1]},
+                                               .tile = request->tile,
+                                               .max_memory = frame->programs.scratch->limit_bytes};
+    HATCH_TRY(near_begin(&frame->near, frame->scene, &options, &frame->view, err));
+    frame_block_set_view(block, &frame->view, request->tile, request->canvas->side);
+    block->counts[0] = (int32_t)hatch_lights_at(&unit->pose, &unit->bounds, &frame->view, &style->light,
+                                                style->curve.exposure, block->lights);
+    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, block, sizeof *block);
+    if (style->shadows)
+        HATCH_TRY(draw_shadows(frame, err));
+    clear(frame);
+    return HATCH_OK;
+}
+
+/* Half of a nearer line lies over its halo. */
+static double halo_reach_px(const struct frame *frame, double line_px)
+{
+    return frame->style.halo_px + 0.5 * line_px;
+}
+
+uint32_t frame_reach_px(const struct frame *frame, double line_px)
+{
+    /* Edges and slopes of depth take three samples more than haloes. */
+    return frame->style.halo_px > 0 ? (uint32_t)ceil(halo_reach_px(frame, line_px)) + 4 : 0;
+}
+
+enum hatch_status frame_end(struct frame *frame, bool haloes, struct hatch_err *err)
+{
+    const struct canvas *canvas = frame->request.canvas;
+    if (frame->style.halo_px > 0 && haloes) {
+        double reach_px = halo_reach_px(frame, frame->request.line_px);
+        HATCH_TRY(halo_prepare(&frame->halo, &frame->programs, err));
+        HATCH_TRY(halo_find(&frame->halo, canvas, &frame->view, reach_px, &frame->targets, err));
+        halo_draw(&frame->halo, canvas, frame->request.background);
+        gpu_timer_end_pass(frame->timer, "haloes");
+    }
+    canvas_resolve(canvas);
+    gpu_timer_end_pass(frame->timer, "resolve");
+    return HATCH_OK;
+}
+
+void frame_free(struct frame *frame)
+{
+    near_free(&frame->near);
+    shadow_free(&frame->shadow);
+    halo_free(&frame->halo);
+    frame_targets_free(&frame->targets);
+    glDeleteBuffers(1, &frame->block_buffer);
+    frame->block_buffer = 0;
+    gpu_programs_free(&frame->programs);
+}

@@ -1,0 +1,87 @@
+#include "render-gl/frame/halo.h"
+
+#include <math.h>
+
+#include "render-gl/frame/pass.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+
+#define BLOCK 8u        /* cells along a side of a block; the same as in shaders/halo/halo.glsl */
+#define CELLS_MOST 12.0 /* of a halo's width: more would take longer without a visible gain */
+#define DEPTH                                                                                                          \
+    0.015 /* larger jumps have haloes, twice as large ones whole haloes: in halves of the picture's height             \
+           */
+
+/* std140; the same as in shaders/halo/halo.glsl */
+struct halo_block {
+    float sizes[4]; /* in samples: the reach, a cell's side, a pixel's side; 0 */
+    float depth[4]; /* a jump's share of half the picture's height, by difference and by ratio; the least */
+};
+
+enum hatch_status halo_prepare(struct halo *halo, struct gpu_programs *programs, struct hatch_err *err)
+{
+    static const struct gpu_stages cells = {.vertex = "canvas/screen.vert", .fragment = "halo/cells.frag"};
+    static const struct gpu_stages blocks = {.vertex = "canvas/screen.vert", .fragment = "halo/blocks.frag"};
+    static const struct gpu_stages cover = {.vertex = "halo/halo.vert", .fragment = "halo/halo.frag"};
+    static const char defines[] = "#define HALOES 1\n";
+    if (!halo->framebuffer)
+        glCreateFramebuffers(1, &halo->framebuffer);
+    HATCH_TRY(gpu_program_get(programs, &cells, defines, &halo->find_cells, err));
+    HATCH_TRY(gpu_program_get(programs, &blocks, defines, &halo->find_blocks, err));
+    return gpu_program_get(programs, &cover, defines, &halo->cover, err);
+}
+
+static uint32_t parts(uint32_t whole, uint32_t part)
+{
+    return (whole + part - 1) / part;
+}
+
+/* Fills a transient target from what is bound, and binds it to a unit. */
+static enum hatch_status reduce(const struct gpu_program *program, const struct gpu_target_form *form, GLuint unit,
+                                struct frame_targets *targets, struct hatch_err *err)
+{
+    const struct gpu_target *target;
+    HATCH_TRY(frame_target(targets, form, &target, err));
+    frame_pass_begin(&(struct frame_pass){.target = target});
+    frame_pass_screen(program);
+    gpu_texture_bind(unit, target->outputs[0], 0);
+    return HATCH_OK;
+}
+
+enum hatch_status halo_find(struct halo *halo, const struct canvas *canvas, const struct hatch_view *view,
+                            double reach_px, struct frame_targets *targets, struct hatch_err *err)
+{
+    double reach = reach_px * canvas->side, half = 1 / view->half_height;
+    uint32_t cell = (uint32_t)fmax(canvas->side, ceil(reach / CELLS_MOST));
+    const struct gpu_target_form cells = {.width = parts(canvas->samples.form.width, cell),
+                                          .height = parts(canvas->samples.form.height, cell),
+                                          .outputs = {GL_RGBA32F}};
+    const struct gpu_target_form blocks = {
+        .width = parts(cells.width, BLOCK), .height = parts(cells.height, BLOCK), .outputs = {GL_R32F}};
+    const struct halo_block block = {.sizes = {(float)reach, (float)cell, (float)canvas->side, 0},
+                                     .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
+                                               view->orthographic ? 0.0f : (float)half, (float)DEPTH, 0}};
+    gpu_block_update(&halo->buffer, BLOCK_HALOES, &block, sizeof block);
+    gpu_texture_bind(UNIT_HALO_DEPTHS, canvas->samples.depth, 0);
+    HATCH_TRY(reduce(halo->find_cells, &cells, UNIT_HALO_CELLS, targets, err));
+    halo->block_count = blocks.width * blocks.height;
+    return reduce(halo->find_blocks, &blocks, UNIT_HALO_BLOCKS, targets, err);
+}
+
+void halo_draw(const struct halo *halo, const struct canvas *canvas, const float rgb[3])
+{
+    struct gpu_target colors = canvas->samples;
+    colors.framebuffer = halo->framebuffer;
+    glNamedFramebufferTexture(colors.framebuffer, GL_COLOR_ATTACHMENT0, colors.outputs[0], 0);
+    frame_pass_begin(&(struct frame_pass){.target = &colors, .blend = FRAME_BLEND_OVER_COLOR});
+    glProgramUniform3fv(halo->cover->name, UNIFORM_A, 1, rgb);
+    frame_pass_quads(halo->cover, 0, (GLsizei)halo->block_count);
+}
+
+void halo_free(struct halo *halo)
+{
+    glDeleteBuffers(1, &halo->buffer);
+    glDeleteFramebuffers(1, &halo->framebuffer);
+    *halo = (struct halo){.buffer = 0};
+}

@@ -1,0 +1,322 @@
+#include "render-gl/frame/items.h"
+
+#include <stdio.h>
+
+#include "render-gl/gpu/bindings.h"
+
+/* The range of an item that one call draws. */
+struct part {
+    GLuint vertex_array;
+    uint32_t first, count;            /* indices */
+    const struct hatch_near_cut *cut; /* not NULL: its ranges of indices instead; or, with */
+    bool pieces;                      /* this, its pieces */
+};
+
+/* An item while it is drawn. */
+struct drawing {
+    const struct frame *frame;
+    const struct frame_shading *shading;
+    const struct frame_shader *shader;
+    uint32_t index;
+    const struct hatch_item *unit;
+    const struct hatch_unit_mesh *mesh;
+    const struct scene_item *item;
+    const struct hatch_near_item *near; /* NULL: nothing of it is near */
+    uint32_t variant;
+};
+
+static uint32_t variant_of(const struct frame *frame, const struct frame_shading *shading, uint32_t index)
+{
+    const struct hatch_item *unit = &frame->scene->unit.items[index];
+    const struct scene_item *item = &frame->scene->items[index];
+    uint32_t variant = 0;
+    if (frame->scene->unit.meshes[unit->mesh].patches)
+        variant = shading->patches == FRAME_PATCHES_UNSEEN ? 0 : FRAME_OUTLINE;
+    else if (item->base_texture)
+        variant = (frame->style.base_tone ? FRAME_TONE : 0u) | (unit->alpha_cutoff > 0 ? FRAME_HOLES : 0u);
+    if (item->normals && shading->pixel_light && !shading->pieces)
+        variant |= FRAME_NORMALS;
+    return variant;
+}
+
+static struct drawing drawing_of(const struct frame *frame, const struct frame_shading *shading,
+                                 const struct frame_shader *shader, uint32_t index)
+{
+    const struct hatch_item *unit = &frame->scene->unit.items[index];
+    return (struct drawing){.frame = frame,
+                            .shading = shading,
+                            .shader = shader,
+                            .index = index,
+                            .unit = unit,
+                            .mesh = &frame->scene->unit.meshes[unit->mesh],
+                            .item = &frame->scene->items[index],
+                            .near = hatch_near_item_at(&frame->near.found, index),
+                            .variant = variant_of(frame, shading, index)};
+}
+
+static enum hatch_status compile(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                 uint32_t variant, const struct gpu_program **program, struct hatch_err *err)
+{
+    const struct frame_style *style = &frame->style;
+    bool pixel_light = shading->pixel_light && (style->pixel_light || style->shadows);
+    char all[512];
+    if (*program)
+        return HATCH_OK;
+    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines, defines,
+             pixel_light ? "#define PIXEL_LIGHT 1\n" : "", style->shadows ? "#define SHADOWS 1\n" : "",
+             hatch_lights_are_key_alone(frame->scene->unit.scene, &style->light) ? "#define SUN 1\n" : "",
+             style->curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "", style->inks.two ? "#define TWO_INKS 1\n" : "",
+             variant & FRAME_PIECES ? "#define PIECES 1\n" : "",
+             variant & (FRAME_TONE | FRAME_HOLES | FRAME_OUTLINE) ? "#define BASE_TEXTURE 1\n" : "",
+             variant & FRAME_NORMALS ? "#define NORMAL_MAP 1\n" : "",
+             variant & FRAME_TONE ? "#define BASE_TONE 1\n" : "", variant & FRAME_HOLES ? "#define BASE_HOLES 1\n" : "",
+             variant & FRAME_OUTLINE ? "#define OUTLINE 1\n" : "");
+    return gpu_program_get(&frame->programs, &shading->stages, all, program, err);
+}
+
+/* Compiles the programs for the surface below a shading's patches. */
+static enum hatch_status compile_below(struct frame *frame, const struct frame_shading *shading, bool pieces,
+                                       const struct gpu_program **program, struct hatch_err *err)
+{
+    const struct gpu_stages stages = {.vertex = "frame/surface.vert",
+                                      .geometry = shading->stages.geometry && !pieces ? "frame/surface.geom" : NULL,
+                                      .fragment = "frame/paper.frag"};
+    if (*program)
+        return HATCH_OK;
+    return gpu_program_get(&frame->programs, &stages, pieces ? "#define PIECES 1\n" : "", program, err);
+}
+
+enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                       struct frame_shader *shader, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
+        uint32_t variant = variant_of(frame, shading, i);
+        HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
+        if (variant & FRAME_OUTLINE)
+            HATCH_TRY(compile_below(frame, shading, false, &shader->below[0], err));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status prepare_pieces(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                        struct frame_shader *shader, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
+        uint32_t variant = variant_of(frame, shading, i) | FRAME_PIECES;
+        if (!hatch_near_item_at(&frame->near.found, i))
+            continue;
+        HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
+        if (variant & FRAME_OUTLINE)
+            HATCH_TRY(compile_below(frame, shading, true, &shader->below[1], err));
+    }
+    return HATCH_OK;
+}
+
+static void use_item(const struct scene *scene, uint32_t index, float lightness, const struct gpu_program *program)
+{
+    const struct scene_item *item = &scene->items[index];
+    const struct hatch_item *unit = &scene->unit.items[index];
+    glUseProgram(program->name);
+    if (item->base_texture)
+        glBindTextureUnit(UNIT_BASE, item->base_texture);
+    if (item->normals)
+        glBindTextureUnit(UNIT_NORMALS, item->normals);
+    glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
+    glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);
+    glUniformMatrix3fv(UNIFORM_NORMAL_FROM_MESH, 1, GL_FALSE, unit->normal);
+    glVertexAttrib2fv(ATTRIBUTE_REPEAT, unit->repeat); /* where vertices have none */
+    glUniform4f(UNIFORM_BASE, lightness, item->base_lod, unit->alpha_cutoff, 0.0f);
+    glFrontFace(unit->mirrored ? GL_CW : GL_CCW);
+}
+
+static void use(const struct drawing *drawing, const struct gpu_program *program)
+{
+    use_item(drawing->frame->scene, drawing->index,
+             drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
+}
+
+static void draw_part(struct part part)
+{
+    glBindVertexArray(part.vertex_array);
+    if (part.pieces)
+        glDrawArrays(GL_TRIANGLES, part.cut->first, part.cut->count);
+    else if (part.cut)
+        glMultiDrawElements(GL_TRIANGLES, part.cut->counts, GL_UNSIGNED_INT, part.cut->offsets,
+                            (GLsizei)part.cut->range_count);
+    else
+        glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
+                       (const void *)(sizeof(uint32_t) * part.first));
+}
+
+/* Faces that may be seen from behind are drawn once for each side, because light is computed per vertex, and a vertex
+ * has no side. */
+static void draw_sides(const struct drawing *drawing, struct part part, uint32_t pass)
+{
+    glUniform1i(UNIFORM_PASS, (GLint)pass);
+    for (int behind = 0; behind <= (drawing->unit->double_sided ? 1 : 0); behind++) {
+        glCullFace(behind ? GL_FRONT : GL_BACK);
+        glUniform1f(UNIFORM_SIDE, behind ? -1.0f : 1.0f);
+        draw_part(part);
+    }
+}
+
+/* Makes ready to draw an item's pieces with a program. */
+static struct part use_pieces(const struct drawing *drawing, const struct hatch_near_cut *cut,
+                              const struct gpu_program *program)
+{
+    use(drawing, program);
+    near_use(&drawing->frame->near, drawing->frame->scene, drawing->index);
+    return (struct part){.vertex_array = drawing->frame->near.array, .cut = cut, .pieces = true};
+}
+
+static struct part surface_of(const struct scene *scene, uint32_t index, const struct hatch_near_item *near)
+{
+    const struct hatch_unit_mesh *mesh = &scene->unit.meshes[scene->unit.items[index].mesh];
+    const struct scene_item *item = &scene->items[index];
+    return (struct part){.vertex_array = mesh->patches ? item->surface_array : item->vertex_array,
+                         .count = 3 * mesh->surface->face_count,
+                         .cut = near ? &near->surface : NULL};
+}
+
+void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2])
+{
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const struct hatch_item *unit = &scene->unit.items[i];
+        const struct scene_item *item = &scene->items[i];
+        bool holes = !scene->unit.meshes[unit->mesh].patches && item->base_texture && unit->alpha_cutoff > 0;
+        use_item(scene, i, item->base_lightness, programs[holes]);
+        draw_part(surface_of(scene, i, NULL));
+    }
+}
+
+/* Draws paper where patches will be, at the depth of their faces: they are drawn at equal depth. */
+static void draw_below_patches(const struct drawing *drawing)
+{
+    const struct hatch_near_item *near = drawing->near;
+    use(drawing, drawing->shader->below[0]);
+    glCullFace(GL_BACK);
+    if (drawing->unit->double_sided)
+        glDisable(GL_CULL_FACE);
+    draw_part(surface_of(drawing->frame->scene, drawing->index, near));
+    if (near)
+        draw_part(use_pieces(drawing, &near->surface, drawing->shader->below[1]));
+    glEnable(GL_CULL_FACE);
+}
+
+/* All patches at once, each blended over those before it, since OpenGL keeps the order of faces. The shading's one pass
+ * reads their outline from a texture unit. */
+static void draw_patches_at_once(const struct drawing *drawing)
+{
+    const struct hatch_near_item *near = drawing->near;
+    bool blends = drawing->shading->patches == FRAME_PATCHES_BLEND;
+    frame_pass_blend(blends ? FRAME_BLEND_OVER : FRAME_BLEND_REPLACE);
+    draw_sides(drawing,
+               (struct part){.vertex_array = drawing->item->vertex_array,
+                             .count = drawing->frame->scene->meshes[drawing->unit->mesh].index_count,
+                             .cut = near ? &near->patches : NULL},
+               0);
+}
+
+/* Real-time hatching §6: the outline goes into the target's alpha; then each pass adds its share under that alpha, the
+ * first one in place of what lies below. A layer of patches at a time. */
+static void draw_patches_in_passes(const struct drawing *drawing)
+{
+    const struct hatch_patch_mesh *patches = drawing->mesh->patches;
+    uint32_t begin = 0;
+    for (uint32_t layer = 0; layer < patches->layer_count; layer++) {
+        uint32_t end = patches->layer_end[layer];
+        const struct part part = {.vertex_array = drawing->item->vertex_array, .first = begin, .count = end - begin};
+        for (uint32_t pass = 0; pass < drawing->shading->pass_count; pass++) {
+            frame_pass_blend(pass == 0   ? FRAME_BLEND_SET_ALPHA
+                             : pass == 1 ? FRAME_BLEND_UNDER_ALPHA
+                                         : FRAME_BLEND_ADD_UNDER_ALPHA);
+            draw_sides(drawing, part, pass);
+        }
+        begin = end;
+    }
+}
+
+static void draw_patches(const struct drawing *drawing)
+{
+    use(drawing, drawing->shader->programs[drawing->variant]);
+    if (drawing->shading->pass_count == 1)
+        draw_patches_at_once(drawing);
+    else
+        draw_patches_in_passes(drawing);
+    if (drawing->near)
+        draw_sides(
+            drawing,
+            use_pieces(drawing, &drawing->near->patches, drawing->shader->programs[drawing->variant | FRAME_PIECES]),
+            0);
+}
+
+static void draw_ordinary(const struct drawing *drawing, uint32_t pass)
+{
+    use(drawing, drawing->shader->programs[drawing->variant]);
+    draw_sides(drawing, surface_of(drawing->frame->scene, drawing->index, drawing->near), pass);
+    if (drawing->near)
+        draw_sides(
+            drawing,
+            use_pieces(drawing, &drawing->near->surface, drawing->shader->programs[drawing->variant | FRAME_PIECES]),
+            pass);
+}
+
+/* Draws the items that are shown as patches, or the others, in one pass. */
+static void draw_all(const struct drawing *like, bool patches, uint32_t pass, bool below)
+{
+    for (uint32_t i = 0; i < like->frame->scene->unit.item_count; i++) {
+        const struct drawing drawing = drawing_of(like->frame, like->shading, like->shader, i);
+        bool shows_patches = drawing.variant & FRAME_OUTLINE;
+        if (shows_patches != patches)
+            continue;
+        if (below)
+            draw_below_patches(&drawing);
+        else if (patches)
+            draw_patches(&drawing);
+        else
+            draw_ordinary(&drawing, pass);
+    }
+}
+
+static uint32_t count_lapped(const struct frame *frame, const struct frame_shading *shading)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < frame->scene->unit.item_count; i++)
+        count += (variant_of(frame, shading, i) & FRAME_OUTLINE) != 0;
+    return count;
+}
+
+enum hatch_status frame_draw_items(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                   struct frame_shader *shader, struct hatch_err *err)
+{
+    const struct gpu_target *target = &frame->request.canvas->samples;
+    const struct drawing all = {.frame = frame, .shading = shading, .shader = shader};
+    uint32_t lapped = count_lapped(frame, shading);
+    bool ordinary = lapped < frame->scene->unit.item_count;
+    HATCH_TRY(prepare_pieces(frame, shading, defines, shader, err));
+    for (uint32_t i = 0; i < shading->pass_count && ordinary; i++) {
+        const struct frame_item_pass *from = &shading->passes[i];
+        const struct frame_pass pass = {
+            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .cull = FRAME_CULL_BACK};
+        frame_pass_begin(&pass);
+        draw_all(&all, false, i, false);
+        frame_pass_end(&pass, frame->timer);
+    }
+    if (!lapped)
+        return HATCH_OK;
+    /* Where nothing else has been drawn, the canvas holds paper already. */
+    const struct frame_pass below = {.name = "surface",
+                                     .target = target,
+                                     .depth = FRAME_DEPTH_NEARER,
+                                     .cull = FRAME_CULL_BACK,
+                                     .masks_color = !ordinary};
+    const struct frame_pass patches = {
+        .name = "patches", .target = target, .depth = FRAME_DEPTH_EQUAL, .cull = FRAME_CULL_BACK};
+    frame_pass_begin(&below);
+    draw_all(&all, true, 0, true);
+    frame_pass_end(&below, frame->timer);
+    frame_pass_begin(&patches);
+    draw_all(&all, true, 0, false);
+    frame_pass_end(&patches, frame->timer);
+    return HATCH_OK;
+}

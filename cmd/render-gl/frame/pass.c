@@ -1,0 +1,82 @@
+#include "render-gl/frame/pass.h"
+
+void frame_pass_blend(enum frame_blend blend)
+{
+    static const struct {
+        GLenum equation, color_from, color_to, alpha_from, alpha_to;
+    } ways[] = {
+        [FRAME_BLEND_OVER] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+        [FRAME_BLEND_OVER_COLOR] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
+        [FRAME_BLEND_ADD] = {GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
+        [FRAME_BLEND_MAX] = {GL_MAX, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
+        [FRAME_BLEND_SET_ALPHA] = {GL_FUNC_ADD, GL_ZERO, GL_ONE, GL_ONE, GL_ZERO},
+        [FRAME_BLEND_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_ONE},
+        [FRAME_BLEND_ADD_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE}};
+    if (blend == FRAME_BLEND_REPLACE) {
+        glDisable(GL_BLEND);
+        return;
+    }
+    glEnable(GL_BLEND);
+    glBlendEquation(ways[blend].equation);
+    glBlendFuncSeparate(ways[blend].color_from, ways[blend].color_to, ways[blend].alpha_from, ways[blend].alpha_to);
+}
+
+static void set_depth(enum frame_depth depth)
+{
+    static const GLenum ways[] = {GL_ALWAYS, GL_GREATER, GL_EQUAL, GL_GREATER, GL_LESS};
+    if (depth == FRAME_DEPTH_NONE) {
+        glDisable(GL_DEPTH_TEST);
+        return;
+    }
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(ways[depth]);
+    glDepthMask(depth == FRAME_DEPTH_NEARER || depth == FRAME_DEPTH_LOWER ? GL_TRUE : GL_FALSE);
+}
+
+static void set_cull(enum frame_cull cull)
+{
+    if (cull == FRAME_CULL_NONE) {
+        glDisable(GL_CULL_FACE);
+        return;
+    }
+    glEnable(GL_CULL_FACE);
+    glCullFace(cull == FRAME_CULL_FRONT ? GL_FRONT : GL_BACK);
+}
+
+void frame_pass_begin(const struct frame_pass *pass)
+{
+    const struct gpu_target *target = pass->target;
+    const GLboolean colors = pass->masks_color ? GL_FALSE : GL_TRUE;
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glViewport(0, 0, (GLsizei)target->form.width, (GLsizei)target->form.height);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    if (pass->clear)
+        glClearBufferfv(GL_COLOR, 0, pass->clear);
+    if (pass->clear_depth)
+        glClearBufferfv(GL_DEPTH, 0, pass->clear_depth);
+    glColorMask(colors, colors, colors, colors);
+    frame_pass_blend(pass->blend);
+    set_depth(pass->depth);
+    set_cull(pass->cull);
+}
+
+void frame_pass_screen(const struct gpu_program *program)
+{
+    glUseProgram(program->name);
+    glBindVertexArray(program->no_attributes);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei instances)
+{
+    glUseProgram(program->name);
+    glBindVertexArray(array ? array : program->no_attributes);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
+}
+
+void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)
+{
+    gpu_timer_end_pass(timer, pass->name);
+}

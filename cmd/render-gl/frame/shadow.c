@@ -1,0 +1,236 @@
+#include "render-gl/frame/shadow.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vector.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+
+#define MARGIN 1.05       /* around the scene, for the edges' width */
+#define CUBE_TANGENT 1.15 /* a cube's faces overlap, so that edges are soft over its borders */
+#define SPOT_COSINE 0.4   /* spots that are wider take a cube */
+#define NEAREST 1e-3      /* that casts a shadow in a lamp's light */
+#define SIZE_MIN_PX 512u
+#define SIZE_MAX_PX 2048u
+#define EDGE_PX 13.0 /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
+
+static const GLuint units[2] = {UNIT_SHADOWS, UNIT_SHADOW_TEXELS};
+
+enum hatch_status shadow_prepare(struct shadow *shadow, struct gpu_programs *programs, struct hatch_err *err)
+{
+    static const struct gpu_stages stages = {.vertex = "shadow/shadow.vert", .fragment = "shadow/shadow.frag"};
+    static const char *const defines[2] = {"", "#define BASE_TEXTURE 1\n#define BASE_HOLES 1\n"};
+    for (int holes = 0; holes < 2; holes++)
+        HATCH_TRY(gpu_program_get(programs, &stages, defines[holes], &shadow->draw[holes], err));
+    return HATCH_OK;
+}
+
+/* The volume that a map shows: axes, the last from the light, and where 0 is on each; extent: half its width and
+ * height, of a lamp at distance 1. */
+struct lens {
+    double axes[3][3], from[3], extent[2], near, far;
+    bool lamp;
+};
+
+static void set_axes(const double along[3], double axes[3][3])
+{
+    static const double forward[3] = {0, 0, 1};
+    hatch_vec_copy(along, axes[2]);
+    if (!(hatch_vec_normalize(axes[2]) > 0))
+        hatch_vec_copy(forward, axes[2]);
+    hatch_vec_any_orthogonal(axes[2], axes[0]);
+    hatch_vec_cross(axes[2], axes[0], axes[1]);
+}
+
+/* Depth is 0 at the near plane and 1 at the far one. */
+static void set_matrix(const struct lens *lens, float matrix[16])
+{
+    double rows[4][4] = {{0}};
+    for (int r = 0; r < 3; r++) {
+        for (int k = 0; k < 3; k++)
+            rows[r][k] = lens->axes[r][k];
+        rows[r][3] = -hatch_vec_dot(lens->axes[r], lens->from);
+    }
+    double depth = lens->far - lens->near;
+    memcpy(rows[3], rows[2], sizeof rows[3]);
+    for (int c = 0; c < 4; c++) {
+        double w = lens->lamp ? rows[3][c] : (c == 3 ? 1.0 : 0.0), z = rows[2][c] - (c == 3 ? lens->near : 0.0);
+        for (int r = 0; r < 2; r++)
+            rows[r][c] = 0.5 * rows[r][c] / lens->extent[r] + 0.5 * w;
+        rows[2][c] = z * (lens->lamp ? lens->far : 1.0) / depth;
+        rows[3][c] = w;
+    }
+    for (int r = 0; r < 4; r++)
+        for (int c = 0; c < 4; c++)
+            matrix[4 * c + r] = (float)rows[r][c];
+}
+
+/* A sun sees the box of all items along its axes. */
+static void fit(const struct hatch_unit_scene *scene, struct lens *lens)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < scene->item_count; i++)
+        for (int corner = 0; corner < 8; corner++) {
+            const struct hatch_item *item = &scene->items[i];
+            double point[3];
+            for (int k = 0; k < 3; k++)
+                point[k] = corner >> k & 1 ? item->high[k] : item->low[k];
+            for (int k = 0; k < 3; k++) {
+                low[k] = fmin(low[k], hatch_vec_dot(lens->axes[k], point));
+                high[k] = fmax(high[k], hatch_vec_dot(lens->axes[k], point));
+            }
+        }
+    for (int k = 0; k < 3; k++) {
+        double middle = high[k] > low[k] ? 0.5 * low[k] + 0.5 * high[k] : 0.0;
+        double half = fmax(0.5 * high[k] - 0.5 * low[k], 1e-3) * MARGIN;
+        hatch_vec_add_scaled(lens->from, middle, lens->axes[k], lens->from);
+        if (k < 2)
+            lens->extent[k] = half;
+        lens->near = -half;
+        lens->far = half;
+    }
+}
+
+static void set_map(struct shadow *shadow, uint32_t light, const struct lens *lens)
+{
+    set_matrix(lens, shadow->block.map_from_unit[shadow->layers++]);
+    for (int k = 0; k < 2; k++)
+        shadow->block.maps[light][2 + k] = (float)(0.5 / lens->extent[k]);
+}
+
+/* The faces go by the axis along which a point lies furthest from the lamp: +x -x +y -y +z -z. */
+static void set_cube(struct shadow *shadow, uint32_t light, struct lens lens)
+{
+    lens.extent[0] = lens.extent[1] = CUBE_TANGENT;
+    for (int face = 0; face < 6; face++) {
+        double along[3] = {0, 0, 0};
+        along[face / 2] = face % 2 ? -1 : 1;
+        set_axes(along, lens.axes);
+        set_map(shadow, light, &lens);
+    }
+}
+
+static void add_light(const struct hatch_unit_light *light, uint32_t index, const struct hatch_unit_scene *scene,
+                      struct shadow *shadow)
+{
+    struct lens lens = {.lamp = light->position[3] > 0};
+    double along[3], scale = (double)light->cone[0];
+    double outer = lens.lamp && scale > 0 ? -(double)light->cone[1] / scale : -1;
+    bool cube = lens.lamp && outer < SPOT_COSINE;
+    uint32_t count = cube ? 6 : 1;
+    if (!(light->direction[3] > 0) || shadow->layers + count > SHADOW_LAYERS_MAX)
+        return;
+    shadow->block.maps[index][0] = (float)shadow->layers;
+    shadow->block.maps[index][1] = (float)count;
+    for (int k = 0; k < 3; k++) {
+        along[k] = (lens.lamp ? 1 : -1) * (double)light->direction[k];
+        lens.from[k] = lens.lamp ? (double)light->position[k] : 0;
+    }
+    if (lens.lamp) {
+        double away = hatch_vec_length(lens.from);
+        lens.near = fmax(0.5 * (away - MARGIN), NEAREST);
+        lens.far = away + MARGIN;
+    }
+    set_axes(along, lens.axes);
+    if (!lens.lamp)
+        fit(scene, &lens);
+    if (cube) {
+        set_cube(shadow, index, lens);
+        return;
+    }
+    if (lens.lamp)
+        lens.extent[0] = lens.extent[1] = MARGIN * sqrt(1 - outer * outer) / outer;
+    set_map(shadow, index, &lens);
+}
+
+/* Beyond a map nothing keeps the light away. */
+static void set_reads(GLuint sampler, GLint filter)
+{
+    static const GLfloat lit[4] = {1, 1, 1, 1};
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, lit);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+static enum hatch_status make_maps(struct shadow *shadow, uint32_t size_px, struct hatch_err *err)
+{
+    GLint layers = 0;
+    if (shadow->maps)
+        glGetTextureLevelParameteriv(shadow->maps, 0, GL_TEXTURE_DEPTH, &layers);
+    if (size_px == shadow->size_px && layers >= (GLint)shadow->layers)
+        return HATCH_OK;
+    glDeleteTextures(1, &shadow->maps);
+    shadow->maps = gpu_texture_make(GL_TEXTURE_2D_ARRAY, 1, GL_DEPTH_COMPONENT32F, size_px, size_px,
+                                    shadow->layers ? shadow->layers : 1);
+    shadow->size_px = size_px;
+    shadow->drawn = false;
+    return gpu_check_memory(err, "%u shadow maps of %u by %u pixels", shadow->layers, size_px, size_px);
+}
+
+static void make_state(struct shadow *shadow)
+{
+    glCreateSamplers(2, shadow->samplers);
+    set_reads(shadow->samplers[0], GL_LINEAR);
+    set_reads(shadow->samplers[1], GL_NEAREST);
+    glCreateFramebuffers(1, &shadow->framebuffer);
+    glNamedFramebufferDrawBuffer(shadow->framebuffer, GL_NONE);
+}
+
+enum hatch_status shadow_begin(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
+                               double width, struct hatch_err *err)
+{
+    uint32_t size_px = SIZE_MIN_PX, layers = shadow->layers, pose_number = scene->unit.pose_number;
+    struct shadow_block before = shadow->block;
+    while (size_px < SIZE_MAX_PX && size_px * width < 2 * EDGE_PX)
+        size_px *= 2;
+    shadow->layers = 0;
+    for (int32_t i = 0; i < frame->counts[0]; i++) {
+        shadow->block.maps[i][0] = -1;
+        add_light(&frame->lights[i], (uint32_t)i, &scene->unit, shadow);
+    }
+    shadow->drawn =
+        shadow->drawn && layers == shadow->layers && shadow->pose_number == pose_number &&
+        memcmp(before.map_from_unit, shadow->block.map_from_unit, layers * sizeof before.map_from_unit[0]) == 0;
+    shadow->pose_number = pose_number;
+    HATCH_TRY(make_maps(shadow, size_px, err));
+    if (!shadow->framebuffer)
+        make_state(shadow);
+    shadow->block.edge[0] = (float)(0.5 * width);
+    shadow->block.edge[1] = 1.0f / (float)size_px;
+    gpu_block_update(&shadow->buffer, BLOCK_SHADOWS, &shadow->block, sizeof shadow->block);
+    for (int i = 0; i < 2; i++)
+        glBindTextureUnit(units[i], 0);
+    return HATCH_OK;
+}
+
+void shadow_begin_layer(const struct shadow *shadow, uint32_t layer)
+{
+    static const float far = 1.0f;
+    const struct gpu_target target = {.form = {.width = shadow->size_px, .height = shadow->size_px},
+                                      .framebuffer = shadow->framebuffer};
+    glNamedFramebufferTextureLayer(shadow->framebuffer, GL_DEPTH_ATTACHMENT, shadow->maps, 0, (GLint)layer);
+    frame_pass_begin(&(struct frame_pass){.target = &target, .depth = FRAME_DEPTH_LOWER, .clear_depth = &far});
+    for (int holes = 0; holes < 2; holes++)
+        glProgramUniform1i(shadow->draw[holes]->name, UNIFORM_LAYER, (GLint)layer);
+}
+
+void shadow_use(const struct shadow *shadow)
+{
+    for (int i = 0; i < 2; i++)
+        gpu_texture_bind(units[i], shadow->maps, shadow->samplers[i]);
+}
+
+void shadow_free(struct shadow *shadow)
+{
+    glDeleteFramebuffers(1, &shadow->framebuffer);
+    glDeleteBuffers(1, &shadow->buffer);
+    glDeleteTextures(1, &shadow->maps);
+    glDeleteSamplers(2, shadow->samplers);
+    *shadow = (struct shadow){.size_px = 0};
+}

@@ -1,0 +1,75 @@
+/* Every number that C and GLSL share: texture units, uniform blocks, uniform locations, vertex attributes. The text of
+ * this file is put before each shader stage, so that it stands here alone: only plain #define lines. */
+#ifndef RENDER_GPU_BINDINGS_H
+#define RENDER_GPU_BINDINGS_H
+
+/* Uniform blocks */
+#define BLOCK_FRAME 0
+#define BLOCK_TECHNIQUE 1 /* a technique's own */
+#define BLOCK_SHADOWS 2
+#define BLOCK_HALOES 3
+#define BLOCK_COUNT 4
+
+/* Texture units */
+#define UNIT_TONES 0 /* the asset that strokes are read from; of full-screen passes their source */
+#define UNIT_SOURCE 1
+#define UNIT_SHADOW_TEXELS 2
+#define UNIT_BASE 3
+#define UNIT_TECHNIQUE 4 /* five units of a technique's own */
+#define UNIT_NORMALS 9
+#define UNIT_PIECES 10 /* vertices; then tangents by texture coordinates, repeats */
+#define UNIT_SHADOWS 13
+#define UNIT_HALO_DEPTHS 14
+#define UNIT_HALO_CELLS 15
+#define UNIT_HALO_BLOCKS 16
+
+/* Images that compute stages write */
+#define IMAGE_OUTPUT 0
+#define IMAGE_SECOND 1
+
+/* Uniforms of a drawn item */
+#define UNIFORM_UNIT_FROM_MESH 0
+#define UNIFORM_NORMAL_FROM_MESH 1
+#define UNIFORM_SIDE 3
+#define UNIFORM_PASS 4
+#define UNIFORM_BASE 5
+#define UNIFORM_NORMAL_STRENGTH 6
+#define UNIFORM_LAYER 8
+#define UNIFORM_CLIP_FROM_CAMERA 20
+#define UNIFORM_PIECES 21
+
+/* Uniforms of a pass that draws no items */
+#define UNIFORM_A 0
+#define UNIFORM_B 1
+#define UNIFORM_C 2
+#define UNIFORM_D 3
+#define UNIFORM_MARK_WIDTH 8
+
+/* Vertex attributes of an item */
+#define ATTRIBUTE_POSITION 0
+#define ATTRIBUTE_NORMAL 1
+#define ATTRIBUTE_TEXCOORD 2
+#define ATTRIBUTE_BASE_TEXCOORD 3
+#define ATTRIBUTE_REPEAT 4
+#define ATTRIBUTE_PATCH 5
+#define ATTRIBUTE_ALONG_U 6
+#define ATTRIBUTE_ALONG_V 7
+#define ATTRIBUTE_TANGENT 8
+#define ATTRIBUTE_NORMAL_TEXCOORD 9
+
+/* Vertex attributes of overlays, per instance */
+#define ATTRIBUTE_LINE_ENDS 0
+#define ATTRIBUTE_LINE_DEPTH 1
+#define ATTRIBUTE_MARK_MIDDLE 0
+#define ATTRIBUTE_MARK_HALF 1
+#define ATTRIBUTE_MARK_CONFIDENCE 2
+
+/* Vertex attributes of a piece of a near face */
+#define ATTRIBUTE_PLACE 0
+#define ATTRIBUTE_FROM 1
+#define ATTRIBUTE_WEIGHT 2
+#define ATTRIBUTE_CORNER 3
+#define ATTRIBUTE_ORIGIN_U 4
+#define ATTRIBUTE_ORIGIN_V 5
+
+#endif

@@ -1,0 +1,64 @@
+#include "render-gl/gpu/buffer.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#define LEAST_BYTES 16u
+
+GLuint gpu_buffer_make(const void *data, size_t size_bytes)
+{
+    GLuint buffer;
+    glCreateBuffers(1, &buffer);
+    glNamedBufferStorage(buffer, (GLsizeiptr)(size_bytes > LEAST_BYTES ? size_bytes : LEAST_BYTES), NULL,
+                         GL_DYNAMIC_STORAGE_BIT);
+    if (data)
+        gpu_buffer_update(buffer, data, size_bytes);
+    return buffer;
+}
+
+void gpu_buffer_update(GLuint buffer, const void *data, size_t size_bytes)
+{
+    glNamedBufferSubData(buffer, 0, (GLsizeiptr)size_bytes, data);
+}
+
+void gpu_block_update(GLuint *buffer, GLuint binding, const void *block, size_t size_bytes)
+{
+    if (!*buffer)
+        *buffer = gpu_buffer_make(NULL, size_bytes);
+    gpu_buffer_update(*buffer, block, size_bytes);
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, *buffer);
+}
+
+void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes)
+{
+    glGetNamedBufferSubData(buffer, 0, (GLsizeiptr)size_bytes, data);
+}
+
+void gpu_array_attach(GLuint array, GLuint slot, GLuint buffer, size_t stride_bytes,
+                      const struct gpu_attribute *attributes, size_t count)
+{
+    glVertexArrayVertexBuffer(array, slot, buffer, 0, (GLsizei)stride_bytes);
+    for (size_t i = 0; i < count; i++) {
+        const struct gpu_attribute *attribute = &attributes[i];
+        glEnableVertexArrayAttrib(array, attribute->location);
+        if (attribute->type == GL_FLOAT)
+            glVertexArrayAttribFormat(array, attribute->location, attribute->components, GL_FLOAT, GL_FALSE,
+                                      attribute->offset_bytes);
+        else
+            glVertexArrayAttribIFormat(array, attribute->location, attribute->components, attribute->type,
+                                       attribute->offset_bytes);
+        glVertexArrayAttribBinding(array, attribute->location, slot);
+    }
+}
+
+enum hatch_status gpu_check_memory(struct hatch_err *err, const char *what, ...)
+{
+    char text[200];
+    va_list args;
+    if (glGetError() != GL_OUT_OF_MEMORY)
+        return HATCH_OK;
+    va_start(args, what);
+    vsnprintf(text, sizeof text, what, args);
+    va_end(args);
+    return hatch_fail(err, HATCH_LIMIT, "the GPU has no memory for %s", text);
+}

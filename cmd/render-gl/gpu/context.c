@@ -1,0 +1,137 @@
+#include "render-gl/gpu/context.h"
+
+#include <dlfcn.h>
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef __SANITIZE_ADDRESS__
+/* Drivers keep memory until the process ends, and unload themselves before, so that no list of exceptions can name
+ * them: programs that draw are not searched for leaks. */
+int __lsan_is_turned_off(void);
+int __lsan_is_turned_off(void)
+{
+    return 1;
+}
+#endif
+
+#define DEVICES_MAX 16
+
+/* libepoxy ends the process when the library that it forwards to is missing, so look first. */
+static bool library_is_there(const char *name)
+{
+    void *handle = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+    if (handle)
+        dlclose(handle);
+    return handle != NULL;
+}
+
+static bool has_word(const char *words, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = words; at && (at = strstr(at, word)); at += length)
+        if ((at == words || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+            return true;
+    return false;
+}
+
+static void close_headless(struct gpu_context *context)
+{
+    eglMakeCurrent(context->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(context->display, context->handle);
+    eglTerminate(context->display);
+}
+
+static bool make_current(struct gpu_context *context, EGLDisplay display)
+{
+    static const EGLint want[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL))
+        return false;
+    EGLContext made = EGL_NO_CONTEXT;
+    if (eglBindAPI(EGL_OPENGL_API))
+        made = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, want);
+    if (made == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
+        if (made != EGL_NO_CONTEXT)
+            eglDestroyContext(display, made);
+        eglTerminate(display);
+        return false;
+    }
+    context->display = display;
+    context->handle = made;
+    context->close = close_headless;
+    return true;
+}
+
+/* The first listed device that is hardware; Mesa lists its software renderer among the devices too. */
+static bool open_hardware(struct gpu_context *context, const char *extensions)
+{
+    EGLDeviceEXT devices[DEVICES_MAX];
+    EGLint count = 0;
+    if (!has_word(extensions, "EGL_EXT_platform_device") || !has_word(extensions, "EGL_EXT_device_enumeration") ||
+        !eglQueryDevicesEXT(DEVICES_MAX, devices, &count))
+        return false;
+    for (EGLint i = 0; i < count; i++) {
+        const char *kind = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
+        if (!kind || has_word(kind, "EGL_MESA_device_software"))
+            continue;
+        if (make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL)))
+            return true;
+    }
+    return false;
+}
+
+static bool open_surfaceless(struct gpu_context *context, const char *extensions)
+{
+    return has_word(extensions, "EGL_MESA_platform_surfaceless") &&
+           make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL));
+}
+
+enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct hatch_err *err)
+{
+    if (epoxy_gl_version() < 45)
+        return hatch_fail(err, HATCH_IO, "the driver has OpenGL %d.%d, want 4.5", epoxy_gl_version() / 10,
+                          epoxy_gl_version() % 10);
+    GLint texture = 0, viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    GLint least = viewport[0] < viewport[1] ? viewport[0] : viewport[1];
+    context->size_max_px = (uint32_t)(texture < least ? texture : least);
+    context->anisotropy_max = 1.0f;
+    if (epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic") ||
+        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &context->anisotropy_max);
+    context->device = (const char *)glGetString(GL_RENDERER);
+    return HATCH_OK;
+}
+
+enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_t threads, struct hatch_err *err)
+{
+    char number[16];
+    if (!library_is_there("libEGL.so.1") || !library_is_there("libGL.so.1"))
+        return hatch_fail(err, HATCH_IO,
+                          "there is no libEGL.so.1 or no libGL.so.1: install EGL "
+                          "(libegl1) and OpenGL (libgl1-mesa-dri)");
+    /* Mesa prints about devices that it may not open; our message is one line. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    /* Mesa's software renderer takes its number of threads from here alone. */
+    snprintf(number, sizeof number, "%u", threads);
+    setenv("LP_NUM_THREADS", number, 1);
+    const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!extensions || (!open_hardware(context, extensions) && !open_surfaceless(context, extensions)))
+        return hatch_fail(err, HATCH_IO,
+                          "EGL finds no driver with OpenGL 4.5 that works without a "
+                          "display: install libgl1-mesa-dri");
+    return gpu_context_read_limits(context, err);
+}
+
+void gpu_context_close(struct gpu_context *context)
+{
+    if (context->close)
+        context->close(context);
+    *context = (struct gpu_context){0};
+}

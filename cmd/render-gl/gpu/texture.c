@@ -1,0 +1,37 @@
+#include "render-gl/gpu/texture.h"
+
+GLuint gpu_texture_make(GLenum kind, GLsizei levels, GLenum format, uint32_t width, uint32_t height, uint32_t depth)
+{
+    GLuint texture;
+    glCreateTextures(kind, 1, &texture);
+    if (kind == GL_TEXTURE_2D)
+        glTextureStorage2D(texture, levels, format, (GLsizei)width, (GLsizei)height);
+    else
+        glTextureStorage3D(texture, levels, format, (GLsizei)width, (GLsizei)height, (GLsizei)depth);
+    return texture;
+}
+
+GLuint gpu_texture_2d(GLenum format, uint32_t width, uint32_t height)
+{
+    return gpu_texture_make(GL_TEXTURE_2D, 1, format, width, height, 1);
+}
+
+GLuint gpu_texture_of_buffer(GLenum format, GLuint buffer)
+{
+    GLuint texture;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &texture);
+    glTextureBuffer(texture, format, buffer);
+    return texture;
+}
+
+void gpu_texture_read_grey(GLuint texture)
+{
+    static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
+    glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, grey);
+}
+
+void gpu_texture_bind(GLuint unit, GLuint texture, GLuint sampler)
+{
+    glBindTextureUnit(unit, texture);
+    glBindSampler(unit, sampler);
+}

@@ -1,0 +1,323 @@
+#include "render-gl/mode/job.h"
+
+#include "math/angle.h"
+#include "render-gl/mode/load.h"
+#include "render-gl/scene/attributes.h"
+#include "render-gl/scene/material.h"
+#include "render-gl/scene/normals.h"
+#include "render-gl/scene/pose.h"
+#include "scene/exposure.h"
+#include "shared/map.h"
+#include "shared/scene.h"
+
+#define TWO_PI 6.28318530717958648
+#define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
+
+static const char *scene_name(const struct job *job)
+{
+    return cmd_input_name(job->options->scene_path);
+}
+
+enum hatch_status job_check(const struct job *job, const struct technique *technique, struct hatch_err *err)
+{
+    if (technique->check)
+        HATCH_TRY(technique->check(&job->values, job->patches, err));
+    return technique->features & TECHNIQUE_STROKES ? load_check_texcoords(&job->values, err) : HATCH_OK;
+}
+
+static void check_animation(const struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_err err;
+    if (options->animation_given && options->animation >= job->values.animation_count) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
+                   job->values.animation_count);
+        cmd_die(scene_name(job), &err);
+    }
+}
+
+static void warn_of_stillness(const struct job *job)
+{
+    const struct options *options = job->options;
+    if (options->frames > 1 && !options->turntable && !options->change_count && !job->values.animation_count)
+        cmd_warn(scene_name(job), "no animation: all frames are alike without --turntable or --animate");
+}
+
+/* Warns of what is wrong with a map, and of what a technique of six grey columns leaves out of it. */
+static void warn_of_map(struct cmd_args *args, const struct options *options, const struct hatch_tam *map)
+{
+    const char *name = cmd_input_name(options->map_path);
+    cmd_warn_nesting(args, name, map);
+    if (options->technique->asset != &asset_six_columns)
+        return;
+    if (map->tones > ASSET_SIX_COLUMNS_MAX)
+        cmd_warn(name, "%u of the map's %u columns are drawn, spread over it; %s draws all", ASSET_SIX_COLUMNS_MAX,
+                 map->tones, technique_find(TECHNIQUE_ALL_COLUMNS)->name);
+    if (map->color)
+        cmd_warn(name, "the map's colours are drawn grey; %s draws them", technique_find(TECHNIQUE_ALL_COLUMNS)->name);
+}
+
+/* Dies where the file is of another kind than the technique, or --probe, reads. */
+static void check_asset(const struct job *job)
+{
+    const struct options *options = job->options;
+    const struct asset_kind *kind = options->probe ? &asset_six_columns : options->technique->asset;
+    struct hatch_err err;
+    if (!kind || kind->is(&job->asset))
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT, "%s%s wants %s, this is %s", options->probe ? "--probe" : "technique ",
+               options->probe ? "" : options->technique->name, kind->name,
+               asset_is_map(&job->asset) ? "a tonal art map" : "another texture");
+    cmd_die(cmd_input_name(options->map_path), &err);
+}
+
+static void read_asset(struct job *job)
+{
+    asset_read(&job->args, job->options->map_path, &job->asset);
+    check_asset(job);
+    if (asset_is_map(&job->asset))
+        warn_of_map(&job->args, job->options, &job->asset.map);
+    job->assets.asset = &job->asset;
+}
+
+struct technique_instance *job_open(struct job *job, const struct technique *technique, struct hatch_err *err)
+{
+    struct technique_instance *instance = job->instances;
+    while (instance->technique && instance->technique != technique)
+        instance++;
+    if (instance->technique)
+        return instance;
+    if (technique_open(instance, technique, &job->args, err) != HATCH_OK)
+        return NULL;
+    if (technique->read)
+        technique->read(&job->context, instance);
+    return instance;
+}
+
+/* Techniques whose own options were given read their files at once, though a window may never change to them. */
+static void open_techniques(struct job *job)
+{
+    struct hatch_err err;
+    cmd_check(job_open(job, job->options->technique, &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (size_t i = 0; techniques[i]; i++)
+        for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
+            if (*row->given)
+                cmd_check(job_open(job, techniques[i], &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+}
+
+void job_read(struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_mesh_notes notes = {0};
+    struct hatch_err err;
+    job->context = (struct technique_context){.frame = &job->frame,
+                                              .assets = &job->assets,
+                                              .args = &job->args,
+                                              .view = &job->first_view,
+                                              .height_px = options->height};
+    load_scene(&job->args, job->args.operands, (uint32_t)job->args.operand_count, options->ground, &job->values,
+               &job->patches, &notes);
+    open_techniques(job);
+    if (options->map_path)
+        read_asset(job);
+    cmd_check(job_check(job, options->technique, &err), scene_name(job), &err);
+    check_animation(job);
+    cmd_warn_mesh(scene_name(job), &notes);
+    warn_of_stillness(job);
+}
+
+static double time_of(const struct job *job, uint32_t frame)
+{
+    return job->options->time_s + (double)frame / job->options->rate;
+}
+
+/* All frames share one unit scene and one framing, so that a framing camera stands still. */
+static void set_span(struct job *job)
+{
+    const struct options *options = job->options;
+    bool moves = options->animated && job->values.animation_count;
+    job->span = (struct hatch_pose_span){.animation = moves ? options->animation : HATCH_NONE,
+                                         .begin_s = options->time_s,
+                                         .end_s = time_of(job, options->frames - 1)};
+    if (moves && options->window)
+        job->span.end_s = (double)job->values.animations[options->animation].duration_s;
+    moves = moves && job->span.end_s > job->span.begin_s;
+    job->span.moments = moves ? SPAN_MOMENTS : 1;
+}
+
+static void open_context(struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_err err;
+    cmd_check(job->open_window ? job->open_window(&job->gpu, options->width, options->height, &err)
+                               : gpu_context_open_headless(&job->gpu, job->args.threads, &err),
+              NULL, &err);
+    cmd_note("%s", job->gpu.device);
+    if (options->anisotropy > (double)job->gpu.anisotropy_max)
+        cmd_note("the driver filters with anisotropy %g at most", (double)job->gpu.anisotropy_max);
+}
+
+/* Measures the scene and finds the view; then the GPU's part. */
+static void upload_scene(struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
+    const char *name = scene_name(job);
+    struct scene_source source = {.scene = &job->values, .patches = job->patches};
+    struct hatch_pose pose;
+    struct hatch_err err;
+    set_span(job);
+    cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
+    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &source.bounds, &err), name, &err);
+    if (source.bounds.empty)
+        cmd_warn(name, "the scene shows no faces");
+    uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
+    if (left_out)
+        cmd_warn(name, "%u lights are left out: %u are the most", left_out, HATCH_LIGHTS_MAX);
+    const struct hatch_view_choice choice = options_view(options);
+    const struct hatch_framing framing = {&job->span, &source.bounds, (double)options->width / options->height};
+    cmd_check(hatch_view_make(&choice, &pose, &framing, scratch, &job->fixed_view, &err), name, &err);
+    open_context(job);
+    cmd_check(scene_upload(&source, keep, scratch, &job->scene, &err), name, &err);
+    material_upload(&job->args, name, options->base_tone && !options->modulate_path, job->gpu.size_max_px, &job->scene);
+    if (options->pixel_light)
+        normals_upload(&job->args, name, job->gpu.size_max_px, &job->scene);
+    if (options->modulate_path)
+        material_modulate(&job->args, options->modulate_path, job->gpu.size_max_px, &job->scene);
+}
+
+enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err)
+{
+    const struct options *options = job->options;
+    const struct line_overlay_style style = {
+        .lines = {kinds, options->line_px, options->crease_deg * HATCH_RADIANS},
+        .color = {options->line_color[0], options->line_color[1], options->line_color[2]},
+        .haloes = options->halo_px > 0};
+    HATCH_TRY(line_overlay_make(&job->lines, &job->scene, &style, &job->frame.programs, &job->args, err));
+    job->has_lines = true;
+    return HATCH_OK;
+}
+
+struct picture job_picture(struct job *job, struct technique_instance *instance)
+{
+    return (struct picture){.context = &job->context,
+                            .instance = instance,
+                            .lines = job->has_lines ? &job->lines : NULL,
+                            .draws_lines = job->has_lines && options_draw_lines(job->options, instance->technique)};
+}
+
+/* The darkest tone that is asked for, unless the user says it: that of the asset, or of all layers of strokes. */
+static void set_darkest(struct job *job)
+{
+    struct options *options = job->options;
+    struct hatch_err err;
+    const struct technique_instance *instance = job_open(job, options->technique, &err);
+    if (options->tone_range_given)
+        return;
+    if (options->map_path)
+        options->tone_range[1] = (double)asset_darkest(&job->asset);
+    if (options->technique->darkest)
+        options->tone_range[1] = options->technique->darkest(instance);
+}
+
+/* How the strokes' images repeat over surfaces. */
+static enum hatch_status set_repeats(struct job *job, struct hatch_err *err)
+{
+    const struct hatch_uv_repeat how = {.repeat = job->options->repeat,
+                                        .view = &job->first_view,
+                                        .height_px = job->options->height,
+                                        .size_px = asset_size_px(&job->asset),
+                                        .levels = asset_levels(&job->asset)};
+    return scene_set_repeats(&job->scene, &how, &job->args.keep, &job->args.scratch, err);
+}
+
+void job_prepare(struct job *job)
+{
+    struct options *options = job->options;
+    struct hatch_arena *scratch = &job->args.scratch;
+    struct hatch_err err;
+    upload_scene(job);
+    job->frame = (struct frame){.programs = {.folder = options->shader_folder, .scratch = scratch},
+                                .scene = &job->scene,
+                                .size_max_px = job->gpu.size_max_px};
+    hatch_arena_init(&job->frame.programs.keep, job->args.max_memory);
+    job->assets.limits = (struct asset_limits){job->gpu.size_max_px, (float)options->anisotropy};
+    if (options->line_kinds)
+        cmd_check(job_make_lines(job, options->line_kinds, &err), NULL, &err);
+    set_darkest(job);
+    job_set_frame(job, 0, &job->first_view);
+    if (!(options->exposure > 0))
+        cmd_check(hatch_auto_exposure(&job->scene.unit, &job->first_view, scratch, &options->exposure, &err),
+                  scene_name(job), &err);
+    options_style(options, &job->frame.style);
+    if (options->map_path)
+        cmd_check(set_repeats(job, &err), scene_name(job), &err);
+    cmd_check(technique_prepare(&job->context, job_open(job, options->technique, &err), &err), NULL, &err);
+}
+
+void job_view(struct job *job, double time_s, struct hatch_view *view)
+{
+    const struct hatch_view_choice choice = options_view(job->options);
+    const struct hatch_pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
+    struct hatch_unit_scene *unit = &job->scene.unit;
+    const struct hatch_framing framing = {&job->span, &unit->bounds, job->fixed_view.aspect};
+    struct hatch_err err;
+    *view = job->fixed_view;
+    if (!hatch_view_is_fixed(&choice, &job->values))
+        cmd_check(hatch_view_make(&choice, &unit->pose, &framing, &job->args.scratch, view, &err), scene_name(job),
+                  &err);
+    if (job->options->zoom < 1 || job->options->zoom > 1)
+        cmd_check(hatch_view_zoom(&unit->pose, &now, &unit->bounds, job->options->zoom, &job->args.scratch, view, &err),
+                  scene_name(job), &err);
+}
+
+enum hatch_status job_refresh(struct job *job, struct technique_instance *instance, uint32_t subjects,
+                              struct hatch_err *err)
+{
+    const struct hatch_view_choice choice = options_view(job->options);
+    const struct hatch_framing framing = {&job->span, &job->scene.unit.bounds, job->fixed_view.aspect};
+    if (subjects & 1u << PARAM_TECHNIQUE && instance->technique->changed) {
+        double begin_ms = cmd_elapsed_ms();
+        HATCH_TRY(instance->technique->changed(&job->context, instance, err));
+        set_darkest(job);
+        job->changes++;
+        job->changes_ms += cmd_elapsed_ms() - begin_ms;
+    }
+    options_style(job->options, &job->frame.style);
+    job->lines.lines.style.width_px = job->options->line_px;
+    if (subjects & 1u << PARAM_CAMERA && hatch_view_is_fixed(&choice, &job->values))
+        HATCH_TRY(hatch_view_make(&choice, &job->scene.unit.pose, &framing, &job->args.scratch, &job->fixed_view, err));
+    return HATCH_OK;
+}
+
+void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
+{
+    const struct options *options = job->options;
+    struct hatch_err err;
+    struct technique_instance *instance = job_open(job, options->technique, &err);
+    uint32_t subjects = options->frames > 1 ? params_move(options, (double)frame / (options->frames - 1)) : 0;
+    cmd_check(job_refresh(job, instance, subjects, &err), NULL, &err);
+    cmd_check(scene_set_pose(&job->scene, job->span.animation, time_of(job, frame), &job->args.scratch, &err),
+              scene_name(job), &err);
+    job_view(job, time_of(job, frame), view);
+    if (options->turntable)
+        hatch_view_turn(view, -TWO_PI * frame / options->frames);
+}
+
+void job_make_canvas(struct job *job, struct canvas *canvas)
+{
+    const struct options *options = job->options;
+    struct hatch_err err;
+    cmd_check(picture_canvas(&job->frame, options->width, options->height, options->side, canvas, &err), NULL, &err);
+}
+
+void job_end(struct job *job)
+{
+    for (size_t i = 0; i < sizeof job->instances / sizeof *job->instances; i++)
+        technique_close(&job->instances[i]);
+    line_overlay_free(&job->lines);
+    assets_free(&job->assets);
+    frame_free(&job->frame);
+    scene_free(&job->scene);
+    gpu_context_close(&job->gpu);
+}

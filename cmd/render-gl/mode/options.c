@@ -1,0 +1,346 @@
+#include "render-gl/mode/options.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "math/angle.h"
+#include "render-gl/mode/parse_args.h"
+
+#define AMBIENT 0.05 /* light from all directions, so that shadows hold some form */
+#define ROWS_MAX 80
+
+static struct options chosen = {
+    .hatch_scale = 1,
+    .tone_range = {0, 1},
+    .tone_gamma = 1,
+    .light_deg = {-40, 40},
+    .line_px = 2,
+    .from_deg = {30, 20},
+    .fov_deg = 30,
+    .zoom = 1,
+    .specular = {0, 32},
+    .anisotropy = 1,
+    .crease_deg = 40,
+    .rate = 24,
+};
+
+/* Values that options_read turns into those of struct options. */
+static int technique, show;
+static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
+static double size[2] = {1280, 720};
+static int64_t samples = 4, frames = 1, animation, timed_frames;
+static bool show_given, technique_given, samples_given, time_given, fov_given, frames_given, from_given, specular_given;
+
+/* Before the techniques' own options, and after them. Those of --animate stand in the order in which the window's keys
+ * go through them. */
+static const struct cmd_option first[] = {
+    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default: the first)", &technique, NULL,
+     &technique_given},
+    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it",
+     &chosen.map_path, NULL, NULL},
+    {0},
+};
+
+static const struct cmd_option rest[] = {
+    {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size, NULL, NULL},
+    {0, "samples", CMD_INT, 1, 64, "N", "shaded samples a pixel, a square number (default 4, or as the technique asks)",
+     &samples, NULL, &samples_given},
+    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
+     &chosen.hatch_turn_deg, NULL, NULL},
+    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &chosen.hatch_scale, NULL,
+     NULL},
+    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI", "darkness of the lit and of the unlit (default 0: the map's darkest)",
+     chosen.tone_range, NULL, &chosen.tone_range_given},
+    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)", &chosen.tone_gamma, NULL, NULL},
+    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
+    {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
+     "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
+    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, NULL,
+     &show_given},
+    {0, "light", CMD_PAIR, -180, 180, "AZ:EL", "one light, degrees from the camera, for the scene's (default -40:40)",
+     chosen.light_deg, NULL, &chosen.light_given},
+    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)", chosen.specular, NULL,
+     &specular_given},
+    {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH", "+cast shadows; their edges' width in the scene's radius",
+     &chosen.shadow_edge, NULL, &chosen.shadows},
+    {0, "ground", CMD_REAL, 0.1, 100, "R", "+a plane under the scene, R of its radii to each side", &chosen.ground,
+     NULL, NULL},
+    {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)", &chosen.exposure,
+     NULL, NULL},
+    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone", &chosen.base_tone,
+     NULL, NULL},
+    {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+the same of an image over the texture coordinates",
+     &chosen.modulate_path, NULL, NULL},
+    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel, not every vertex", &chosen.pixel_light, NULL, NULL},
+    {0, "lines", CMD_TEXT, 0, 0, "WHAT",
+     "none, all, or of silhouettes,creases,boundaries (default all, where strokes are)", &lines, NULL,
+     &chosen.lines_given},
+    {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+paper beside what passes before something farther", &chosen.halo_px, NULL,
+     NULL},
+    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+of lines (default 2)", &chosen.line_px, NULL, NULL},
+    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL, NULL},
+    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges that turn by more are creases (default 40)", &chosen.crease_deg,
+     NULL, NULL},
+    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)", &uv_scale, NULL, NULL},
+    {0, "anisotropy", CMD_REAL, 1, 16, "N", "+hardware anisotropic filtering (default 1: none)", &chosen.anisotropy,
+     NULL, NULL},
+    {0, "camera", CMD_TEXT, 0, 0, "WHICH", "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what",
+     &camera, NULL, NULL},
+    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)", chosen.from_deg, NULL,
+     &from_given},
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)",
+     &chosen.fov_deg, NULL, &fov_given},
+    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+X times nearer to what the picture's middle shows", &chosen.zoom, NULL,
+     NULL},
+    {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL, &frames_given},
+    {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &chosen.turntable, NULL, NULL},
+    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "an option's number changes over the frames; repeatable",
+     &chosen.animate, NULL, NULL},
+    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N (default 0 with --frames)", &animation, NULL,
+     &chosen.animation_given},
+    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+the animation's time at the first frame", &chosen.time_s, NULL,
+     &time_given},
+    {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "+frames a second (default 24)", &chosen.rate, NULL, NULL},
+    {0, "time", CMD_INT, 1, 10000, "N", "draw N frames and print their times", &timed_frames, NULL, NULL},
+    {0, "probe", CMD_FLAG, 0, 0, NULL, "print what the picture uses of map and scene", &chosen.probe, NULL, NULL},
+    {'w', "window", CMD_FLAG, 0, 0, NULL, "show it in a window; ? there lists the keys", &chosen.window, NULL, NULL},
+    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from there", &chosen.shader_folder, NULL, NULL},
+    {0},
+};
+
+static struct cmd_option table[ROWS_MAX];
+
+static const char *const examples[] = {
+    "meshgen teapot | render-gl - --tam ink.tam.exr -o teapot.png",
+    "render-gl scene.glb -T ink.tam.exr --frames 48 --turntable -o turn%03d.png",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "render-gl",
+    .operands = "[SCENE ...]",
+    .summary = "draw a 3D scene with strokes",
+    .examples = examples,
+    .options = table,
+    .operands_max = -1,
+    .reports = true,
+    .binary = true,
+};
+
+const struct cmd_option *options_find(const char *name)
+{
+    const struct cmd_option *option = table;
+    while (strcmp(option->name, name) != 0)
+        option++;
+    return option;
+}
+
+static size_t add_rows(const struct cmd_option *rows, size_t count)
+{
+    for (; rows && rows->name; rows++) {
+        assert(count + 1 < ROWS_MAX);
+        table[count++] = *rows;
+    }
+    return count;
+}
+
+/* The command's table: the common options, and those of every technique. */
+static void make_table(const struct options_shown *shown)
+{
+    static const char *names[TECHNIQUE_COUNT + 1], *shown_names[8];
+    size_t count = add_rows(first, 0);
+    for (size_t i = 0; techniques[i]; i++) {
+        names[i] = techniques[i]->name;
+        count = add_rows(techniques[i]->options, count);
+    }
+    add_rows(rest, count);
+    for (size_t i = 0; shown[i].name; i++)
+        shown_names[i] = shown[i].name;
+    ((struct cmd_option *)options_find("technique"))->choices = names;
+    ((struct cmd_option *)options_find("show"))->choices = shown_names;
+}
+
+static void read_view(struct hatch_view_choice *view)
+{
+    bool frame = camera && strcmp(camera, "frame") == 0;
+    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turns = chosen.turntable};
+    if (camera && !frame &&
+        (from_given || !(parse_whole(camera, 65535, &view->index) || parse_camera_place(camera, view))))
+        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from", camera);
+    if (frame || from_given || (fov_given && !camera))
+        view->kind = HATCH_VIEW_FRAMED;
+    else if (camera && view->kind != HATCH_VIEW_EYE)
+        view->kind = HATCH_VIEW_CAMERA;
+}
+
+static void read_colors(void)
+{
+    struct frame_inks *inks = &chosen.inks;
+    size_t length = strcspn(ink, ",");
+    const struct hatch_text ink_text = {ink, length};
+    inks->two = ink[length] == ',';
+    parse_color("paper", (struct hatch_text){paper, strlen(paper)}, inks->paper);
+    parse_color("ink", ink_text, inks->ink);
+    if (inks->two)
+        parse_color("ink", (struct hatch_text){ink + length + 1, strlen(ink + length + 1)}, inks->light_ink);
+    if (!inks->two && memcmp(inks->paper, inks->ink, sizeof inks->ink) == 0)
+        cmd_warn(NULL, "ink and paper have the same colour: strokes will not be seen");
+    if (specular_given && chosen.specular[0] > 10)
+        cmd_usage("--specular %g:%g: strength outside 0 to 10", chosen.specular[0], chosen.specular[1]);
+    chosen.line_kinds = parse_line_kinds(lines ? lines : "all");
+    if (line_color)
+        parse_color("line-color", (struct hatch_text){line_color, strlen(line_color)}, chosen.line_color);
+    else
+        parse_color("ink", ink_text, chosen.line_color);
+}
+
+static double read_uv_scale(void)
+{
+    double value;
+    if (strcmp(uv_scale, "auto") == 0)
+        return 0;
+    if (!hatch_text_number((struct hatch_text){uv_scale, strlen(uv_scale)}, &value) || !(value > 0 && value <= 65536))
+        cmd_usage("--uv-scale %s: want auto or a number over 0 and up to 65536", uv_scale);
+    return value;
+}
+
+bool options_draw_lines(const struct options *options, const struct technique *drawn)
+{
+    return options->line_kinds != HATCH_LINES_NONE && (drawn->features & TECHNIQUE_STROKES || options->lines_given);
+}
+
+static bool has_option(const struct technique *owner, const struct cmd_option *option)
+{
+    const struct cmd_option *row = owner->options;
+    while (row && row->name && strcmp(row->name, option->name) != 0)
+        row++;
+    return row && row->name;
+}
+
+/* Refuses options of other techniques; a window may change to them. */
+static void check_owners(void)
+{
+    for (size_t i = 0; techniques[i] && !chosen.window; i++)
+        for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
+            if (*row->given && !has_option(chosen.technique, row))
+                cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
+                          chosen.technique->name);
+}
+
+/* The techniques with a feature: "a, b and c". */
+static void list_features(uint32_t feature, char *text, size_t bytes)
+{
+    size_t left = 0, used = 0;
+    for (size_t i = 0; techniques[i]; i++)
+        left += (techniques[i]->features & feature) != 0;
+    for (size_t i = 0; techniques[i]; i++)
+        if (techniques[i]->features & feature && used < bytes) {
+            left--;
+            used += (size_t)snprintf(text + used, bytes - used, "%s%s", techniques[i]->name,
+                                     left > 1    ? ", "
+                                     : left == 1 ? " and "
+                                                 : "");
+        }
+}
+
+static void check_technique(void)
+{
+    const char *name = chosen.technique->name;
+    char able[256];
+    if (show_given && (technique_given || chosen.probe))
+        cmd_usage("--show goes with neither --technique nor --probe");
+    if (!chosen.map_path && chosen.technique->asset)
+        cmd_usage("technique %s needs %s: --tam FILE", name, chosen.technique->asset->name);
+    if (chosen.pixel_light && !(chosen.technique->features & TECHNIQUE_PIXEL_LIGHT)) {
+        list_features(TECHNIQUE_PIXEL_LIGHT, able, sizeof able);
+        cmd_usage("--pixel-light goes with %s, not with %s", able, name);
+    }
+    check_owners();
+    if (chosen.modulate_path && chosen.base_tone)
+        cmd_usage("--modulate takes the place of --texture-tone");
+    if (chosen.probe && !chosen.map_path)
+        cmd_usage("--probe needs a tonal art map: --tam FILE");
+}
+
+static void check_frames(const struct cmd_args *args)
+{
+    bool report = timed_frames || chosen.probe;
+    if (chosen.turntable && !frames_given)
+        cmd_usage("--turntable needs --frames");
+    if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
+        cmd_usage("--frames needs -o with one place for the number, like -o name%%03d.png");
+    if (chosen.animate.count && (report || (frames < 2 && !chosen.window)))
+        cmd_usage("--animate needs --frames 2 or more, or --window");
+    if (args->json && !report)
+        cmd_usage("--json is for --time and --probe");
+    if ((timed_frames > 0) + chosen.probe + chosen.window > 1)
+        cmd_usage("--time, --probe and --window exclude each other");
+}
+
+static void read_size(void)
+{
+    if (!samples_given && chosen.technique->samples)
+        samples = chosen.technique->samples;
+    chosen.side = (uint32_t)lround(sqrt((double)samples));
+    if ((int64_t)chosen.side * chosen.side != samples)
+        cmd_usage("--samples %d: want 1, 4, 9, 16, 25, 36, 49 or 64", (int)samples);
+    if (size[0] != floor(size[0]) || size[1] != floor(size[1]))
+        cmd_usage("--size %gx%g: want whole numbers", size[0], size[1]);
+    chosen.width = (uint32_t)size[0];
+    chosen.height = (uint32_t)size[1];
+}
+
+struct options *options_read(int argc, char **argv, const struct options_shown *shown, struct cmd_args *args)
+{
+    make_table(shown);
+    cmd_begin(&program, argc, argv, args);
+    chosen.technique = show_given ? shown[show].technique : techniques[technique];
+    read_size();
+    check_technique();
+    check_frames(args);
+    chosen.scene_path = args->operand_count ? args->operands[0] : NULL;
+    chosen.repeat = read_uv_scale();
+    chosen.frames = (uint32_t)frames;
+    chosen.timed_frames = (uint32_t)timed_frames;
+    chosen.animation = (uint32_t)animation;
+    chosen.animated = chosen.animation_given || time_given || (frames_given && !chosen.turntable) || chosen.window;
+    read_colors();
+    chosen.base_tone = chosen.base_tone || chosen.modulate_path;
+    read_view(&chosen.view);
+    return &chosen;
+}
+
+void options_style(const struct options *options, struct frame_style *style)
+{
+    *style = (struct frame_style){.inks = options->inks,
+                                  .curve = {.low = options->tone_range[0],
+                                            .high = options->tone_range[1],
+                                            .gamma = options->tone_gamma,
+                                            .ambient = AMBIENT,
+                                            .specular = options->specular[0],
+                                            .shininess = options->specular[1],
+                                            .exposure = options->exposure},
+                                  .light = {.replaces = options->light_given,
+                                            .azimuth_rad = options->light_deg[0] * HATCH_RADIANS,
+                                            .elevation_rad = options->light_deg[1] * HATCH_RADIANS},
+                                  .anisotropy = (float)options->anisotropy,
+                                  .hatch_turn_rad = options->hatch_turn_deg * HATCH_RADIANS,
+                                  .hatch_scale = options->hatch_scale,
+                                  .base_tone = options->base_tone,
+                                  .pixel_light = options->pixel_light,
+                                  .shadows = options->shadows,
+                                  .shadow_edge = options->shadow_edge,
+                                  .halo_px = options->halo_px};
+}
+
+struct hatch_view_choice options_view(const struct options *options)
+{
+    struct hatch_view_choice view = options->view;
+    view.azimuth_rad = options->from_deg[0] * HATCH_RADIANS;
+    view.elevation_rad = options->from_deg[1] * HATCH_RADIANS;
+    view.fov_rad = options->fov_deg * HATCH_RADIANS;
+    return view;
+}

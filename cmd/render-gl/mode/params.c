@@ -1,0 +1,169 @@
+#include "render-gl/mode/params.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define TEXT_MAX 128
+
+/* Those of no technique's own, in the order of the window's keys. */
+static const struct {
+    struct technique_param param;
+    enum param_subject subject;
+} common[] = {
+    {{"hatch-turn", false, 5}, PARAM_STROKES},  {{"hatch-scale", true, 1.1}, PARAM_STROKES},
+    {{"tone-range", false, 0.05}, PARAM_STYLE}, {{"tone-gamma", true, 1.1}, PARAM_STYLE},
+    {{"light", false, 5}, PARAM_STYLE},         {{"shadows", true, 1.1}, PARAM_STYLE},
+    {{"exposure", true, 1.1}, PARAM_STYLE},     {{"haloes", true, 1.1}, PARAM_STYLE},
+    {{"line-width", true, 1.1}, PARAM_LINES},   {{"from", false, 5}, PARAM_CAMERA},
+    {{"fov", false, 5}, PARAM_CAMERA},          {{"zoom", true, 1.1}, PARAM_CAMERA},
+};
+
+bool params_at(uint32_t index, struct param *param)
+{
+    for (size_t i = 0; techniques[i]; i++)
+        for (const struct technique_param *own = techniques[i]->params; own && own->option; own++)
+            if (index-- == 0) {
+                *param = (struct param){options_find(own->option), PARAM_TECHNIQUE, techniques[i], own->by_factor,
+                                        own->step};
+                return true;
+            }
+    if (index >= sizeof common / sizeof *common)
+        return false;
+    const struct technique_param *from = &common[index].param;
+    *param = (struct param){options_find(from->option), common[index].subject, NULL, from->by_factor, from->step};
+    return true;
+}
+
+uint32_t params_count(const struct param *param)
+{
+    return param->option->type == CMD_PAIR ? 2 : 1;
+}
+
+bool params_are_used(const struct param *param, const struct technique *technique, bool lines)
+{
+    switch (param->subject) {
+    case PARAM_LINES:
+        return lines;
+    case PARAM_STROKES:
+        return technique->features & TECHNIQUE_STROKES;
+    case PARAM_TECHNIQUE:
+        return param->owner == technique;
+    default:
+        return true;
+    }
+}
+
+void params_get(const struct param *param, double values[2])
+{
+    const struct cmd_option *option = param->option;
+    if (option->type == CMD_INT)
+        values[0] = (double)*(const int64_t *)option->value;
+    else
+        memcpy(values, option->value, params_count(param) * sizeof *values);
+}
+
+bool params_set(const struct param *param, const double values[2])
+{
+    const struct cmd_option *option = param->option;
+    double old[2] = {0}, rounded[2] = {values[0], values[1]};
+    params_get(param, old);
+    if (option->type == CMD_INT)
+        rounded[0] = round(rounded[0]);
+    bool is_new = false;
+    for (uint32_t k = 0; k < params_count(param); k++)
+        is_new = is_new || rounded[k] < old[k] || rounded[k] > old[k];
+    if (!is_new)
+        return false;
+    if (option->type == CMD_INT)
+        *(int64_t *)option->value = (int64_t)rounded[0];
+    else
+        memcpy(option->value, rounded, params_count(param) * sizeof *rounded);
+    if (option->given)
+        *option->given = true;
+    return true;
+}
+
+static bool find(const char *text, size_t length, struct param *param)
+{
+    for (uint32_t i = 0; params_at(i, param); i++)
+        if (strlen(param->option->name) == length && strncmp(param->option->name, text, length) == 0)
+            return true;
+    return false;
+}
+
+static noreturn void refuse_name(const char *text, size_t length)
+{
+    struct param param;
+    char all[512] = "";
+    for (uint32_t i = 0; params_at(i, &param); i++) {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", param.option->name);
+    }
+    cmd_usage("--animate %.*s: want one of %s", (int)length, text, all);
+}
+
+/* Gives an option a text as its value, and reads that. */
+static void take(const struct param *param, const char *text, size_t length, double values[2])
+{
+    char word[TEXT_MAX];
+    if (length >= sizeof word)
+        cmd_usage("--%s: a number of %zu characters is too long", param->option->name, length);
+    memcpy(word, text, length);
+    word[length] = '\0';
+    cmd_take(param->option, word);
+    params_get(param, values);
+}
+
+static void read_one(const char *text, struct param *param, struct option_change *change)
+{
+    size_t length = strcspn(text, "=");
+    const char *from = text + length + 1, *gap = text[length] ? strstr(from, "..") : NULL;
+    if (!gap)
+        cmd_usage("--animate %s: want PARAM=FROM..TO, like stroke=20x1.5..80x3", text);
+    if (!find(text, length, param))
+        refuse_name(text, length);
+    *change = (struct option_change){.option = param->option, .by_factor = param->by_factor};
+    take(param, gap + 2, strlen(gap + 2), change->to);
+    take(param, from, (size_t)(gap - from), change->from);
+    for (uint32_t k = 0; param->by_factor && k < params_count(param); k++)
+        if (!(change->from[k] > 0 && change->to[k] > 0))
+            cmd_usage("--animate %s: it changes by factors, from and to numbers over 0", text);
+}
+
+void params_read(struct options *options)
+{
+    const struct technique *technique = options->technique;
+    for (int i = 0; i < options->animate.count; i++) {
+        struct option_change *change = &options->changes[options->change_count];
+        struct param param;
+        if (options->change_count == OPTIONS_CHANGES_MAX)
+            cmd_usage("--animate %s: more than %u parameters", options->animate.at[i], OPTIONS_CHANGES_MAX);
+        read_one(options->animate.at[i], &param, change);
+        for (uint32_t k = 0; k < options->change_count; k++)
+            if (options->changes[k].option == change->option)
+                cmd_usage("--animate %s: it changes in one way only", change->option->name);
+        if (!params_are_used(&param, technique, options_draw_lines(options, technique)))
+            cmd_usage("--animate %s: technique %s does not use it%s", change->option->name, technique->name,
+                      param.subject == PARAM_LINES ? " without --lines" : "");
+        options->change_count++;
+    }
+}
+
+uint32_t params_move(const struct options *options, double share)
+{
+    uint32_t subjects = 0;
+    for (uint32_t i = 0; i < options->change_count; i++) {
+        const struct option_change *change = &options->changes[i];
+        struct param param;
+        double values[2] = {0};
+        find(change->option->name, strlen(change->option->name), &param);
+        for (uint32_t k = 0; k < params_count(&param); k++) {
+            double from = change->from[k], to = change->to[k];
+            values[k] = change->by_factor ? from * pow(to / from, share) : from + share * (to - from);
+        }
+        if (params_set(&param, share < 1 ? values : change->to))
+            subjects |= 1u << param.subject;
+    }
+    return subjects;
+}

@@ -1,0 +1,98 @@
+#include "render-gl/mode/parse_args.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "image/color.h"
+
+void parse_color(const char *option, struct hatch_text text, float rgb[3])
+{
+    if (!hatch_color_parse(text, rgb))
+        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option, (int)text.length,
+                  text.at);
+}
+
+bool parse_whole(const char *text, uint32_t most, uint32_t *value)
+{
+    uint64_t number = 0;
+    for (const char *at = text; *at; at++) {
+        if (*at < '0' || *at > '9' || number > most)
+            return false;
+        number = 10 * number + (uint64_t)(*at - '0');
+    }
+    *value = (uint32_t)number;
+    return *text && number <= most;
+}
+
+bool parse_camera_place(const char *text, struct hatch_view_choice *view)
+{
+    size_t length = strcspn(text, ":");
+    view->kind = HATCH_VIEW_EYE;
+    view->has_target = text[length] == ':';
+    const char *target = text + length + 1;
+    return hatch_text_vector((struct hatch_text){text, length}, view->eye) &&
+           (!view->has_target || hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
+}
+
+uint32_t parse_line_kinds(const char *list)
+{
+    static const struct {
+        const char *name;
+        uint32_t kinds;
+    } kinds_of[] = {{"none", HATCH_LINES_NONE},
+                    {"silhouettes", HATCH_LINES_SILHOUETTES},
+                    {"creases", HATCH_LINES_CREASES},
+                    {"boundaries", HATCH_LINES_BOUNDARIES},
+                    {"all", HATCH_LINES_ALL}};
+    uint32_t kinds = HATCH_LINES_NONE;
+    for (const char *at = list; *at; at += *at == ',') {
+        size_t size_bytes = strcspn(at, ","), i = 0;
+        while (i < 5 && (strlen(kinds_of[i].name) != size_bytes || strncmp(at, kinds_of[i].name, size_bytes) != 0))
+            i++;
+        if (i == 5 || strcmp(at + size_bytes, ",") == 0)
+            break;
+        kinds |= kinds_of[i].kinds;
+        at += size_bytes;
+        if (!*at)
+            return kinds;
+    }
+    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between", list);
+}
+
+static const char *find_place(const char *pattern, int *width)
+{
+    const char *at = pattern ? strchr(pattern, '%') : NULL;
+    if (!at)
+        return NULL;
+    const char *end = at + 1 + strspn(at + 1, "0123456789");
+    *width = atoi(at + 1);
+    return *end == 'd' && end - at <= 3 && !strchr(end, '%') ? at : NULL;
+}
+
+bool parse_has_frame(const char *pattern)
+{
+    int width;
+    return find_place(pattern, &width) != NULL;
+}
+
+void parse_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes)
+{
+    int width = 0;
+    const char *at = find_place(pattern, &width);
+    char digits[32];
+    size_t count = 0, used = 0;
+    for (uint32_t rest = number; rest || !count; rest /= 10)
+        digits[count++] = (char)('0' + rest % 10);
+    while ((int)count < width && count < sizeof digits)
+        digits[count++] = '0';
+    for (const char *c = pattern; *c && used + 1 < size_bytes; c++) {
+        if (c != at) {
+            name[used++] = *c;
+            continue;
+        }
+        while (count && used + 1 < size_bytes)
+            name[used++] = digits[--count];
+        c = strchr(c, 'd');
+    }
+    name[used] = '\0';
+}

@@ -1,0 +1,61 @@
+/* Frames into PNG and EXR files. */
+#include <string.h>
+
+#include "io/exr/exr.h"
+#include "io/png/png.h"
+#include "render-gl/mode/modes.h"
+
+static bool wants_exr(const char *path)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
+}
+
+static enum hatch_status encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
+                                struct hatch_buffer *file, struct hatch_err *err)
+{
+    struct hatch_image level = *image;
+    const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
+    return wants_exr(path) ? hatch_exr_write(&part, scratch, file, err)
+                           : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, err);
+}
+
+void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
+                     struct hatch_buffer *file)
+{
+    struct hatch_err err;
+    cmd_check(encode(path, image, scratch, file, &err), path, &err);
+}
+
+void pictures_write(struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
+    struct hatch_image image;
+    struct canvas canvas;
+    struct hatch_err err;
+    struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
+    cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
+    job_make_canvas(job, &canvas);
+    const struct picture picture = job_picture(job, job_open(job, options->technique, &err));
+    for (uint32_t frame = 0; frame < options->frames; frame++) {
+        struct hatch_view view;
+        cmd_progress("drawing", (double)frame / options->frames);
+        job_set_frame(job, frame, &view);
+        cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
+        struct hatch_arena_mark mark = hatch_arena_mark(keep);
+        struct hatch_buffer bytes = {.arena = keep};
+        pictures_encode(job->args.output, &image, scratch, &bytes);
+        files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
+        if (cmd_write_ahead(&files[frame])) { /* a film of thousands of frames is more than memory */
+            files[frame] = (struct cmd_file){.output = job->outputs[frame]};
+            hatch_arena_rewind(keep, mark);
+        }
+    }
+    if (job->changes)
+        cmd_note("the technique's parameters were applied %u times, %.2f ms each", job->changes,
+                 job->changes_ms / job->changes);
+    cmd_write_all(files, options->frames);
+    canvas_free(&canvas);
+}

@@ -1,0 +1,159 @@
+/* What the picture uses of scene and map, as TSV or JSON. */
+#include <math.h>
+
+#include "render-gl/mode/modes.h"
+#include "render-gl/technique/shaded.h"
+#include "shared/report.h"
+
+#define LEVELS_MAX 32
+
+struct probe {
+    uint64_t pixels, drawn;
+    uint64_t tones[HATCH_TAM_TONES_MAX]; /* pixels in which a column of the map has a weight */
+    uint64_t bare;                       /* pixels of the scene that ask for no ink */
+    uint64_t levels[LEVELS_MAX];         /* pixels that read a level */
+    uint64_t magnified;                  /* pixels finer than the finest level */
+};
+
+/* Marks the columns whose blend makes an amount of ink. */
+static void count_tones(const struct hatch_tam *map, float amount, uint64_t *tones)
+{
+    uint32_t above = 0;
+    while (above < map->tones - 1 && map->target[above] < amount)
+        above++;
+    float below = above ? map->target[above - 1] : 0.0f;
+    if (amount > below)
+        tones[above]++;
+    if (above && amount < map->target[above])
+        tones[above - 1]++;
+}
+
+static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct probe *probe)
+{
+    if (rgba[3] < 0.5f || rgba[2] < -LEVELS_MAX)
+        return;
+    probe->drawn++;
+    probe->bare += rgba[0] <= 0.0f && rgba[1] <= 0.0f;
+    for (int ink = 0; ink < 2; ink++)
+        if (rgba[ink] > 0.0f)
+            count_tones(map, rgba[ink], probe->tones);
+    uint32_t last = map->columns[0].level_count - 1;
+    float level = fminf(fmaxf(rgba[2], 0.0f), (float)last);
+    uint32_t fine = (uint32_t)level;
+    probe->levels[fine]++;
+    if (level > (float)fine)
+        probe->levels[fine + 1]++;
+    probe->magnified += rgba[2] < -0.5f;
+}
+
+static const struct frame_shading shading = {
+    .stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
+    .defines = "",
+    .patches = FRAME_PATCHES_COVER,
+    .pass_count = 1,
+    .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}},
+};
+
+/* Amounts of ink and levels of detail instead of colours. */
+static const struct technique probe_technique = {
+    .name = "probe",
+    .asset = &asset_six_columns,
+    .features = TECHNIQUE_STROKES | TECHNIQUE_NO_COLOR,
+    .state_size = sizeof(struct shaded_state),
+    .shading = &shading,
+    .prepare = shaded_prepare,
+    .draw = shaded_draw,
+};
+
+static void measure(struct job *job, struct probe *probe)
+{
+    static const float nothing[3] = {0, 0, 0};
+    struct hatch_err err;
+    struct canvas canvas;
+    struct hatch_view view;
+    struct technique_instance *instance = job_open(job, &probe_technique, &err);
+    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
+    job_make_canvas(job, &canvas);
+    size_t count = (size_t)canvas.side * canvas.side * canvas.width * canvas.height;
+    float *rgba = HATCH_NEW(&job->args.scratch, float, 4 * count, &err);
+    cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t frame = 0; frame < job->options->frames; frame++) {
+        const struct hatch_tile tile = {0, 0, canvas.width, canvas.height, job->options->width, job->options->height};
+        const struct frame_request request = {.view = &view, .tile = &tile, .canvas = &canvas, .background = nothing};
+        job_set_frame(job, frame, &view);
+        cmd_check(technique_draw(&job->context, instance, &request, &err), NULL, &err);
+        canvas_read_samples(&canvas, rgba);
+        for (size_t i = 0; i < count; i++)
+            count_pixel(&job->asset.map, rgba + 4 * i, probe);
+        probe->pixels += count;
+    }
+    canvas_free(&canvas);
+}
+
+static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value, const char *unit)
+{
+    cmd_report_text(report, thing);
+    cmd_report_whole(report, index);
+    if (value == floor(value))
+        cmd_report_whole(report, (uint64_t)value); /* all digits of a number of texels */
+    else
+        cmd_report_number(report, value);
+    cmd_report_text(report, unit);
+}
+
+static void report_map(struct cmd_report *report, const struct hatch_tam *map, const struct probe *probe)
+{
+    double drawn = probe->drawn ? (double)probe->drawn : 1.0, used = 0, whole = 0;
+    uint32_t tones = 0;
+    for (uint32_t i = 0; i < map->tones; i++) {
+        tones += probe->tones[i] > 0;
+        report_row(report, "tone", i, (double)probe->tones[i] / drawn, "of the scene's pixels");
+    }
+    for (uint32_t i = 0; i < map->columns[0].level_count; i++) {
+        double size = hatch_mip_size(map->size_px, i);
+        whole += size * size * map->tones;
+        used += probe->levels[i] ? size * size * tones : 0;
+        report_row(report, "level", i, (double)probe->levels[i] / drawn, "of the scene's pixels");
+    }
+    report_row(report, "bare", 0, (double)probe->bare / drawn, "of the scene's pixels");
+    report_row(report, "magnified", 0, (double)probe->magnified / drawn, "of the scene's pixels");
+    report_row(report, "used", 0, used, "texels");
+    report_row(report, "map", 0, whole, "texels");
+}
+
+static void report_all(struct cmd_report *report, const struct job *job, const struct probe *probe)
+{
+    const struct hatch_unit_scene *unit = &job->scene.unit;
+    double faces = 0, patches = 0, patch_faces = 0;
+    for (uint32_t i = 0; i < unit->item_count; i++) {
+        const struct hatch_unit_mesh *mesh = &unit->meshes[unit->items[i].mesh];
+        faces += mesh->surface->face_count;
+        patches += mesh->patches ? mesh->patches->patch_count : 0;
+        patch_faces += mesh->patches ? mesh->mesh->face_count : 0;
+    }
+    report_row(report, "items", 0, unit->item_count, "");
+    report_row(report, "faces", 0, faces, "");
+    report_row(report, "patches", 0, patches, "");
+    report_row(report, "patch-faces", 0, patch_faces, "");
+    report_row(report, "lights", 0, job->frame.block.counts[0], "");
+    report_row(report, "drawn", 0, (double)probe->drawn / (double)probe->pixels, "of the picture's pixels");
+    report_map(report, &job->asset.map, probe);
+    for (uint32_t i = 0; i < unit->item_count; i++) {
+        report_row(report, "charts", i, unit->items[i].chart_count, "");
+        report_row(report, "repeat-u", i, (double)unit->items[i].repeat[0], "tiles");
+        report_row(report, "repeat-v", i, (double)unit->items[i].repeat[1], "tiles");
+    }
+}
+
+void probe_report(struct job *job)
+{
+    static const char *const columns[] = {"thing", "index", "value", "unit", NULL};
+    struct cmd_report report;
+    struct hatch_err err;
+    struct probe *probe = HATCH_NEW(&job->args.keep, struct probe, 1, &err);
+    cmd_check(probe ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    measure(job, probe);
+    cmd_report_begin(&report, &job->args, columns);
+    report_all(&report, job, probe);
+    cmd_report_write(&report, job->outputs[0]);
+}

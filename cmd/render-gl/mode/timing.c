@@ -1,0 +1,140 @@
+/* How long frames and their passes take, as TSV or JSON. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render-gl/mode/modes.h"
+#include "shared/report.h"
+
+#define WARM_UP 3u
+
+/* The times of one span over all frames. */
+struct series {
+    const struct technique *technique;
+    const char *name;
+    double *gpu_ms, *wall_ms;
+};
+
+#define SERIES_MAX (GPU_TIMER_PASSES_MAX + 2u)
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double quantile(const double *sorted, uint32_t count, double share)
+{
+    double at = share * (double)(count - 1);
+    uint32_t below = (uint32_t)at, above = below + 1 < count ? below + 1 : below;
+    return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+}
+
+/* What is timed in turns. */
+struct turn {
+    struct picture picture;
+    bool every_pass;
+};
+
+static void draw(struct job *job, const struct turn *turn, const struct hatch_view *view, const struct canvas *canvas)
+{
+    const struct options *options = job->options;
+    const struct hatch_tile tile = {0, 0, canvas->width, canvas->height, options->width, options->height};
+    struct hatch_err err;
+    job->frame.timer->every_pass = turn->every_pass;
+    cmd_check(picture_draw_tile(&turn->picture, view, &tile, canvas, &err), NULL, &err);
+}
+
+/* Draws frames and notes their times: the whole frame, its passes, and the frame of the reference, in turns, so that
+ * all of them see the machine equally busy. The GPU has to finish after each pass to tell passes apart, which is
+ * slower, so whole frames are drawn by themselves. Returns the number of series. */
+static uint32_t measure(struct job *job, const struct turn turns[3], const struct canvas *canvas, struct series *series)
+{
+    const struct gpu_timer *timer = job->frame.timer;
+    struct hatch_view view;
+    job_set_frame(job, 0, &view);
+    uint32_t last = 0;
+    for (uint32_t run = 0; run < WARM_UP + job->options->timed_frames; run++)
+        for (uint32_t turn = 0; turn < 3; turn++) {
+            draw(job, &turns[turn], &view, canvas);
+            uint32_t first = turn == 0 ? 0 : turn == 1 ? 1 : last;
+            for (uint32_t i = 0; i < timer->count; i++) {
+                struct series *span = &series[first + i];
+                span->technique = turns[turn].picture.instance->technique;
+                span->name = timer->names[i];
+                if (run < WARM_UP)
+                    continue;
+                span->gpu_ms[run - WARM_UP] = timer->gpu_ms[i];
+                span->wall_ms[run - WARM_UP] = timer->wall_ms[i];
+            }
+            if (turn == 1)
+                last = 1 + timer->count;
+        }
+    return last + 1;
+}
+
+static void report_times(struct cmd_report *report, double *ms, uint32_t frames)
+{
+    qsort(ms, frames, sizeof *ms, compare);
+    cmd_report_number(report, quantile(ms, frames, 0.5));
+    cmd_report_number(report, quantile(ms, frames, 0.25));
+    cmd_report_number(report, quantile(ms, frames, 0.75));
+}
+
+static void report_span(struct cmd_report *report, const struct job *job, const struct series *span)
+{
+    uint32_t frames = job->options->timed_frames;
+    cmd_report_text(report, span->technique->name);
+    cmd_report_text(report, span->name);
+    cmd_report_whole(report, frames);
+    report_times(report, span->gpu_ms, frames);
+    report_times(report, span->wall_ms, frames);
+    cmd_report_text(report, job->gpu.device);
+}
+
+static void make_series(struct job *job, struct series series[SERIES_MAX])
+{
+    struct hatch_err err;
+    for (uint32_t i = 0; i < SERIES_MAX; i++) {
+        double *ms = HATCH_NEW(&job->args.keep, double, 2 * (size_t)job->options->timed_frames, &err);
+        cmd_check(ms ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+        series[i] = (struct series){NULL, "", ms, ms + job->options->timed_frames};
+    }
+}
+
+static struct picture prepare(struct job *job, const struct technique *technique)
+{
+    struct hatch_err err;
+    struct technique_instance *instance = job_open(job, technique, &err);
+    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
+    return job_picture(job, instance);
+}
+
+void timing_report(struct job *job)
+{
+    static const char *const columns[] = {"technique",    "span",        "frames",  "gpu_ms",
+                                          "gpu_low_ms",   "gpu_high_ms", "wall_ms", "wall_low_ms",
+                                          "wall_high_ms", "device",      NULL};
+    struct series series[SERIES_MAX];
+    struct cmd_report report;
+    struct gpu_timer timer;
+    struct canvas canvas;
+    struct turn turns[3] = {{prepare(job, job->options->technique), false},
+                            {prepare(job, job->options->technique), true},
+                            {prepare(job, technique_find(TECHNIQUE_REFERENCE)), false}};
+    /* The reference differs from the technique in its strokes alone. */
+    turns[2].picture.draws_lines = turns[0].picture.draws_lines;
+    make_series(job, series);
+    job_make_canvas(job, &canvas);
+    if (canvas.width < job->options->width || canvas.height < job->options->height)
+        cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", canvas.width, canvas.height);
+    gpu_timer_make(&timer);
+    job->frame.timer = &timer;
+    uint32_t count = measure(job, turns, &canvas, series);
+    cmd_report_begin(&report, &job->args, columns);
+    for (uint32_t i = 0; i < count; i++)
+        report_span(&report, job, &series[i]);
+    gpu_timer_free(&timer);
+    canvas_free(&canvas);
+    cmd_report_write(&report, job->outputs[0]);
+}

@@ -1,0 +1,97 @@
+#include "render-gl/scene/attributes.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "mesh/uv_tangents.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+
+static void upload_repeats(const struct scene *scene, uint32_t index)
+{
+    static const struct gpu_attribute attribute = {ATTRIBUTE_REPEAT, 2, GL_FLOAT, 0};
+    const struct hatch_item *unit = &scene->unit.items[index];
+    struct scene_item *item = &scene->items[index];
+    size_t stride = 2 * sizeof *unit->repeats;
+    glDeleteBuffers(1, &item->repeats);
+    item->repeats = 0;
+    glDisableVertexArrayAttrib(item->vertex_array, ATTRIBUTE_REPEAT);
+    if (!unit->repeats)
+        return;
+    item->repeats = gpu_buffer_make(unit->repeats, stride * scene->unit.meshes[unit->mesh].mesh->vertex_count);
+    gpu_array_attach(item->vertex_array, SCENE_SLOT_REPEATS, item->repeats, stride, &attribute, 1);
+}
+
+enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_repeat *how, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
+{
+    HATCH_TRY(hatch_uv_repeat_set(&scene->unit, how, arena, scratch, err));
+    for (uint32_t i = 0; i < scene->unit.item_count; i++)
+        upload_repeats(scene, i);
+    return HATCH_OK;
+}
+
+static enum hatch_status set_uv_tangents(struct scene *scene, uint32_t index, struct hatch_arena *scratch,
+                                         struct hatch_err *err)
+{
+    static const struct gpu_attribute attributes[] = {{ATTRIBUTE_ALONG_U, 3, GL_FLOAT, 0},
+                                                      {ATTRIBUTE_ALONG_V, 3, GL_FLOAT, 3 * sizeof(float)}};
+    struct hatch_item *unit = &scene->unit.items[index];
+    struct scene_item *item = &scene->items[index];
+    const struct hatch_mesh *mesh = scene->unit.meshes[unit->mesh].mesh;
+    size_t stride = 6 * sizeof(float);
+    float *tangents;
+    if (!hatch_mesh_find(mesh, "TEXCOORD_0", 2))
+        return HATCH_OK;
+    if (!(unit->uv_reach > 0))
+        unit->uv_reach = hatch_uv_reach(mesh);
+    if (unit->shaped || item->uv_tangents)
+        return HATCH_OK;
+    HATCH_TRY(hatch_uv_tangents(mesh, scratch, &tangents, err));
+    item->uv_tangents = gpu_buffer_make(tangents, stride * mesh->vertex_count);
+    gpu_array_attach(item->vertex_array, SCENE_SLOT_UV_TANGENTS, item->uv_tangents, stride, attributes, 2);
+    return HATCH_OK;
+}
+
+enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        enum hatch_status status = set_uv_tangents(scene, i, scratch, err);
+        hatch_arena_rewind(scratch, mark);
+        HATCH_TRY(status);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status make_patch_tones(const struct hatch_patch_mesh *patches, struct hatch_arena *scratch,
+                                          struct scene_mesh *mesh, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t count = patches->first_vertex[patches->patch_count];
+    float *tones = HATCH_NEW(scratch, float, count, err);
+    if (!tones)
+        return HATCH_LIMIT;
+    for (uint32_t patch = 0; patch < patches->patch_count; patch++)
+        for (uint32_t v = patches->first_vertex[patch]; v < patches->first_vertex[patch + 1]; v++)
+            tones[v] = 1.0f - powf(0.3f + 0.7f * hatch_random_unit(1, 0, patch), 2.2f); /* even to the eye */
+    mesh->patch_tones = gpu_buffer_make(tones, sizeof *tones * count);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    static const struct gpu_attribute attribute = {ATTRIBUTE_PATCH, 1, GL_FLOAT, 0};
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const struct hatch_patch_mesh *patches = scene->unit.meshes[scene->unit.items[i].mesh].patches;
+        struct scene_mesh *mesh = &scene->meshes[scene->unit.items[i].mesh];
+        if (!patches)
+            continue;
+        if (!mesh->patch_tones)
+            HATCH_TRY(make_patch_tones(patches, scratch, mesh, err));
+        gpu_array_attach(scene->items[i].vertex_array, SCENE_SLOT_PATCHES, mesh->patch_tones, sizeof(float), &attribute,
+                         1);
+    }
+    return HATCH_OK;
+}

@@ -1,0 +1,58 @@
+// How much of each ink a fragment asks for: from its vertices' light, or lit by itself (PIXEL_LIGHT). With
+// WEIGHTS_AT_VERTICES nobody asks.
+#include "frame/light.glsl"
+#include "frame/base.glsl"
+
+#ifdef PIXEL_LIGHT
+in vec3 v_point, v_normal;
+
+// The normal of the face itself; where floats do not tell it, the vertices'.
+vec3 face_normal(vec3 normal)
+{
+    vec3 face = cross(dFdx(v_point), dFdy(v_point));
+    float size = length(face);
+    return size > 1e-12 ? face / size : normal;
+}
+
+#ifdef NORMAL_MAP
+layout(binding = UNIT_NORMALS) uniform sampler2D normal_map;
+layout(location = UNIFORM_NORMAL_STRENGTH) uniform float normal_strength;
+in vec4 v_tangent;
+in vec2 v_normal_texcoord;
+
+// Tilted as the texture says, in the vertices' frames as they come (MikkTSpace); seen from behind, turned round.
+vec3 shading_normal()
+{
+    vec3 tilt = texture(normal_map, v_normal_texcoord).xyz * 2.0 - 1.0, up = side * v_normal;
+    tilt.xy -= clamp(tilt.xy, -1.0 / 255.0, 1.0 / 255.0); // eight bits have no middle: 127 and 128 are none
+    tilt.xy *= normal_strength;
+    vec3 normal = tilt.x * v_tangent.xyz + tilt.y * v_tangent.w * cross(up, v_tangent.xyz) + tilt.z * up;
+    return side * normal / max(length(normal), 1e-20);
+}
+#else
+vec3 shading_normal()
+{
+    return v_normal / max(length(v_normal), 1e-20);
+}
+#endif
+
+vec2 amounts()
+{
+    vec3 normal = shading_normal();
+    return ink_amounts(light_at(v_point, normal, face_normal(normal)) * base.x * base_light());
+}
+#elif defined(BASE_TONE)
+in float v_light;
+
+vec2 amounts()
+{
+    return ink_amounts(v_light * base_light());
+}
+#elif !defined(WEIGHTS_AT_VERTICES)
+in vec2 v_amounts;
+
+vec2 amounts()
+{
+    return v_amounts;
+}
+#endif

@@ -1,0 +1,56 @@
+#include "frame/frame.glsl"
+
+// A lone sun is known when shaders are compiled: software renderers read what stands at a changing index slowly, and
+// run both sides of every `if`.
+#ifdef SUN
+#define LIGHTS 1
+#define IS_LAMP(light) false
+#else
+#define LIGHTS counts.x
+#define IS_LAMP(light) (lights[light].position.w > 0.0)
+#endif
+#include "shadow/shadow.glsl"
+
+// Diffuse light and highlight at a point, 0 and up; lit per vertex, as in the paper's section 3. face: the surface's
+// own normal, where that is another.
+float light_at(vec3 point, vec3 normal, vec3 face)
+{
+    float sum = shade.y;
+    for (int i = 0; i < LIGHTS; i++) {
+        vec3 to_light = lights[i].direction.xyz;
+        float strength = lights[i].direction.w;
+        if (IS_LAMP(i)) {
+            vec3 from = lights[i].position.xyz - point;
+            float square = max(dot(from, from), lights[i].cone.w);
+            to_light = from * inversesqrt(square);
+            float spot = clamp(dot(lights[i].direction.xyz, -to_light) * lights[i].cone.x +
+                               lights[i].cone.y, 0.0, 1.0);
+            float far = square * lights[i].cone.z;
+            strength *= spot * spot * clamp(1.0 - far * far, 0.0, 1.0) / square;
+        }
+        float facing = max(dot(normal, to_light), 0.0);
+        if (facing > 0.0)
+            strength *= lit_share(i, point, face, to_light);
+        sum += strength * facing;
+#ifdef HIGHLIGHTS
+        if (facing > 0.0) {
+            vec3 to_eye = normalize(eye.xyz - eye.w * point);
+            float mirror = max(dot(normal, normalize(to_light + to_eye)), 0.0);
+            sum += strength * shade.z * pow(mirror, shade.w);
+        }
+#endif
+    }
+    return sum;
+}
+
+// How much of the dark and of the light ink a lightness asks for.
+vec2 ink_amounts(float lightness)
+{
+    float dark = pow(1.0 - clamp(lightness, 0.0, 1.0), curve.z);
+    vec2 amounts = vec2(dark, 0.0);
+    if (counts.z == 1)
+        amounts.x = 1.0 - dark;
+    if (counts.z == 2)
+        amounts = vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0));
+    return mix(curve.xx, curve.yy, amounts);
+}

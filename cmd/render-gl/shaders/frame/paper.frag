@@ -1,0 +1,9 @@
+// Bare paper, over what lies behind.
+#include "frame/frame.glsl"
+
+out vec4 o_color;
+
+void main()
+{
+    o_color = vec4(paper.rgb, 0.0);
+}

@@ -1,0 +1,105 @@
+// How far the haloes of nearer edges cover what lies behind them. Places are in samples of the depth picture.
+#ifdef HALOES
+layout(std140, binding = BLOCK_HALOES) uniform Halo {
+    vec4 halo_sizes; // the reach, a cell's side, a pixel's side
+    vec4 halo_depth; // a jump's share of half the picture's height, by difference and by ratio; the least
+};
+layout(binding = UNIT_HALO_BLOCKS) uniform sampler2D halo_blocks;  // the nearest depth of 8 by 8 cells
+layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 0 where nothing is
+layout(binding = UNIT_HALO_CELLS) uniform sampler2D halo_cells;  // x, y and depth of the nearest edge; depth 0 where none is
+
+const int BLOCK = 8;
+const float BESIDE_PX = 1.5; // edges as near as this to a line are its own
+
+float depth_of(ivec2 at)
+{
+    return texelFetch(halo_depths, clamp(at, ivec2(0), textureSize(halo_depths, 0) - 1), 0).r;
+}
+
+// How much nearer, in shares of half the picture's height there.
+float jump_between(float nearer, float farther)
+{
+    return halo_depth.x * (nearer - farther) + halo_depth.y * (nearer / max(farther, max(1e-3 * nearer, 1e-30)) - 1.0);
+}
+
+const float STEEP = 3.0; // jumps are so many times as high as what a slope makes of them; a ball's rim comes to 2.4
+
+// Does depth jump back beside a sample, by much more than surfaces slope there?
+bool is_edge(ivec2 at, float depth, ivec2 way)
+{
+    ivec2 last = textureSize(halo_depths, 0) - 1;
+    bool known = all(equal(clamp(at - way, ivec2(0), last) + 3 * way, clamp(at + 2 * way, ivec2(0), last)));
+    float behind = depth_of(at + way), slope = max(depth_of(at - way) - depth, behind - depth_of(at + 2 * way));
+    return known && behind < depth && depth - behind > STEEP * slope && jump_between(depth, behind) > halo_depth.z;
+}
+
+const float NO_DEPTH = 2.0; // nothing lies before it
+
+// The depth of the nearest sample around that lies on the same surface: the outermost of a rim lie far behind it.
+// Where nobody asks, none: software renderers go on with what is discarded, but run no loop that no sample wants.
+float depth_around(ivec2 at, bool asked)
+{
+    float nearest = asked ? depth_of(at) : NO_DEPTH;
+    int count = asked ? 9 : 0;
+    for (int i = 0; i < count; i++) {
+        ivec2 way = ivec2(i % 3, i / 3) - 1;
+        float depth = depth_of(at + way);
+        nearest = depth > nearest && !is_edge(at + way, depth, -way) ? depth : nearest;
+    }
+    return nearest;
+}
+
+// How depth goes on along x or y: the smaller of both sides, since one may lead over an edge.
+float slope_along(ivec2 at, ivec2 way)
+{
+    float depth = depth_of(at), after = depth_of(at + way) - depth, before = depth - depth_of(at - way);
+    return abs(after) < abs(before) ? after : before;
+}
+
+vec2 slope_of(ivec2 at)
+{
+    return vec2(slope_along(at, ivec2(1, 0)), slope_along(at, ivec2(0, 1)));
+}
+
+// The halo over a place of this depth, whose surface goes on with this slope: an edge counts by how far it lies
+// before that surface. along: of a line, whose own edges do not count; or 0.
+float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
+{
+    float share = 0.0, reach = halo_sizes.x, cell = halo_sizes.y;
+    ivec2 last = textureSize(halo_cells, 0) - 1;
+    ivec2 low = clamp(ivec2(floor((at - reach) / cell)) - 1, ivec2(0), last);
+    ivec2 high = clamp(ivec2(floor((at + reach) / cell)) + 1, ivec2(0), last);
+    for (int by = low.y / BLOCK; by <= high.y / BLOCK; by++)
+        for (int bx = low.x / BLOCK; bx <= high.x / BLOCK; bx++) {
+            if (jump_between(texelFetch(halo_blocks, ivec2(bx, by), 0).r, depth) <= halo_depth.z)
+                continue;
+            ivec2 from = max(low, BLOCK * ivec2(bx, by)), to = min(high, BLOCK * ivec2(bx, by) + BLOCK - 1);
+            for (int y = from.y; y <= to.y; y++)
+                for (int x = from.x; x <= to.x; x++) {
+                    vec3 edge = texelFetch(halo_cells, ivec2(x, y), 0).xyz;
+                    vec2 away = edge.xy - at;
+                    float jump = jump_between(edge.z, max(depth, depth + dot(slope, away)));
+                    float cover = clamp(reach + 1.0 - length(away), 0.0, 1.0); // from half a sample beside its middle
+                    bool own = along != vec2(0.0) &&
+                               abs(along.x * away.y - along.y * away.x) < BESIDE_PX * halo_sizes.z;
+                    cover *= own || edge.z <= depth ? 0.0 : clamp(jump / halo_depth.z - 1.0, 0.0, 1.0);
+                    share = max(share, cover);
+                }
+        }
+    return share;
+}
+
+// The same over a point of a line, in pixels. The surface that it lies on is what is as far away around it.
+float halo_over_line(vec2 at_px, float depth, vec2 along)
+{
+    vec2 at = at_px * halo_sizes.z;
+    ivec2 middle = ivec2(floor(at)), best = middle;
+    for (int y = -1; y <= 1; y++)
+        for (int x = -1; x <= 1; x++) {
+            ivec2 other = middle + ivec2(x, y) * int(halo_sizes.z);
+            if (abs(depth_of(other) - depth) < abs(depth_of(best) - depth))
+                best = other;
+        }
+    return halo_over(at, depth, slope_of(best), along / max(length(along), 1e-6));
+}
+#endif

@@ -1,9 +1,0 @@
-// Bare paper, over what lies behind.
-#include "frame.glsl"
-
-out vec4 o_color;
-
-void main()
-{
-    o_color = vec4(paper.rgb, 0.0);
-}

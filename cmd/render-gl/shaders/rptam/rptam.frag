@@ -1,0 +1,42 @@
+// Algorithm 2: per layer the nesting depth from how far apart the picture shows what lies across the
+// strokes, then the strokes near the place at that depth.
+#include "frame/amounts.glsl"
+#include "frame/inks.glsl"
+#include "rptam/seeds.glsl"
+#include "rptam/place.glsl"
+
+out vec4 o_color;
+
+// What one layer leaves of the paper at a place on the way to the darkest tone: its pattern log4(1/amount)
+// octaves further out. Whole octaves are taken from the exponent.
+float left_by(SeedLayer layer, float way, mat2 pixels)
+{
+    float amount = clamp(layer.tone.x * way + layer.tone.y, 0.0, 1.0);
+    float unit = width_across(pixels, layer.turn.xy), pattern = layer.turn.z / (unit * unit * amount); // 4^depth
+    if (!(amount >= 1e-4 && pattern > 1e-36 && pattern < 1e36))
+        return 1.0; // no depth is right: the surface is seen edge on, or has no scale
+    int whole = ((floatBitsToInt(pattern) >> 23) - 127) >> 1;
+    float far = intBitsToFloat((127 - whole) << 23), tile = intBitsToFloat((127 + whole) << 23);
+    return layer_paper(layer, place_at(float(whole)), unit * tile, 1.0 / (pattern * far * far), whole);
+}
+
+float ink_of(mat2 pixels, float amount)
+{
+    float way = way_to(amount), left = 1.0;
+    for (int i = 0; i < seed_layers.x && way > layers[i].tone.z; i++)
+        left *= left_by(layers[i], way, pixels);
+    return 1.0 - left;
+}
+
+void main()
+{
+    base_holes();
+    vec2 asked = amounts();
+    mat2 pixels = pixels_along_both();
+#ifdef TWO_INKS
+    float light = ink_of(pixels, asked.y);
+#else
+    float light = 0.0;
+#endif
+    o_color = vec4(ink_on_paper(vec3(ink_of(pixels, asked.x)), vec3(light)), opacity);
+}

@@ -1,0 +1,106 @@
+// Recursive procedural tonal art maps: the ink of strokes that stand at seeds. The same as seed/rptam.c.
+struct SeedLayer {
+    vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink
+    vec4 tone;   // amount = x way + y; where on the way the layer begins; lists for smaller strokes
+    vec4 stroke; // texels of its image a pixel, along and across; its texels, without the last, along and across
+    ivec4 at;    // its first list, texels of lists along a side, its image's first texel; where strokes differ: how
+                 // many images times 2^16, and how many seeds
+    vec4 thin;   // the least share of its length and width to which a stroke shrinks
+};
+
+layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
+    vec4 front;  // 2 p (1 - p), where it is linear: from, factor, term; p is the overlap
+    vec4 fade;   // weight = x front + y + z life (+ w in the next level), life in steps
+    vec4 law;    // the front is m itself; the share is 1 - m; 0; steps a unit of ink
+    ivec4 seed_layers; // their number
+    SeedLayer layers[64];
+};
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels; // alpha here, to the right, below, and both
+layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // u, v, lives in four tiles, lives in the next level in four
+layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists; // per texel: its first seed, the one after its last
+layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers; // of seeds in their set
+layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;   // how far the way leads to a tone; how far it goes on to the next
+
+// How far along the way from paper to the darkest an amount of ink is.
+float way_to(float amount)
+{
+    float at = clamp(amount * law.w, 0.0, 255.9999);
+    vec2 step = texelFetch(ways, int(at)).xy;
+    return step.x + fract(at) * step.y;
+}
+
+// Where the front of fading stands at m, 0 .. 1; q = 4^-m.
+float fade_front(float q)
+{
+    float m = -0.5 * log2(q);
+    float share = law.y > 0.5 ? 1.0 - m : (4.0 * q - 1.0) / 3.0;
+    float place = share * front.z + front.w;
+    place = share <= front.y ? sqrt(max(front.x * share, 0.0)) : place;
+    place = share >= 1.0 - front.y ? 1.0 - sqrt(max(front.x * (1.0 - share), 0.0)) : place;
+    return law.x > 0.5 ? m : place;
+}
+
+#ifdef STROKES_VARY
+// Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image.
+uint look_of(int seed, int level, SeedLayer layer)
+{
+    int count = layer.at.w & 0xffff;
+    return uint((int(texelFetch(numbers, seed).r) + level + 128 * count) % count) * 2654435769u >> 28;
+}
+#endif
+
+// Alpha at a place in texels from the middle of a stroke's image, the first or the one at a row. Its border is
+// nothing, and goes on outside.
+float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
+{
+    place = clamp(0.5 * layer.stroke.zw + place, vec2(0.0), layer.stroke.zw);
+    ivec2 texel = ivec2(place);
+    texel.y += row_first;
+    vec4 alpha = texelFetch(stroke_texels, layer.at.z + texel.y * (int(layer.stroke.z) + 1) + texel.x);
+    vec2 share = fract(place);
+    vec2 row = mix(alpha.xz, alpha.yw, share.x);
+    return mix(row.x, row.y, share.y);
+}
+
+// What one layer leaves of the paper. at: the place in the pattern, in tiles, right modulo 4; px: a tile's side
+// on the screen; q: 4^-m, m between the levels; level: of the seeds.
+float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
+{
+    float paper = 1.0, base = fade.x * fade_front(q) + fade.y;
+    vec2 tile = fract(0.25 * at) * 4.0;
+    ivec2 whole = ivec2(tile), cell = ivec2(fract(tile) * float(layer.at.y));
+    uvec2 bytes = uvec2(8 * ((whole & 1).x + 2 * (whole & 1).y), 8 * ((whole >> 1).x + 2 * (whole >> 1).y));
+    int smaller = (floatBitsToInt(4.0 * px * px / layer.turn.z) >> 23) - 127;
+    int size = clamp(smaller, 0, int(layer.tone.w));
+    ivec2 list = texelFetch(lists, layer.at.x + (size * layer.at.y + cell.y) * layer.at.y + cell.x).xy;
+    vec2 scale = px * layer.stroke.xy, along = scale.x * layer.turn.xy;
+    vec2 across = scale.y * vec2(-layer.turn.y, layer.turn.x);
+#ifdef STROKES_VARY
+    int images = layer.at.w >> 16;
+#endif
+    tile = fract(tile);
+    for (int i = list.x; i < list.y; i++) {
+        uvec4 s = texelFetch(seeds, i);
+        vec2 away = tile - uintBitsToFloat(s.xy);
+        uvec2 lives = (s.zw >> bytes) & 255u;
+        float weight = base + fade.z * float(lives.x);
+        weight = lives.x == 255u ? base + fade.w + fade.z * float(lives.y) : weight;
+        weight = lives == uvec2(255u) ? 1.0 : clamp(weight, 0.0, 1.0);
+        vec2 place = vec2(dot(along, away), dot(across, away));
+#ifdef STROKES_SHRINK
+        vec2 size = max(vec2(sqrt(weight)), layer.thin.xy);
+        place /= size;
+        weight /= size.x * size.y;
+#endif
+        int row = 0;
+#ifdef STROKES_VARY
+        if (images > 0) {
+            uint look = look_of(i, level, layer);
+            row = (int(look) & (images - 1)) * (int(layer.stroke.w) + 1);
+            place.y = look < 8u ? place.y : -place.y;
+        }
+#endif
+        paper *= 1.0 - layer.turn.w * weight * stroke_alpha(place, row, layer);
+    }
+    return paper;
+}

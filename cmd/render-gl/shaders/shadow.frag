@@ -1,8 +1,0 @@
-// Depth alone; holes let light through.
-#include "frame.glsl"
-#include "base.glsl"
-
-void main()
-{
-    base_holes();
-}

@@ -1,0 +1,8 @@
+// Depth alone; holes let light through.
+#include "frame/frame.glsl"
+#include "frame/base.glsl"
+
+void main()
+{
+    base_holes();
+}

@@ -1,0 +1,102 @@
+// What share of a light reaches a point: the mean of comparisons with its map, over a disk on the surface's own
+// plane, so that a plane casts no shadow on itself however it is tilted.
+#ifdef SHADOWS
+#include "shadow/block.glsl"
+
+layout(binding = UNIT_SHADOWS) uniform sampler2DArrayShadow shadow_maps;
+
+layout(binding = UNIT_SHADOW_TEXELS) uniform sampler2DArrayShadow shadow_texels; // the same, unfiltered
+
+// Pairs of opposite reads, at golden angles and evenly over the unit disk: half of them lie on either side of any edge
+// through the middle. The outermost come first, so that few tell most places.
+const int PAIRS = 8, FIRST_PAIRS = 4;
+const mat2 TURN = mat2(-0.36237, 0.93203, -0.93203, -0.36237); // by 111.25 degrees
+
+vec2 tap(int i, vec2 way)
+{
+    return sqrt(1.0 - (float(i) + 0.5) / float(PAIRS)) * way;
+}
+
+// The surface's depth in a map, per unit of x and of y there.
+#ifdef SUN
+vec2 depth_slope(mat4 map, vec4 at, vec3 face)
+{
+    mat3 rows = transpose(mat3(map)); // at right angles to one another, of different lengths
+    vec3 across = face * rows / vec3(dot(rows[0], rows[0]), dot(rows[1], rows[1]), dot(rows[2], rows[2]));
+    return abs(across.z) > 1e-12 ? -across.xy / across.z : vec2(0.0);
+}
+#else
+vec2 depth_slope(mat4 map, vec4 at, vec3 face)
+{
+    vec3 along = normalize(cross(face, abs(face.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    vec4 a = map * vec4(along, 0.0), b = map * vec4(cross(face, along), 0.0);
+    vec3 place = at.xyz / at.w;
+    vec3 x = a.xyz - place * a.w, y = b.xyz - place * b.w;
+    float area = x.x * y.y - y.x * x.y;
+    return abs(area) > 1e-12 ? vec2(x.z * y.y - y.z * x.y, y.z * x.x - x.z * y.x) / area : vec2(0.0);
+}
+#endif
+
+int cube_face(vec3 away)
+{
+    vec3 size = abs(away);
+    int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + (away[axis] < 0.0 ? 1 : 0);
+}
+
+vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer)
+{
+    return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // where nothing is, maps hold 1
+}
+
+// Where a few texels agree they are all; only edges are filtered. Software renderers run a loop as often as some pixel
+// of theirs goes on; a table of the disk's places would be copied for each of them.
+float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
+{
+    float some = 0.0, sum = 0.0;
+    vec2 way = vec2(1.0, 0.0);
+    for (int i = 0; i < FIRST_PAIRS; i++) {
+        vec2 away = spread * tap(i, way);
+        some += texture(shadow_texels, read_at(place, slope, away, layer));
+        some += texture(shadow_texels, read_at(place, slope, -away, layer));
+        way = TURN * way;
+    }
+    bool is_edge = some > 0.0 && some < float(2 * FIRST_PAIRS);
+    int pairs = is_edge ? PAIRS : 0;
+    way = vec2(1.0, 0.0);
+    for (int i = 0; i < pairs; i++) {
+        vec2 away = spread * tap(i, way);
+        sum += texture(shadow_maps, read_at(place, slope, away, layer));
+        sum += texture(shadow_maps, read_at(place, slope, -away, layer));
+        way = TURN * way;
+    }
+    return is_edge ? sum / float(2 * PAIRS) : some / float(2 * FIRST_PAIRS);
+}
+
+// face: the surface's own normal, to_light: the direction to the light.
+float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
+{
+    vec4 how = maps[light];
+    if (how.x < 0.0)
+        return 1.0;
+#ifdef SUN
+    const int layer = 0;
+#else
+    int layer = int(how.x) + (how.y > 1.0 ? cube_face(point - lights[light].position.xyz) : 0);
+#endif
+    mat4 map = map_from_unit[layer];
+    float distance = IS_LAMP(light) ? (map * vec4(point, 1.0)).w : 1.0;
+    float texel = shadow_edge.y * distance / min(how.z, how.w), radius = max(shadow_edge.x, texel);
+    float facing = abs(dot(face, to_light));
+    face = normalize((dot(face, to_light) < 0.0 ? -face : face) + max(0.02 - facing, 0.0) * to_light);
+    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // a texel holds one depth of a slanted plane
+    vec4 at = map * vec4(point + lift * to_light, 1.0);
+    vec2 slope = depth_slope(map, at, face), spread = radius * how.zw / at.w;
+    return share_around(at.xyz / at.w, slope, spread, float(layer));
+}
+#else
+float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
+{
+    return 1.0;
+}
+#endif

@@ -1,0 +1,75 @@
+// Thresholds: a texel's darkness is a stair over tone (Webb et al. 2002, section 3.2).
+#include "frame/amounts.glsl"
+#include "frame/inks.glsl"
+#include "tones/tones.glsl"
+
+in vec2 v_texcoord;
+out vec4 o_color;
+
+#ifdef EXACT
+#include "tones/exact.glsl"
+
+// They have no channel for an outline.
+float read_steps()
+{
+    return 1.0;
+}
+
+float coverage(float amount)
+{
+    return exact_ink(amount);
+}
+#else
+// The stair's steps, once for both inks.
+vec4 step_at[2], step_height[2];
+
+#ifdef SOFT
+// The tone at which the texel is more ink than paper.
+float half_way()
+{
+    float sum = 0.0, at = 2.0;
+    for (int i = 6; i >= 0; i--)
+        sum += step_height[i / 4][i % 4];
+    for (int i = 6; i >= 0; i--) {
+        at = sum >= 0.5 ? step_at[i / 4][i % 4] : at;
+        sum -= step_height[i / 4][i % 4];
+    }
+    return at;
+}
+#endif
+
+float coverage(float amount)
+{
+    float tone = 1.0 - (1.0 - amount) * step_at[1].a;
+#ifdef SOFT
+    return clamp(4.0 * (tone - half_way()), 0.0, 1.0);
+#else
+    vec4 taken = vec4(greaterThan(vec4(tone), step_at[0]));
+    vec3 taken_last = vec3(greaterThan(vec3(tone), step_at[1].rgb));
+    return dot(taken, step_height[0]) + dot(taken_last, step_height[1].rgb);
+#endif
+}
+
+// Reads what coverage() needs; returns the outline's opacity.
+float read_steps()
+{
+    for (int half_of = 0; half_of < 2; half_of++) {
+        step_at[half_of] = read_columns(float(half_of));
+        step_height[half_of] = read_columns(float(2 + half_of));
+    }
+    return step_height[1].a;
+}
+#endif
+
+void main()
+{
+    aim(v_texcoord);
+    base_holes();
+    vec2 asked = amounts();
+    opacity *= read_steps();
+    float light = 0.0;
+#ifdef TWO_INKS
+    light = coverage(asked.y);
+#endif
+    o_color = vec4(ink_on_paper(vec3(coverage(asked.x)), vec3(light)), opacity);
+}

@@ -1,0 +1,16 @@
+#include "frame/frame.glsl"
+
+// Tone becomes the weights of columns at vertices, where it is known there.
+#if !defined(PIXEL_LIGHT) && !defined(BASE_TONE)
+#define WEIGHTS_AT_VERTICES 1
+#endif
+
+// Weights of six columns, three to a texture, for an amount of ink: between two columns' tones both
+// have a share, below the first the rest is bare paper, above the last it alone counts.
+void column_weights(float amount, out vec3 first, out vec3 second)
+{
+    vec3 a = clamp((amount - ramp_low[0].xyz) * ramp_scale[0].xyz, 0.0, 1.0);
+    vec3 b = clamp((amount - ramp_low[1].xyz) * ramp_scale[1].xyz, 0.0, 1.0);
+    first = a - vec3(a.yz, b.x);
+    second = b - vec3(b.yz, 0.0);
+}

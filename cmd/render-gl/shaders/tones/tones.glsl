@@ -1,0 +1,84 @@
+// Reading the columns of the tonal art map, in the fragment stage: aim once, then read.
+#include "frame/frame.glsl"
+
+#ifdef EXACT
+layout(binding = UNIT_TONES) uniform usampler2D columns; // tamthresh(5): words, 1024 a row
+
+uint word(uint i)
+{
+    return texelFetch(columns, ivec2(i & 1023u, i >> 10), 0).r;
+}
+
+vec2 columns_size()
+{
+    return vec2(float(word(1u)));
+}
+#else
+#if defined(VOLUME) && !defined(LAYERED)
+layout(binding = UNIT_TONES) uniform sampler3D columns;
+#define ALONG_SURFACE(v) vec3(v, 0.0)
+#else
+layout(binding = UNIT_TONES) uniform sampler2DArray columns;
+#define ALONG_SURFACE(v) v
+#endif
+
+vec2 columns_size()
+{
+    return vec2(textureSize(columns, 0).xy);
+}
+#endif
+
+vec2 column_place;
+float column_level;
+
+#ifdef ANISOTROPIC
+vec2 column_x, column_y;
+
+// Where a pixel covers more tiles than this, along any side of it, no stroke shows: only the mean of the
+// tile is left, the coarsest level. The driver's filter would take samples by the thousand there.
+const float TILES_MAX = 8.0;
+
+void aim(vec2 texcoord)
+{
+    vec2 tiles = fwidth(texcoord);
+    bool far = !(max(tiles.x, tiles.y) <= TILES_MAX);
+    column_place = texcoord;
+    column_x = far ? vec2(1.0, 0.0) : dFdx(texcoord);
+    column_y = far ? vec2(0.0, 1.0) : dFdy(texcoord);
+    vec2 size = columns_size();
+    float longer = max(dot(column_x * size, column_x * size), dot(column_y * size, column_y * size));
+    float area = abs(column_x.x * column_y.y - column_x.y * column_y.x) * size.x * size.y;
+    column_level = 0.5 * log2(max(area * area / max(longer, 1e-20), 1e-20) * curve.w);
+}
+
+vec4 read_columns(float layer)
+{
+    return textureGrad(columns, vec3(column_place, layer), ALONG_SURFACE(column_x), ALONG_SURFACE(column_y));
+}
+#else
+// Strokes keep their width in pixels whatever the number of samples a pixel: the level goes by the
+// pixel's footprint, not by the sample's. But where a pixel has several samples they see apart what lies
+// along the footprint's longer axis, so that half of it counts there: anisotropic filtering by the ratio
+// of two that costs nothing, and that is the same for every number of samples.
+// Two levels mix over the middle half of the way between them: strokes of a level nest in the next, so
+// that nothing pops, more of the picture shows strokes at their full strength, and software renderers
+// read one level where one is enough.
+void aim(vec2 texcoord)
+{
+    vec2 size = columns_size();
+    vec2 x = dFdx(texcoord) * size, y = dFdy(texcoord) * size;
+    float area = x.x * y.y - x.y * y.x;
+    float longer = max(max(dot(x, x), dot(y, y)), 1e-20), shorter = area * area / longer;
+    column_place = texcoord;
+    float level = 0.5 * log2(max(longer / min(curve.w, 4.0), shorter) * curve.w);
+    float part = fract(level);
+    column_level = level - part + clamp(2.0 * part - 0.5, 0.0, 1.0);
+}
+
+#ifndef EXACT
+vec4 read_columns(float layer)
+{
+    return textureLod(columns, vec3(column_place, layer), column_level);
+}
+#endif
+#endif

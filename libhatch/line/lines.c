@@ -1,0 +1,163 @@
+#include "line/lines.h"
+
+#include <string.h>
+
+#include "line/trace.h"
+#include "math/vector.h"
+
+#define GAP_PX 4.0   /* hidden for shorter than this: a surface that grazes the line */
+#define CRUMB_PX 6.0 /* visible for shorter than this, and alone: noise */
+#define TRIM_PX 1.0  /* visible because the test looks around itself */
+
+/* The strips of one item's features, or of its silhouettes. */
+struct hatch_line_part {
+    struct hatch_line_strips strips;
+    struct hatch_line_part *next;
+};
+
+/* Skins and morph targets shape a mesh from where it lies in the file, other nodes place it by its origin. */
+static struct hatch_line_mesh *mesh_of(const struct hatch_lines *lines, const struct hatch_item *item)
+{
+    return &lines->meshes[2 * (size_t)item->mesh + (item->shaped ? 1 : 0)];
+}
+
+enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_lines *lines,
+                                   struct hatch_err *err)
+{
+    static const double zero[3] = {0, 0, 0};
+    struct hatch_lines made = {.style = *style, .scene = scene, .scratch = scratch};
+    made.meshes = HATCH_NEW(arena, struct hatch_line_mesh, 2 * (size_t)scene->scene->mesh_count, err);
+    if (!made.meshes)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < scene->item_count && style->kinds; i++) {
+        const struct hatch_item *item = &scene->items[i];
+        struct hatch_line_mesh *mesh = mesh_of(&made, item);
+        if (mesh->mesh.face_count)
+            continue;
+        const double *origin = item->shaped ? zero : scene->meshes[item->mesh].origin;
+        const struct hatch_line_choice choice = {style->kinds, style->crease_rad,
+                                                 scene->scene->meshes[item->mesh].had_normals};
+        HATCH_TRY(hatch_line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch, mesh, err));
+    }
+    *lines = made;
+    return HATCH_OK;
+}
+
+/* The item's mesh at the pose: shaped ones are posed anew, others keep their vertices. */
+static enum hatch_status place(const struct hatch_lines *lines, const struct hatch_item *item,
+                               struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
+{
+    const struct hatch_line_mesh *mesh = mesh_of(lines, item);
+    *shape = (struct hatch_line_shape){.lines = mesh,
+                                       .positions = mesh->mesh.attributes[0].data,
+                                       .normals = hatch_mesh_find(&mesh->mesh, "NORMAL", 3),
+                                       .mirrored = item->mirrored,
+                                       .double_sided = item->double_sided};
+    for (int i = 0; i < 16; i++)
+        shape->to_unit[i] = (double)item->to_unit[i];
+    if (!item->shaped)
+        return HATCH_OK;
+    size_t count = 3 * (size_t)mesh->mesh.vertex_count;
+    double *positions = HATCH_NEW(arena, double, count, err);
+    float *moved = positions ? HATCH_NEW(arena, float, count, err) : NULL;
+    float *normals = moved ? HATCH_NEW(arena, float, count, err) : NULL;
+    if (!normals)
+        return HATCH_LIMIT;
+    hatch_pose_mesh(&lines->scene->pose, item->node, &mesh->mesh, positions, normals);
+    for (size_t i = 0; i < count; i += 3) {
+        double at[3];
+        hatch_bounds_to_unit(&lines->scene->bounds, positions + i, at);
+        hatch_vec_round(at, moved + i);
+    }
+    shape->positions = moved;
+    shape->normals = normals;
+    return HATCH_OK;
+}
+
+/* What tracing the items of a frame works with. */
+struct tracing {
+    const struct hatch_lines *lines;
+    struct hatch_line_eye eye;
+    const struct hatch_tile *tile;
+    struct hatch_arena *arena;
+    struct hatch_line_frame frame;
+};
+
+static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_line_trace *trace,
+                                   const struct hatch_line_chains *chains, struct hatch_err *err)
+{
+    const struct hatch_line_picture picture = {tracing->eye.view, tracing->tile, tracing->lines->style.width_px + 2};
+    struct hatch_line_part *part = HATCH_NEW(tracing->arena, struct hatch_line_part, 1, err);
+    if (!part)
+        return HATCH_LIMIT;
+    HATCH_TRY(hatch_line_strips_make(trace, chains, &picture, tracing->arena, &part->strips, err));
+    part->next = tracing->frame.parts;
+    tracing->frame.parts = part;
+    tracing->frame.sample_count += part->strips.piece_count;
+    return HATCH_OK;
+}
+
+static enum hatch_status add_item(struct tracing *tracing, const struct hatch_item *item, struct hatch_err *err)
+{
+    const struct hatch_lines *lines = tracing->lines;
+    struct hatch_arena *arena = tracing->arena;
+    struct hatch_line_shape shape;
+    struct hatch_line_trace trace;
+    HATCH_TRY(place(lines, item, arena, &shape, err));
+    if (shape.lines->feature_count) {
+        HATCH_TRY(hatch_line_trace_features(&shape, &tracing->eye, arena, &trace, err));
+        HATCH_TRY(add_trace(tracing, &trace, &shape.lines->chains, err));
+    }
+    if (!(lines->style.kinds & HATCH_LINES_SILHOUETTES))
+        return HATCH_OK;
+    HATCH_TRY(hatch_line_trace_silhouettes(&shape, &tracing->eye, arena, lines->scratch, &trace, err));
+    struct hatch_line_chains chains;
+    const struct hatch_line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
+    HATCH_TRY(hatch_line_chains_make(&graph, arena, lines->scratch, &chains, err));
+    HATCH_TRY(hatch_line_refine(&trace, &chains, arena, err));
+    return add_trace(tracing, &trace, &chains, err);
+}
+
+enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,
+                                    const struct hatch_tile *tile, struct hatch_arena *arena,
+                                    struct hatch_line_frame *frame, struct hatch_err *err)
+{
+    struct tracing tracing = {
+        .lines = lines, .eye = {view, 0.5 * tile->full_height / view->half_height}, .tile = tile, .arena = arena};
+    size_t at = 0;
+    for (uint32_t i = 0; i < lines->scene->item_count; i++) {
+        const struct hatch_item *item = &lines->scene->items[i];
+        if (mesh_of(lines, item)->mesh.face_count && !item->cut_out)
+            HATCH_TRY(add_item(&tracing, item, err));
+    }
+    tracing.frame.samples = HATCH_NEW(arena, struct hatch_line_sample, tracing.frame.sample_count, err);
+    if (!tracing.frame.samples)
+        return HATCH_LIMIT;
+    for (const struct hatch_line_part *part = tracing.frame.parts; part; part = part->next) {
+        memcpy(tracing.frame.samples + at, part->strips.samples,
+               part->strips.piece_count * sizeof *part->strips.samples);
+        at += part->strips.piece_count;
+    }
+    *frame = tracing.frame;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct hatch_line_frame *frame,
+                                   const uint8_t *seen, struct hatch_arena *arena, struct hatch_line_segment **segments,
+                                   size_t *count, struct hatch_err *err)
+{
+    double crumb_px = CRUMB_PX + 2 * lines->style.width_px;
+    size_t at = 0;
+    uint8_t *visible = HATCH_NEW(arena, uint8_t, frame->sample_count, err);
+    *segments = visible ? HATCH_NEW(arena, struct hatch_line_segment, frame->sample_count, err) : NULL;
+    if (!*segments)
+        return HATCH_LIMIT;
+    *count = 0;
+    for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
+        hatch_line_strips_smooth(&part->strips, GAP_PX, crumb_px, TRIM_PX, seen + at, visible + at);
+        *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, *segments + *count);
+        at += part->strips.piece_count;
+    }
+    return HATCH_OK;
+}

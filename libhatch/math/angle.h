@@ -1,0 +1,7 @@
+/* Angles. */
+#ifndef HATCH_MATH_ANGLE_H
+#define HATCH_MATH_ANGLE_H
+
+#define HATCH_RADIANS (3.14159265358979324 / 180) /* of a degree */
+
+#endif

@@ -1,0 +1,108 @@
+#include "scene/exposure.h"
+
+#include <math.h>
+
+#define BRIGHTEST_SHARE 0.05
+
+/* Vertices by the logarithm of their light, in sixteenths of an octave. */
+#define STEPS 16
+#define OCTAVES 200
+#define BINS (OCTAVES * STEPS)
+
+struct exposure {
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    uint32_t light_count;
+    uint64_t bins[BINS];
+    uint64_t lit;
+};
+
+/* The diffuse part of light_at in the shader light.glsl. */
+static double light_of(const struct hatch_unit_light *light, const double point[3], const float normal[3])
+{
+    double to_light[3], square = 1, strength = (double)light->direction[3], facing = 0, along = 0;
+    for (int k = 0; k < 3; k++)
+        to_light[k] = (double)light->direction[k];
+    if (light->position[3] > 0) {
+        square = 0;
+        for (int k = 0; k < 3; k++) {
+            to_light[k] = (double)light->position[k] - point[k];
+            square += to_light[k] * to_light[k];
+        }
+        square = fmax(square, (double)light->cone[3]);
+        for (int k = 0; k < 3; k++) {
+            to_light[k] /= sqrt(square);
+            along -= (double)light->direction[k] * to_light[k];
+        }
+        double spot = fmin(fmax(along * (double)light->cone[0] + (double)light->cone[1], 0), 1);
+        double far = square * (double)light->cone[2];
+        strength *= spot * spot * fmin(fmax(1 - far * far, 0), 1) / square;
+    }
+    for (int k = 0; k < 3; k++)
+        facing += to_light[k] * (double)normal[k];
+    return strength * fmax(facing, 0);
+}
+
+static void add_vertex(struct exposure *exposure, const double point[3], const float normal[3])
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < exposure->light_count; i++)
+        sum += light_of(&exposure->lights[i], point, normal);
+    double bin = floor((log2(sum) + OCTAVES / 2) * STEPS);
+    if (!(bin >= 0 && bin < BINS))
+        return;
+    exposure->bins[(int)bin]++;
+    exposure->lit++;
+}
+
+static enum hatch_status add_item(struct exposure *exposure, const struct hatch_unit_scene *scene,
+                                  const struct hatch_item *item, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    size_t count = scene->meshes[item->mesh].surface->vertex_count;
+    double *positions = HATCH_NEW(scratch, double, 3 * count, err);
+    float *normals = HATCH_NEW(scratch, float, 3 * count, err);
+    if (!positions || !normals)
+        return HATCH_LIMIT;
+    hatch_item_surface(scene, item, positions, normals);
+    for (size_t v = 0; v < count; v++)
+        add_vertex(exposure, positions + 3 * v, normals + 3 * v);
+    return HATCH_OK;
+}
+
+/* The light that all but the brightest share of the lit vertices stay under. */
+static double white_point(const struct exposure *exposure)
+{
+    double left = BRIGHTEST_SHARE * (double)exposure->lit;
+    int bin = BINS - 1;
+    while (bin > 0 && (left -= (double)exposure->bins[bin]) > 0)
+        bin--;
+    return exp2((bin + 0.5) / STEPS - OCTAVES / 2);
+}
+
+static enum hatch_status measure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
+                                 struct hatch_arena *scratch, double *factor, struct hatch_err *err)
+{
+    static const struct hatch_key_light none;
+    struct exposure *exposure = HATCH_NEW(scratch, struct exposure, 1, err);
+    if (!exposure)
+        return HATCH_LIMIT;
+    /* Lamps that floats cannot tell from darkness may be all the light there is. */
+    double strongest = hatch_lights_strongest(&scene->pose, &scene->bounds);
+    double first = strongest > 0 ? 1 / strongest : 1;
+    exposure->light_count = hatch_lights_at(&scene->pose, &scene->bounds, view, &none, first, exposure->lights);
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        HATCH_TRY(add_item(exposure, scene, &scene->items[i], scratch, err));
+        hatch_arena_rewind(scratch, mark);
+    }
+    *factor = exposure->lit ? first / white_point(exposure) : 1;
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_auto_exposure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
+                                      struct hatch_arena *scratch, double *exposure, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = measure(scene, view, scratch, exposure, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}

@@ -1,0 +1,118 @@
+#include "scene/light.h"
+
+#include <math.h>
+
+#include "image/color.h"
+#include "math/vector.h"
+
+/* Beyond so many radii a lamp counts as directional: floats would lose its falloff, which is not visible there. Nearer
+ * than the reciprocal its strength stops growing. */
+#define FAR_AWAY 1e3
+
+static void set_directional(struct hatch_unit_light *light, const double to_light[3])
+{
+    double length = hatch_vec_length(to_light);
+    *light = (struct hatch_unit_light){.direction = {0, 1, 0, 0}, .cone = {0, 1, 0, 0}};
+    for (int k = 0; k < 3 && length > 0 && isfinite(length); k++)
+        light->direction[k] = (float)(to_light[k] / length);
+}
+
+/* Fills all of a light but its strength; returns that. */
+static double set_scene_light(struct hatch_unit_light *light, const struct hatch_light *from, const double world[16],
+                              const struct hatch_bounds *bounds)
+{
+    double power = (double)from->intensity * (double)hatch_color_luminance(from->color);
+    double away[3] = {world[8], world[9], world[10]}, at[3];
+    if (from->type == HATCH_LIGHT_DIRECTIONAL) {
+        set_directional(light, away);
+        return power;
+    }
+    hatch_bounds_to_unit(bounds, world + 12, at);
+    power = power / bounds->radius / bounds->radius;
+    double distance = hatch_vec_length(at), range = (double)from->range / bounds->radius;
+    if (!(distance < FAR_AWAY)) {
+        set_directional(light, at);
+        return range > 0 && range <= distance ? 0.0 : power / distance / distance;
+    }
+    double length = hatch_vec_length(away);
+    *light = (struct hatch_unit_light){.position = {(float)at[0], (float)at[1], (float)at[2], 1.0f},
+                                       .cone = {0.0f, 1.0f, 0.0f, (float)(1 / (FAR_AWAY * FAR_AWAY))}};
+    for (int k = 0; k < 3; k++)
+        light->direction[k] = length > 0 ? (float)(-away[k] / length) : 0.0f;
+    if (from->type == HATCH_LIGHT_SPOT) {
+        double outer = cos((double)from->outer_cone_rad), inner = cos((double)from->inner_cone_rad);
+        light->cone[0] = (float)(1.0 / fmax(inner - outer, 1e-3));
+        light->cone[1] = (float)(-outer / fmax(inner - outer, 1e-3));
+    }
+    light->cone[2] = range > 0 ? (float)(1.0 / (range * range)) : 0.0f;
+    return power;
+}
+
+static void set_key_light(struct hatch_unit_light *light, const struct hatch_view *view,
+                          const struct hatch_key_light *key)
+{
+    double level = cos(key->elevation_rad), to_light[3];
+    double x = level * sin(key->azimuth_rad), y = sin(key->elevation_rad), z = level * cos(key->azimuth_rad);
+    for (int k = 0; k < 3; k++)
+        to_light[k] = x * view->right[k] + y * view->up[k] + z * view->back[k];
+    set_directional(light, to_light);
+    light->direction[3] = 1.0f;
+}
+
+/* Fills one node's light, all but its strength. Returns whether the node has one. */
+static bool light_at_node(const struct hatch_pose *pose, const struct hatch_bounds *bounds, uint32_t node,
+                          struct hatch_unit_light *light, double *power)
+{
+    const struct hatch_scene *scene = pose->scene;
+    double world[16];
+    if (scene->nodes[node].light == HATCH_NONE)
+        return false;
+    hatch_pose_matrix(pose, node, world);
+    *power = set_scene_light(light, &scene->lights[scene->nodes[node].light], world, bounds);
+    return true;
+}
+
+double hatch_lights_strongest(const struct hatch_pose *pose, const struct hatch_bounds *bounds)
+{
+    double strongest = 0, power;
+    struct hatch_unit_light light;
+    for (uint32_t node = 0; node < pose->scene->node_count; node++)
+        if (light_at_node(pose, bounds, node, &light, &power))
+            strongest = fmax(strongest, power);
+    return strongest;
+}
+
+static uint32_t count_lights(const struct hatch_scene *scene)
+{
+    uint32_t lights = 0;
+    for (uint32_t node = 0; node < scene->node_count; node++)
+        lights += scene->nodes[node].light != HATCH_NONE;
+    return lights;
+}
+
+bool hatch_lights_are_key_alone(const struct hatch_scene *scene, const struct hatch_key_light *key)
+{
+    return key->replaces || count_lights(scene) == 0;
+}
+
+uint32_t hatch_lights_left_out(const struct hatch_scene *scene)
+{
+    uint32_t lights = count_lights(scene);
+    return lights > HATCH_LIGHTS_MAX ? lights - HATCH_LIGHTS_MAX : 0;
+}
+
+uint32_t hatch_lights_at(const struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                         const struct hatch_view *view, const struct hatch_key_light *key, double exposure,
+                         struct hatch_unit_light *lights)
+{
+    uint32_t count = 0;
+    double power;
+    for (uint32_t node = 0; node < pose->scene->node_count && !key->replaces && count < HATCH_LIGHTS_MAX; node++)
+        if (light_at_node(pose, bounds, node, &lights[count], &power))
+            /* Strengths of lamps and exposures may each be far outside the range of floats. */
+            lights[count++].direction[3] = (float)fmin(power * exposure, 1e30);
+    if (count)
+        return count;
+    set_key_light(&lights[0], view, key);
+    return 1;
+}

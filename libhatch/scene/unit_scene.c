@@ -1,0 +1,160 @@
+#include "scene/unit_scene.h"
+
+#include <math.h>
+#include <string.h>
+
+static void set_box(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
+{
+    float low[3], high[3];
+    bool any = hatch_mesh_bounds(mesh, low, high);
+    for (int k = 0; k < 3; k++) {
+        unit->origin[k] = any ? 0.5 * (double)low[k] + 0.5 * (double)high[k] : 0.0;
+        unit->half[k] = any ? 0.5 * (double)high[k] - 0.5 * (double)low[k] : 0.0;
+    }
+}
+
+static struct hatch_item item_of(const struct hatch_scene *scene, uint32_t node, uint32_t mesh)
+{
+    const struct hatch_scene_mesh *from = &scene->meshes[mesh];
+    struct hatch_item item = {.mesh = mesh,
+                              .node = node,
+                              .repeat = {1.0f, 1.0f},
+                              .double_sided = true,
+                              .shaped = hatch_pose_shapes(scene, node, &from->mesh)};
+    if (from->material != HATCH_NONE) {
+        const struct hatch_material *material = &scene->materials[from->material];
+        item.double_sided = material->double_sided;
+        /* The colour's alpha scales the texture's, so it scales the limit as well. */
+        item.alpha_cutoff = material->alpha_cutoff / fmaxf(material->base_color[3], 1e-6f);
+    }
+    return item;
+}
+
+enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
+                                        const struct hatch_bounds *bounds, struct hatch_arena *arena,
+                                        struct hatch_unit_scene *unit, struct hatch_err *err)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->node_count; i++)
+        count += scene->nodes[i].mesh_count;
+    struct hatch_unit_scene made = {.scene = scene, .bounds = *bounds};
+    HATCH_TRY(hatch_pose_make(scene, arena, &made.pose, err));
+    made.meshes = HATCH_NEW(arena, struct hatch_unit_mesh, scene->mesh_count, err);
+    made.items = made.meshes ? HATCH_NEW(arena, struct hatch_item, count, err) : NULL;
+    if (!made.items)
+        return HATCH_LIMIT;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct hatch_unit_mesh *mesh = &made.meshes[i];
+        mesh->mesh = &scene->meshes[i].mesh;
+        mesh->patches = patches && patches[i].patch_count ? &patches[i] : NULL;
+        mesh->surface = mesh->patches ? &patches[i].surface : mesh->mesh;
+        set_box(mesh->mesh, mesh);
+    }
+    for (uint32_t node = 0; node < scene->node_count; node++)
+        for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
+            made.items[made.item_count++] = item_of(scene, node, scene->nodes[node].first_mesh + i);
+    *unit = made;
+    return HATCH_OK;
+}
+
+/* The box around the mesh's box, moved. */
+static void box_item(const struct hatch_unit_scene *unit, struct hatch_item *item)
+{
+    const double *half = unit->meshes[item->mesh].half;
+    for (int r = 0; r < 3; r++) {
+        double reach = 0;
+        for (int c = 0; c < 3; c++)
+            reach += fabs((double)item->to_unit[4 * c + r]) * half[c];
+        item->low[r] = (double)item->to_unit[12 + r] - reach;
+        item->high[r] = (double)item->to_unit[12 + r] + reach;
+    }
+}
+
+/* Positions are relative to the mesh's origin, and the result is relative to the scene's middle: both shifts are
+ * added in doubles, where they cancel without loss. */
+static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *item)
+{
+    const double *origin = unit->meshes[item->mesh].origin;
+    double world[16], normal[9], largest = 0;
+    hatch_pose_matrix(&unit->pose, item->node, world);
+    item->mirrored = hatch_pose_normal_matrix(world, normal);
+    for (int c = 0; c < 3; c++)
+        for (int r = 0; r < 3; r++) {
+            item->to_unit[4 * c + r] = (float)(world[4 * c + r] / unit->bounds.radius);
+            largest = fmax(largest, fabs(normal[3 * c + r]));
+        }
+    for (int i = 0; i < 9; i++)
+        item->normal[i] = largest > 0 ? (float)(normal[i] / largest) : 0.0f;
+    for (int r = 0; r < 3; r++) {
+        double at = world[12 + r] - unit->bounds.center[r];
+        for (int c = 0; c < 3; c++)
+            at += world[4 * c + r] * origin[c];
+        item->to_unit[12 + r] = (float)(at / unit->bounds.radius);
+        item->to_unit[4 * r + 3] = 0.0f;
+    }
+    item->to_unit[15] = 1.0f;
+    box_item(unit, item);
+}
+
+static void place_shaped(const struct hatch_unit_scene *unit, struct hatch_item *item)
+{
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const float straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    memcpy(item->to_unit, identity, sizeof identity);
+    memcpy(item->normal, straight, sizeof straight);
+    if (unit->scene->nodes[item->node].skin == HATCH_NONE) {
+        double world[16], cofactors[9];
+        hatch_pose_matrix(&unit->pose, item->node, world);
+        item->mirrored = hatch_pose_normal_matrix(world, cofactors);
+    }
+}
+
+void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, double time_s)
+{
+    if (!unit->pose_number || animation != unit->animation || time_s < unit->time_s || time_s > unit->time_s)
+        unit->pose_number++;
+    unit->animation = animation;
+    unit->time_s = time_s;
+    hatch_pose_at(&unit->pose, animation, time_s);
+    for (uint32_t i = 0; i < unit->item_count; i++) {
+        struct hatch_item *item = &unit->items[i];
+        if (item->shaped)
+            place_shaped(unit, item);
+        else
+            place_item(unit, item);
+    }
+}
+
+void hatch_item_shape(struct hatch_unit_scene *unit, struct hatch_item *item, double *positions, float *normals)
+{
+    size_t count = unit->meshes[item->mesh].mesh->vertex_count;
+    hatch_pose_vertices(&unit->pose, item->node, item->mesh, positions, normals);
+    for (size_t v = 0; v < count; v++) {
+        double at[3];
+        hatch_bounds_to_unit(&unit->bounds, positions + 3 * v, at);
+        for (int k = 0; k < 3; k++) {
+            item->low[k] = v ? fmin(item->low[k], at[k]) : at[k];
+            item->high[k] = v ? fmax(item->high[k], at[k]) : at[k];
+        }
+    }
+}
+
+void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_item *item, double *positions,
+                        float *normals)
+{
+    const struct hatch_mesh *surface = unit->meshes[item->mesh].surface;
+    struct hatch_pose pose = unit->pose; /* its scratch arrays are written, nothing else */
+    hatch_pose_mesh(&pose, item->node, surface, positions, normals);
+    for (size_t v = 0; v < surface->vertex_count; v++)
+        hatch_bounds_to_unit(&unit->bounds, positions + 3 * v, positions + 3 * v);
+}
+
+uint32_t hatch_unit_scene_vertices_max(const struct hatch_unit_scene *unit)
+{
+    uint32_t most = 0;
+    for (uint32_t i = 0; i < unit->item_count; i++) {
+        uint32_t count = unit->meshes[unit->items[i].mesh].surface->vertex_count;
+        most = count > most ? count : most;
+    }
+    return most;
+}
