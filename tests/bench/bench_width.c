@@ -22,11 +22,11 @@ static void begin(void)
     static const struct model_how how_drawn = {.tile_px = 256, .length_px = 80, .width_px = 3};
     frame_arenas(&frame);
     mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 20000);
-    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
+    model_make(&how_drawn, &frame.args.keep, &frame.args.scratch, &rptam);
     const struct hatch_bounds bounds = {.radius = RADIUS};
-    frame_begin(&mesh, &bounds, NULL, &frame);
-    frame.renderer.rptam = &rptam;
-    HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_RPTAM, &frame.scratch, &frame.err), &frame.err);
+    frame_open(&mesh, &bounds, NULL, &frame);
+    frame.model = &rptam;
+    frame_picture(&frame, "rptam");
 }
 
 /* The width of a strip along u that is one unit of v wide, on the screen. */
@@ -74,8 +74,8 @@ static double map_width(double pixels[2][2])
 
 static void look(const struct hatch_view *view, double window, struct widths *widths)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
-    struct zoom_corner *corners = HATCH_NEW(&frame.arena, struct zoom_corner, mesh.vertex_count, &frame.err);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame.args.keep);
+    struct zoom_corner *corners = HATCH_NEW(&frame.args.keep, struct zoom_corner, mesh.vertex_count, &frame.err);
     zoom_corners(&frame, view, corners);
     for (int i = 0; i < COLUMNS * ROWS; i++) {
         double x = 0.5 + window * ((i % COLUMNS + 0.5) / COLUMNS - 0.5);
@@ -92,7 +92,7 @@ static void look(const struct hatch_view *view, double window, struct widths *wi
         widths->paper[widths->count] = across(pixels) / hypot(drawn[1][0], drawn[1][1]);
         widths->map[widths->count++] = map_width(pixels);
     }
-    hatch_arena_rewind(&frame.arena, mark);
+    hatch_arena_rewind(&frame.args.keep, mark);
 }
 
 static int by_size(const void *a, const void *b)
@@ -143,7 +143,7 @@ START_TEST(measure)
         print_row("tam", radii, widths.map, widths.count);
     }
     fflush(stdout);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

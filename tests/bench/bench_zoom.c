@@ -23,21 +23,21 @@ static void begin(enum hatch_shape shape, float repeats)
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
     for (size_t i = 0; i < 2 * (size_t)mesh.vertex_count; i++)
         texcoord[i] *= repeats;
-    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
+    model_make(&how_drawn, &frame.args.keep, &frame.args.scratch, &rptam);
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
 }
 
 static double mean_ink(const struct hatch_view *view, double tone)
 {
     struct hatch_image picture;
-    struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame.args.keep);
     double sum = 0;
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = tone;
     frame_draw(&frame, "rptam", view, WIDTH, HEIGHT, 1, &picture);
     for (size_t i = 0; i < WIDTH * HEIGHT; i++)
         sum += 1 - (double)picture.pixels[3 * i];
-    hatch_arena_rewind(&frame.arena, mark);
+    hatch_arena_rewind(&frame.args.keep, mark);
     return sum / (WIDTH * HEIGHT);
 }
 
@@ -69,11 +69,11 @@ static void zoom(const char *surface, enum hatch_shape shape, const double point
         for (int alone = 0; alone < 2; alone++) {
             int out = sign < 0 ? 40 - octave : octave; /* of the way in */
             struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - out), (double)WIDTH / HEIGHT);
-            frame.renderer.floats_alone = alone;
+            frame.shown.floats_alone = alone;
             double tone = shape == HATCH_SHAPE_PLANE ? drift(&view, first, !alone && octave == 0) : -1;
             print_row(surface, sign * octave, alone, &view, tone);
         }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 
 START_TEST(measure)

@@ -16,9 +16,9 @@ static const struct model_how how_drawn = {
 
 static void begin_mesh(const struct hatch_bounds *bounds)
 {
-    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
-    frame_begin(&mesh, bounds, NULL, &frame);
-    frame.renderer.rptam = &rptam;
+    model_make(&how_drawn, &frame.args.keep, &frame.args.scratch, &rptam);
+    frame_open(&mesh, bounds, NULL, &frame);
+    frame.model = &rptam;
 }
 
 static void make_shape(enum hatch_shape shape, uint32_t faces)
@@ -59,17 +59,9 @@ static void check_places(const struct hatch_view *view, double pixels, uint32_t 
 /* Pixels that nothing covers. */
 static uint32_t bare_pixels(const struct hatch_view *view)
 {
-    static const float nothing[3] = {-1, -1, -1};
     static float rgba[4 * WIDTH * HEIGHT];
-    const struct hatch_tile tile = {0, 0, WIDTH, HEIGHT, WIDTH, HEIGHT};
-    struct hatch_err *err = &frame.err;
-    struct target target;
     uint32_t bare = 0;
-    HATCH_TEST_OK(renderer_prepare(&frame.renderer, TECHNIQUE_PLACES, &frame.scratch, err), err);
-    HATCH_TEST_OK(picture_target(WIDTH, HEIGHT, 1, &frame.renderer, &target, err), err);
-    HATCH_TEST_OK(renderer_draw_over(&frame.renderer, TECHNIQUE_PLACES, nothing, view, &tile, &target, err), err);
-    target_read_samples(&target, rgba);
-    target_free(&target);
+    frame_draw_numbers(&frame, "places", view, WIDTH, HEIGHT, rgba);
     for (size_t i = 0; i < WIDTH * HEIGHT; i++)
         bare += rgba[4 * i] < 0;
     return bare;
@@ -105,12 +97,12 @@ START_TEST(strokes_keep_their_place_through_forty_octaves)
         check_places(&view, 0.05, 1);
         if (octaves[i] < 20)
             continue;
-        frame.renderer.floats_alone = true;
+        frame.shown.floats_alone = true;
         struct zoom_error error = zoom_measure(&frame, &view, WIDTH, HEIGHT, 5);
         ck_assert_msg(error.largest_px > 1 || error.wrong > 50, "octave %d: floats alone are right", octaves[i]);
-        frame.renderer.floats_alone = false;
+        frame.shown.floats_alone = false;
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -130,7 +122,7 @@ START_TEST(large_texture_coordinates_keep_theirs)
         struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - octave), (double)WIDTH / HEIGHT);
         check_places(&view, 0.05, 0);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -148,7 +140,7 @@ START_TEST(orthographic_views_hold)
         view.far = 10;
         check_places(&view, 0.05, 1);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -169,10 +161,10 @@ START_TEST(an_eye_on_the_surface_sees_it)
             view.eye_rest[k] = _i < 3 ? 0 : 0x1p-70 * normal[k];
         }
         zoom_measure(&frame, &view, WIDTH, HEIGHT, 16);
-        ck_assert_ptr_nonnull(frame.renderer.near.items);
-        ck_assert_int_lt(frame.renderer.near.items[0].surface.count, 3 * 6000);
+        ck_assert_ptr_nonnull(frame.shown.near.found.items);
+        ck_assert_int_lt(frame.shown.near.found.items[0].surface.count, 3 * 6000);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -190,7 +182,7 @@ START_TEST(pieces_leave_no_gap)
             ck_assert_uint_eq(bare_pixels(&view), 0);
         }
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -204,16 +196,16 @@ START_TEST(tiles_join)
     lean(normal, 0.6, back);
     struct hatch_view view = zoomed_view(&frame, point, back, 0x1p-30, (double)WIDTH / HEIGHT);
     struct hatch_image pictures[2];
-    struct target target;
+    struct canvas canvas;
     struct hatch_err *err = &frame.err;
-    uint32_t technique = frame_technique("rptam");
     frame_draw(&frame, "rptam", &view, WIDTH, HEIGHT, 1, &pictures[0]);
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, WIDTH, HEIGHT, "RGB", &pictures[1], err), err);
-    HATCH_TEST_OK(picture_target(WIDTH / 2, HEIGHT / 2, 1, &frame.renderer, &target, err), err);
-    HATCH_TEST_OK(picture_draw(&frame.renderer, technique, &view, &target, &pictures[1], err), err);
+    HATCH_TEST_OK(hatch_image_make(&frame.args.keep, WIDTH, HEIGHT, "RGB", &pictures[1], err), err);
+    const struct picture picture = frame_picture(&frame, "rptam");
+    HATCH_TEST_OK(picture_canvas(&frame.shown, WIDTH / 2, HEIGHT / 2, 1, &canvas, err), err);
+    HATCH_TEST_OK(picture_draw(&picture, &view, &canvas, &pictures[1], err), err);
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
-    target_free(&target);
-    frame_end(&frame);
+    canvas_free(&canvas);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -251,7 +243,7 @@ START_TEST(a_hand_zooms_without_end)
     while (orbit.distance < 1)
         hatch_orbit_zoom(&orbit, 2);
     check_places(&orbit.view, 0.05, 1);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -269,7 +261,7 @@ START_TEST(a_hand_zooms_an_orthographic_view)
         hatch_orbit_zoom(&orbit, 0.5);
     ck_assert_double_eq(orbit.view.half_height, 0x1p-40);
     check_places(&orbit.view, 0.05, 1);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

@@ -31,7 +31,7 @@ START_TEST(levels_meet)
         for (size_t a = 0; a < sizeof amounts / sizeof *amounts; a++) {
             double sum = 0;
             model.seeds = counts[c];
-            model_make(&model, &frame.arena, &frame.scratch, &rptam);
+            model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
             for (int i = 0; i < 20000; i++) {
                 const double uv[2] = {i * 0.6180339887 - 5000, i * 0.7548776662 - 9000};
                 double inside = hatch_rptam_layer_ink(&rptam, 0, uv, 2 - 1e-9, amounts[a], false);
@@ -41,8 +41,8 @@ START_TEST(levels_meet)
             }
             ck_assert_double_gt(sum, 0);
         }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 
@@ -79,7 +79,7 @@ static const struct hatch_view front = {.eye = {0, 0, 2},
 static double cut(struct raster *raster)
 {
     double sum = 0;
-    raster_draw(raster, &frame.arena);
+    raster_draw(raster, &frame.args.keep);
     for (uint32_t y = 0; y < SIZE; y++) {
         struct raster_pixel side[2];
         for (uint32_t k = 0; k < 2; k++) {
@@ -101,7 +101,7 @@ START_TEST(strokes_pass_edges)
     frame_arenas(&frame);
     struct model_how model = how;
     model.angle_rad[0] = 1.5708; /* across the stretch, that the distortion counts */
-    model_make(&model, &frame.arena, &frame.scratch, &rptam);
+    model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
     for (int own = 1; own >= 0; own--) {
         make_bent(own, own ? &apart : &shared);
         struct raster raster = {.mesh = own ? &apart : &shared, .view = &front, .size = SIZE};
@@ -109,9 +109,9 @@ START_TEST(strokes_pass_edges)
         if (!own)
             for (uint32_t i = 0; i < SIZE * SIZE; i++)
                 ck_assert(isfinite(raster.pixels[i].w));
-        frame_begin(own ? &apart : &shared, &frame_unit, NULL, &frame);
-        frame.renderer.rptam = &rptam;
-        frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.4;
+        frame_open(own ? &apart : &shared, &frame_unit, NULL, &frame);
+        frame.model = &rptam;
+        frame.shown.style.curve.low = frame.shown.style.curve.high = 0.4;
         frame_draw(&frame, "rptam", &front, SIZE, SIZE, 1, &pictures[own]);
         frame_close(&frame);
     }
@@ -119,8 +119,8 @@ START_TEST(strokes_pass_edges)
     ck_assert_double_lt(smooth, plain / 4);
     ck_assert_double_eq(frame_difference(&pictures[0], &pictures[1]), 0);
     ck_assert_double_gt(frame_ink(&pictures[0]), 0.1);
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 
@@ -134,15 +134,15 @@ START_TEST(strokes_may_be_larger_than_the_tile)
     model.ink = 0.3;
     model.seeds = 5;
     frame_arenas(&frame);
-    model_make(&model, &frame.arena, &frame.scratch, &rptam);
+    model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
     for (int i = 0; i < 20000; i++) {
         const double uv[2] = {i * 0.6180339887, i * 0.7548776662}, depth = 0.001 * i;
         double ink = hatch_rptam_layer_ink(&rptam, 0, uv, depth, 1, false);
         ck_assert(ink >= 0 && ink <= 1);
         ck_assert_double_eq_tol(ink, hatch_rptam_layer_ink(&rptam, 0, uv, depth, 1, true), 1e-12);
     }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 

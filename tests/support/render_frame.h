@@ -1,5 +1,5 @@
 /* render-gl's drawing for tests: a mesh and a map become a picture, without files. Include after
- * run.h; frame_begin makes a context, frame_draw draws. */
+ * run.h; frame_open makes a context, frame_draw draws. */
 #ifndef HATCH_TEST_RENDER_FRAME_H
 #define HATCH_TEST_RENDER_FRAME_H
 
@@ -7,67 +7,114 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "shapes/shapes.h"
-#include "render-gl/context.h"
-#include "render-gl/picture.h"
-#include "scene/uv_repeat.h"
+#include "render-gl/gpu/context.h"
+#include "render-gl/mode/picture.h"
+#include "render-gl/mode/show.h"
+#include "render-gl/scene/pose.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/rptam.h"
 #include "run.h"
+#include "shapes/shapes.h"
+#include "views.h"
+
+#define FRAME_TECHNIQUES_MAX 8
 
 struct test_frame {
-    struct hatch_arena arena, scratch;
+    struct cmd_args args;  /* arenas of tests, which they may rewind */
+    struct cmd_args lasts; /* arenas of what techniques keep */
     struct hatch_err err;
-    struct context context;
+    struct gpu_context context;
     struct hatch_scene scene;
-    struct gpu_scene gpu;
-    struct renderer renderer;
+    struct scene on_gpu;
+    struct asset asset;              /* that techniques read */
+    const struct hatch_rptam *model; /* of strokes at seed points */
+    struct assets assets;
+    struct frame shown;
+    struct technique_context with;
+    struct technique_instance instances[FRAME_TECHNIQUES_MAX];
+    struct line_overlay *lines; /* drawn over every technique; NULL: none */
 };
 
 /* The scene in units where it is drawn: no bounds are taken off. */
 static const struct hatch_bounds frame_unit = {.radius = 1.0};
 
-static inline uint32_t frame_technique(const char *name)
+static inline const struct technique *frame_technique(const char *name)
 {
-    for (uint32_t i = 0; i < TECHNIQUE_COUNT; i++)
+    if (strcmp(name, technique_rptam_places.name) == 0)
+        return &technique_rptam_places;
+    for (uint32_t i = 0; techniques[i]; i++)
         if (strcmp(techniques[i]->name, name) == 0)
-            return i;
+            return techniques[i];
+    for (uint32_t i = 0; shown[i].name; i++)
+        if (strcmp(shown[i].name, name) == 0)
+            return shown[i].technique;
     ck_abort_msg("no technique %s", name);
-    return 0;
+    return NULL;
+}
+
+/* What pictures are drawn with by a technique, which is prepared. */
+static inline struct picture frame_picture(struct test_frame *frame, const char *name)
+{
+    const struct technique *technique = frame_technique(name);
+    struct technique_instance *instance = frame->instances;
+    while (instance->technique && instance->technique != technique)
+        instance++;
+    ck_assert_int_lt(instance - frame->instances, FRAME_TECHNIQUES_MAX);
+    if (!instance->technique)
+        HATCH_TEST_OK(technique_open(instance, technique, &frame->lasts, &frame->err), &frame->err);
+    if (technique->state_size == sizeof(struct rptam_state))
+        ((struct rptam_state *)instance->state)->model = frame->model;
+    HATCH_TEST_OK(technique_prepare(&frame->with, instance, &frame->err), &frame->err);
+    return (struct picture){
+        .context = &frame->with, .instance = instance, .lines = frame->lines, .draws_lines = frame->lines != NULL};
 }
 
 /* The scene is frame->scene, patches of its meshes (or NULL). A black line on white paper, no ambient
  * light, tones up to the map's darkest. map may be NULL. */
-static inline void frame_begin_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
-                                     const struct hatch_tam *map, struct test_frame *frame)
+static inline void frame_open_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
+                                    const struct hatch_tam *map, struct test_frame *frame)
 {
     struct hatch_err *err = &frame->err;
-    HATCH_TEST_OK(context_open_headless(&frame->context, 2, err), err);
-    HATCH_TEST_OK(scene_upload(&frame->scene, patches, bounds, &frame->arena, &frame->scratch, &frame->gpu, err), err);
-    HATCH_TEST_OK(scene_set_pose(&frame->gpu, HATCH_NONE, 0, &frame->scratch, err), err);
-    frame->renderer = (struct renderer){
-        .shaders = {NULL, &frame->scratch},
+    struct hatch_arena *keep = &frame->args.keep, *scratch = &frame->args.scratch;
+    const struct scene_source source = {&frame->scene, patches, *bounds};
+    HATCH_TEST_OK(gpu_context_open_headless(&frame->context, 2, err), err);
+    HATCH_TEST_OK(scene_upload(&source, keep, scratch, &frame->on_gpu, err), err);
+    HATCH_TEST_OK(scene_set_pose(&frame->on_gpu, HATCH_NONE, 0, scratch, err), err);
+    memset(&frame->asset, 0, sizeof frame->asset);
+    if (map)
+        frame->asset.map = *map;
+    frame->assets =
+        (struct assets){.asset = &frame->asset, .limits = {.size_max_px = frame->context.size_max_px, .anisotropy = 1}};
+    frame->shown = (struct frame){
+        .programs = {.scratch = scratch},
         .style = {.inks = {.paper = {1, 1, 1}},
                   .curve = {.high = map ? (double)map->target[map->tones - 1] : 1.0, .gamma = 1},
                   .anisotropy = 1,
                   .hatch_scale = 1},
-        .map = map,
-        .scene = &frame->gpu,
+        .scene = &frame->on_gpu,
         .size_max_px = frame->context.size_max_px,
     };
+    hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
+    frame->with = (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->lasts};
+    memset(frame->instances, 0, sizeof frame->instances);
 }
 
 /* The same for a scene of one mesh. */
-static inline void frame_begin(const struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
-                               const struct hatch_tam *map, struct test_frame *frame)
+static inline void frame_open(const struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
+                              const struct hatch_tam *map, struct test_frame *frame)
 {
-    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, &frame->scene, &frame->err), &frame->err);
-    frame_begin_scene(NULL, bounds, map, frame);
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->args.keep, &frame->scene, &frame->err), &frame->err);
+    frame_open_scene(NULL, bounds, map, frame);
 }
 
 static inline void frame_arenas(struct test_frame *frame)
 {
     memset(frame, 0, sizeof *frame);
-    hatch_arena_init(&frame->arena, (size_t)2 << 30);
-    hatch_arena_init(&frame->scratch, (size_t)1 << 30);
+    frame->args.max_memory = (uint64_t)1 << 30;
+    hatch_arena_init(&frame->args.keep, (size_t)2 << 30);
+    hatch_arena_init(&frame->args.scratch, (size_t)1 << 30);
+    hatch_arena_init(&frame->lasts.keep, (size_t)1 << 30);
+    hatch_arena_init(&frame->lasts.scratch, (size_t)1 << 30);
 }
 
 /* With all the attributes that shapes have, in the frame's arena. */
@@ -75,7 +122,8 @@ static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch
 {
     struct hatch_shape_options how = {.faces = faces, .seed = 1};
     struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame->arena, &frame->scratch, &mesh, &frame->err), &frame->err);
+    HATCH_TEST_OK(hatch_shape_make(shape, &how, &frame->args.keep, &frame->args.scratch, &mesh, &frame->err),
+                  &frame->err);
     return mesh;
 }
 
@@ -103,14 +151,14 @@ static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
     static struct hatch_skin skin = {2, joints, inverse};
     struct hatch_scene *scene = &frame->scene;
     float *ids, *weights;
-    HATCH_TEST_OK(hatch_mesh_add(&frame->arena, mesh, "JOINTS_0", 4, &ids, &frame->err), &frame->err);
-    HATCH_TEST_OK(hatch_mesh_add(&frame->arena, mesh, "WEIGHTS_0", 4, &weights, &frame->err), &frame->err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame->args.keep, mesh, "JOINTS_0", 4, &ids, &frame->err), &frame->err);
+    HATCH_TEST_OK(hatch_mesh_add(&frame->args.keep, mesh, "WEIGHTS_0", 4, &weights, &frame->err), &frame->err);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         ids[4 * v + 1] = 1;
         weights[4 * v] = (float)(v % 3) / 2;
         weights[4 * v + 1] = 1 - weights[4 * v];
     }
-    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->arena, scene, &frame->err), &frame->err);
+    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &frame->args.keep, scene, &frame->err), &frame->err);
     for (int i = 0; i < 3; i++) {
         nodes[i] = scene->nodes[0];
         nodes[i].mesh_count = i == 0;
@@ -131,9 +179,10 @@ static inline struct hatch_view frame_view(struct test_frame *frame, double aspe
     static const struct hatch_view_choice choice = {
         .kind = HATCH_VIEW_FRAMED, .azimuth_rad = 0.5, .elevation_rad = 0.4, .fov_rad = 0.5};
     static const struct hatch_pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    struct hatch_unit_scene *unit = &frame->on_gpu.unit;
+    const struct hatch_framing framing = {&span, &unit->bounds, aspect};
     struct hatch_view view;
-    HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, &span, &frame->gpu.bounds, aspect, &frame->scratch, &view,
-                                  &frame->err),
+    HATCH_TEST_OK(hatch_view_make(&choice, &unit->pose, &framing, &frame->args.scratch, &view, &frame->err),
                   &frame->err);
     return view;
 }
@@ -143,13 +192,28 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
                               uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
     struct hatch_err *err = &frame->err;
-    uint32_t index = frame_technique(technique);
-    struct target target;
-    HATCH_TEST_OK(renderer_prepare(&frame->renderer, index, &frame->scratch, err), err);
-    HATCH_TEST_OK(picture_target(width, height, side, &frame->renderer, &target, err), err);
-    HATCH_TEST_OK(hatch_image_make(&frame->arena, width, height, "RGB", image, err), err);
-    HATCH_TEST_OK(picture_draw(&frame->renderer, index, view, &target, image, err), err);
-    target_free(&target);
+    const struct picture picture = frame_picture(frame, technique);
+    struct canvas canvas;
+    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, side, &canvas, err), err);
+    HATCH_TEST_OK(hatch_image_make(&frame->args.keep, width, height, "RGB", image, err), err);
+    HATCH_TEST_OK(picture_draw(&picture, view, &canvas, image, err), err);
+    canvas_free(&canvas);
+}
+
+/* Draws a technique whose output is numbers, a sample a pixel, over -1. rgba: out: 4 floats each, from the lower left
+ * corner. */
+static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
+                                      uint32_t width, uint32_t height, float *rgba)
+{
+    static const float nothing[3] = {-1, -1, -1};
+    const struct picture picture = frame_picture(frame, technique);
+    const struct hatch_tile tile = {0, 0, width, height, width, height};
+    struct canvas canvas;
+    const struct frame_request request = {.view = view, .tile = &tile, .canvas = &canvas, .background = nothing};
+    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, 1, &canvas, &frame->err), &frame->err);
+    HATCH_TEST_OK(technique_draw(&frame->with, picture.instance, &request, &frame->err), &frame->err);
+    canvas_read_samples(&canvas, rgba);
+    canvas_free(&canvas);
 }
 
 /* The largest of all channels, of two pictures of one size. */
@@ -170,19 +234,32 @@ static inline double frame_ink(const struct hatch_image *image)
     return sum / (3.0 * image->width * image->height);
 }
 
-/* What frame_begin made; the arenas keep what they hold, for the next frame_begin. */
-static inline void frame_close(struct test_frame *frame)
+/* Closes all techniques and frees their programs: a change of style that shaders are compiled for counts from then on.
+ */
+static inline void frame_forget(struct test_frame *frame)
 {
-    renderer_free(&frame->renderer);
-    scene_free(&frame->gpu);
-    context_close(&frame->context);
+    for (int i = 0; i < FRAME_TECHNIQUES_MAX; i++)
+        technique_close(&frame->instances[i]);
+    assets_free(&frame->assets);
+    frame_free(&frame->shown);
+    hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
 }
 
-static inline void frame_end(struct test_frame *frame)
+/* Releases what frame_open made; the arenas keep what they hold, for the next frame_open. */
+static inline void frame_close(struct test_frame *frame)
+{
+    frame_forget(frame);
+    scene_free(&frame->on_gpu);
+    gpu_context_close(&frame->context);
+}
+
+static inline void frame_finish(struct test_frame *frame)
 {
     frame_close(frame);
-    hatch_arena_free(&frame->arena);
-    hatch_arena_free(&frame->scratch);
+    hatch_arena_free(&frame->args.keep);
+    hatch_arena_free(&frame->args.scratch);
+    hatch_arena_free(&frame->lasts.keep);
+    hatch_arena_free(&frame->lasts.scratch);
 }
 
 #endif

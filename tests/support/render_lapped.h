@@ -1,134 +1,48 @@
-/* Lapped scenes for tests: a surface cut into patches by a rule, drawn with a map of random texels and an
- * outline of one's own. Include after run.h; begin first. */
+/* Lapped scenes drawn with a map of random texels and an outline of one's own. Include after run.h; begin first. */
 #ifndef HATCH_TEST_RENDER_LAPPED_H
 #define HATCH_TEST_RENDER_LAPPED_H
 
 #include <math.h>
 
-#include "render-gl/material.h"
+#include "lapped_scene.h"
+#include "render-gl/scene/material.h"
 #include "render_frame.h"
 #include "render_map.h"
 
-enum { SIZE = 64, TONES = 6 };
+enum { SIZE = LAPPED_SIZE, TONES = 6 };
 
 static struct test_frame frame;
 static struct hatch_tam map;
 static struct hatch_image mask;
 static struct hatch_patch_mesh *patches;
 
-/* How a surface is cut into patches. */
-struct cut {
-    uint32_t count;
-    uint32_t materials;                                   /* in turns */
-    bool (*holds)(uint32_t patch, const double point[3]); /* a face with this middle? NULL: all */
-    void (*place)(uint32_t patch, const float *position, float hatch[2], float outline[2]);
-};
-
-static inline void middle_of(const struct hatch_mesh *mesh, size_t face, double middle[3])
-{
-    for (size_t k = 0; k < 3; k++) {
-        middle[k] = 0;
-        for (size_t c = 0; c < 3; c++)
-            middle[k] += (double)mesh->attributes[0].data[3 * (size_t)mesh->indices[3 * face + c] + k] / 3;
-    }
-}
-
-/* All of the surface's attributes, its faces begun at another corner in each patch. */
-static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const struct cut *cut, uint32_t patch)
-{
-    struct hatch_err *err = &frame.err;
-    struct hatch_mesh made;
-    uint32_t *now = HATCH_NEW(&frame.arena, uint32_t, surface->vertex_count, err); /* number + 1 */
-    uint32_t *old = HATCH_NEW(&frame.arena, uint32_t, surface->vertex_count, err);
-    HATCH_TEST_OK(hatch_mesh_make(&frame.arena, surface->vertex_count, surface->face_count, &made, err), err);
-    made.vertex_count = made.face_count = 0;
-    for (size_t f = 0; f < surface->face_count; f++) {
-        double middle[3];
-        middle_of(surface, f, middle);
-        if (cut->holds && !cut->holds(patch, middle))
-            continue;
-        for (size_t c = 0; c < 3; c++) {
-            uint32_t vertex = surface->indices[3 * f + (c + patch) % 3];
-            if (!now[vertex]) {
-                old[made.vertex_count] = vertex;
-                now[vertex] = ++made.vertex_count;
-            }
-            made.indices[3 * (size_t)made.face_count + c] = now[vertex] - 1;
-        }
-        made.face_count++;
-    }
-    float *hatch, *outline;
-    for (uint32_t a = 0; a < surface->attribute_count; a++) {
-        const struct hatch_mesh_attribute *from = &surface->attributes[a];
-        float *data = made.attributes[0].data;
-        if (strncmp(from->name, "TEXCOORD", 8) == 0)
-            continue;
-        if (a > 0)
-            HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &made, from->name, from->components, &data, err), err);
-        for (size_t v = 0; v < made.vertex_count; v++)
-            memcpy(data + from->components * v, from->data + from->components * old[v],
-                   from->components * sizeof *data);
-    }
-    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &made, "TEXCOORD_0", 2, &hatch, err), err);
-    HATCH_TEST_OK(hatch_mesh_add(&frame.arena, &made, "TEXCOORD_1", 2, &outline, err), err);
-    for (size_t v = 0; v < made.vertex_count; v++)
-        cut->place(patch, made.attributes[0].data + 3 * v, hatch + 2 * v, outline + 2 * v);
-    return made;
-}
-
-/* frame.scene: one node with the patches, not joined yet. */
 static inline void make_scene(const struct hatch_mesh *surface, const struct cut *cut)
 {
-    struct hatch_scene *scene = &frame.scene;
-    struct hatch_err *err = &frame.err;
-    HATCH_TEST_OK(hatch_scene_of_mesh(surface, &frame.arena, scene, err), err);
-    scene->meshes = HATCH_NEW(&frame.arena, struct hatch_scene_mesh, cut->count, err);
-    scene->materials = HATCH_NEW(&frame.arena, struct hatch_material, 2, err);
-    scene->textures = HATCH_NEW(&frame.arena, struct hatch_texture, 1, err);
-    scene->material_count = 2;
-    scene->texture_count = 1;
-    for (int i = 0; i < 2; i++)
-        scene->materials[i] = (struct hatch_material){
-            .base_color = {1, 1, 1, 1}, .base.texcoord = 1, .double_sided = true, .outline = true};
-    scene->mesh_count = scene->nodes[0].mesh_count = cut->count;
-    for (uint32_t i = 0; i < cut->count; i++)
-        scene->meshes[i] = (struct hatch_scene_mesh){
-            .mesh = patch_of(surface, cut, i), .material = i % cut->materials, .had_normals = true};
+    lapped_scene(surface, cut, &frame.args.keep, &frame.scene);
 }
 
 static inline void lend_outline(void)
 {
     GLuint texture = 0;
-    HATCH_TEST_OK(material_outline(&mask, &frame.scratch, &texture, &frame.err), &frame.err);
-    for (uint32_t i = 0; i < frame.gpu.item_count; i++)
-        frame.gpu.items[i].base_texture = texture;
+    HATCH_TEST_OK(material_outline(&mask, &frame.args.scratch, &texture, &frame.err), &frame.err);
+    for (uint32_t i = 0; i < frame.on_gpu.unit.item_count; i++)
+        frame.on_gpu.items[i].base_texture = texture;
 }
 
 static inline void begin_lapped(const struct hatch_mesh *surface, const struct cut *cut)
 {
     make_scene(surface, cut);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
-    frame_begin_scene(patches, &frame_unit, &map, &frame);
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
+                  &frame.err);
+    frame_open_scene(patches, &frame_unit, &map, &frame);
     lend_outline();
 }
 
 static inline void begin(void)
 {
     frame_arenas(&frame);
-    random_map(SIZE, TONES, &frame.arena, &map);
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, SIZE, SIZE, "YA", &mask, &frame.err), &frame.err);
-}
-
-/* Shifts of the map and of the outline, in texels, from patch to patch. */
-static const int shifts[4][4] = {{0, 0, 0, 0}, {5, 40, 11, -7}, {23, 9, -20, 3}, {50, 31, 2, 17}};
-
-static inline void place_shifted(uint32_t patch, const float *position, float hatch[2], float outline[2])
-{
-    double uv[2] = {0.5 + 0.5 * (double)position[0], 0.5 - 0.5 * (double)position[1]};
-    for (int k = 0; k < 2; k++) {
-        hatch[k] = (float)(uv[k] + shifts[patch][k] / (double)SIZE);
-        outline[k] = (float)(uv[k] + shifts[patch][2 + k] / (double)SIZE);
-    }
+    random_map(SIZE, TONES, &frame.args.keep, &map);
+    HATCH_TEST_OK(hatch_image_make(&frame.args.keep, SIZE, SIZE, "YA", &mask, &frame.err), &frame.err);
 }
 
 static inline void fill_mask(void)
@@ -155,48 +69,6 @@ static inline void black_map(void)
                 map.columns[t].levels[level].pixels[i] = 0;
 }
 
-/* Caps of a sphere around points of a spiral, each in the plane that touches it there. */
-enum { CAPS = 40 };
-static const double CAP_COS = 0.86;
-
-static inline void cap_axes(uint32_t patch, double axes[3][3])
-{
-    double y = 1 - (2.0 * patch + 1) / CAPS, angle = 2.399963 * patch, r = sqrt(1 - y * y);
-    double up[3] = {r * cos(angle), y, r * sin(angle)}, east[3] = {-sin(angle), 0, cos(angle)};
-    for (int k = 0; k < 3; k++) {
-        axes[0][k] = east[k];
-        axes[2][k] = up[k];
-    }
-    for (int k = 0; k < 3; k++)
-        axes[1][k] = up[(k + 1) % 3] * east[(k + 2) % 3] - up[(k + 2) % 3] * east[(k + 1) % 3];
-}
-
-static inline double along(const double axis[3], const double point[3])
-{
-    return axis[0] * point[0] + axis[1] * point[1] + axis[2] * point[2];
-}
-
-static inline bool cap_holds(uint32_t patch, const double point[3])
-{
-    double axes[3][3];
-    cap_axes(patch, axes);
-    return along(axes[2], point) > CAP_COS * sqrt(along(point, point));
-}
-
-static inline void cap_place(uint32_t patch, const float *position, float hatch[2], float outline[2])
-{
-    double axes[3][3], point[3] = {(double)position[0], (double)position[1], (double)position[2]};
-    double size = 2 * sqrt(1 - CAP_COS * CAP_COS);
-    cap_axes(patch, axes);
-    for (int k = 0; k < 2; k++) {
-        double at = along(axes[k], point) / sqrt(along(point, point));
-        hatch[k] = (float)at;
-        outline[k] = (float)(0.5 + at / (1.02 * size));
-    }
-}
-
-static const struct cut caps = {.count = CAPS, .materials = 1, .holds = cap_holds, .place = cap_place};
-
 static inline void draw_in_tiles(const char *technique, uint32_t tile_px, uint32_t side, struct hatch_image *image)
 {
     const struct hatch_view view = {.eye = {0, 0, 4},
@@ -207,14 +79,13 @@ static inline void draw_in_tiles(const char *technique, uint32_t tile_px, uint32
                                     .aspect = 1,
                                     .near = 0.1,
                                     .pivot = 4};
-    uint32_t index = frame_technique(technique);
+    const struct picture picture = frame_picture(&frame, technique);
     struct hatch_err *err = &frame.err;
-    struct target target;
-    HATCH_TEST_OK(renderer_prepare(&frame.renderer, index, &frame.scratch, err), err);
-    HATCH_TEST_OK(target_make(tile_px, tile_px, side, &frame.renderer.shaders, &target, err), err);
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, 160, 160, "RGB", image, err), err);
-    HATCH_TEST_OK(picture_draw(&frame.renderer, index, &view, &target, image, err), err);
-    target_free(&target);
+    struct canvas canvas;
+    HATCH_TEST_OK(canvas_make(tile_px, tile_px, side, &frame.shown.programs, &canvas, err), err);
+    HATCH_TEST_OK(hatch_image_make(&frame.args.keep, 160, 160, "RGB", image, err), err);
+    HATCH_TEST_OK(picture_draw(&picture, &view, &canvas, image, err), err);
+    canvas_free(&canvas);
 }
 
 #endif

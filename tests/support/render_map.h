@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "scene/view.h"
 #include "run.h"
 #include "tam/tam.h"
 
@@ -30,17 +29,5 @@ static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_are
         }
     }
 }
-
-/* The square from -1 to 1 in x and y fills a square picture; v goes down, as the image's rows do. */
-static const struct hatch_view map_facing = {.eye = {0, 0, 2},
-                                             .right = {1, 0, 0},
-                                             .up = {0, 1, 0},
-                                             .back = {0, 0, 1},
-                                             .orthographic = true,
-                                             .half_height = 1,
-                                             .aspect = 1,
-                                             .near = 0.1,
-                                             .far = 10,
-                                             .pivot = 2};
 
 #endif

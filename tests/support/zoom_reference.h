@@ -7,6 +7,7 @@
 
 #include "math/pair.h"
 #include "math/vector.h"
+#include "render-gl/gpu/buffer.h"
 #include "render_frame.h"
 
 struct zoom_error {
@@ -36,9 +37,10 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
         choice.target[k] = point[k];
         choice.eye[k] = point[k] + distance * back[k];
     }
-    HATCH_TEST_OK(hatch_view_make(&choice, &frame->gpu.pose, NULL, &frame->gpu.bounds, aspect, &frame->scratch, &view,
-                                  &frame->err),
-                  &frame->err);
+    const struct hatch_framing framing = {.bounds = &frame->on_gpu.unit.bounds, .aspect = aspect};
+    HATCH_TEST_OK(
+        hatch_view_make(&choice, &frame->on_gpu.unit.pose, &framing, &frame->args.scratch, &view, &frame->err),
+        &frame->err);
     if (distance < 0x1p-50) /* nearer than the point's digits: from where it is, and no other way */
         hatch_view_set_back(&view, back);
     return view;
@@ -47,29 +49,30 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
 static inline void zoom_corners(struct test_frame *frame, const struct hatch_view *view, struct zoom_corner *corners)
 {
     const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
-    const struct gpu_item *item = &frame->gpu.items[0];
+    const struct hatch_item *item = &frame->on_gpu.unit.items[0];
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     const double *axes[3] = {view->right, view->up, view->back};
     size_t count = mesh->vertex_count;
-    struct hatch_arena_mark mark = hatch_arena_mark(&frame->scratch);
-    double *world = HATCH_NEW(&frame->scratch, double, 3 * count, &frame->err);
-    float *spans = HATCH_NEW(&frame->scratch, float, 6 * count, &frame->err);
-    hatch_pose_vertices(&frame->gpu.pose, item->node, 0, world, NULL);
-    glGetNamedBufferSubData(item->spans, 0, (GLsizeiptr)(6 * sizeof *spans * count), spans);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame->args.scratch);
+    double *world = HATCH_NEW(&frame->args.scratch, double, 3 * count, &frame->err);
+    float *spans = HATCH_NEW(&frame->args.scratch, float, 6 * count, &frame->err);
+    hatch_pose_vertices(&frame->on_gpu.unit.pose, item->node, 0, world, NULL);
+    gpu_buffer_read(frame->on_gpu.items[0].uv_tangents, spans, 6 * sizeof *spans * count);
     for (size_t v = 0; v < count; v++) {
         struct hatch_pair from[3];
         for (int k = 0; k < 3; k++) {
             const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-            from[k] = hatch_pair_sub(hatch_view_unit(&frame->gpu.bounds, k, world[3 * v + (size_t)k]), eye);
+            from[k] = hatch_pair_sub(hatch_view_unit(&frame->on_gpu.unit.bounds, k, world[3 * v + (size_t)k]), eye);
         }
         for (int k = 0; k < 3; k++)
             corners[v].at[k] = hatch_pair_dot(from, axes[k]);
         for (size_t k = 0; k < 2; k++)
             corners[v].uv[k] = hatch_pair_product((double)texcoord[2 * v + k], (double)item->repeat[k]);
         for (size_t k = 0; k < 6; k++) /* in the mesh's units */
-            corners[v].span[k] = (double)spans[6 * v + k] / frame->gpu.bounds.radius / (double)item->repeat[k / 3];
+            corners[v].span[k] =
+                (double)spans[6 * v + k] / frame->on_gpu.unit.bounds.radius / (double)item->repeat[k / 3];
     }
-    hatch_arena_rewind(&frame->scratch, mark);
+    hatch_arena_rewind(&frame->args.scratch, mark);
 }
 
 /* A corner as a ray's begin sees it: the ray of an orthographic view begins beside the eye. */
@@ -211,20 +214,14 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct ha
 static inline struct zoom_error zoom_measure(struct test_frame *frame, const struct hatch_view *view, uint32_t width,
                                              uint32_t height, uint32_t step)
 {
-    static const float nothing[3] = {-1, -1, -1};
     const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
     struct zoom_error error = {0, 0, 0, 0};
     struct hatch_err *err = &frame->err;
-    struct hatch_arena_mark mark = hatch_arena_mark(&frame->arena);
-    struct target target;
-    const struct hatch_tile tile = {0, 0, width, height, width, height};
-    HATCH_TEST_OK(renderer_prepare(&frame->renderer, TECHNIQUE_PLACES, &frame->scratch, err), err);
-    HATCH_TEST_OK(picture_target(width, height, 1, &frame->renderer, &target, err), err);
-    HATCH_TEST_OK(renderer_draw_over(&frame->renderer, TECHNIQUE_PLACES, nothing, view, &tile, &target, err), err);
-    float *rgba = HATCH_NEW(&frame->arena, float, 4 * (size_t)width * height, err);
-    struct zoom_corner *corners = HATCH_NEW(&frame->arena, struct zoom_corner, mesh->vertex_count, err);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame->args.keep);
+    float *rgba = HATCH_NEW(&frame->args.keep, float, 4 * (size_t)width * height, err);
+    struct zoom_corner *corners = HATCH_NEW(&frame->args.keep, struct zoom_corner, mesh->vertex_count, err);
     ck_assert_ptr_nonnull(corners);
-    target_read_samples(&target, rgba);
+    frame_draw_numbers(frame, "places", view, width, height, rgba);
     zoom_corners(frame, view, corners);
     for (uint32_t y = step / 2; y < height; y += step)
         for (uint32_t x = step / 2; x < width; x += step) {
@@ -236,11 +233,10 @@ static inline struct zoom_error zoom_measure(struct test_frame *frame, const str
             if ((hit > 0) != (drawn[0] >= 0))
                 error.wrong++;
             else if (hit > 0)
-                zoom_compare(frame->renderer.rptam, view, height, &ray, hit, uv, span, drawn, &error);
+                zoom_compare(frame->model, view, height, &ray, hit, uv, span, drawn, &error);
         }
     error.mean_px /= error.pixels ? error.pixels : 1;
-    target_free(&target);
-    hatch_arena_rewind(&frame->arena, mark);
+    hatch_arena_rewind(&frame->args.keep, mark);
     return error;
 }
 

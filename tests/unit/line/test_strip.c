@@ -26,7 +26,8 @@ static struct hatch_line_strips strips_of(const struct hatch_line_trace *trace, 
 {
     struct hatch_line_chains chains = chains_of(trace);
     struct hatch_line_strips strips = {.strip_count = 0};
-    HATCH_TEST_OK(hatch_line_strips_make(trace, &chains, view, tile, 4, &keep, &strips, &err), &err);
+    const struct hatch_line_picture picture = {view, tile, 4};
+    HATCH_TEST_OK(hatch_line_strips_make(trace, &chains, &picture, &keep, &strips, &err), &err);
     return strips;
 }
 
@@ -246,10 +247,11 @@ static enum hatch_status make(void *context, struct hatch_arena *arena, struct h
     const struct hatch_line_trace *trace = context;
     const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
     struct hatch_view view = view_from(0, 0, 4, true);
+    const struct hatch_line_picture picture = {&view, &whole, 4};
     struct hatch_line_chains chains;
     struct hatch_line_strips strips;
     HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, said));
-    return hatch_line_strips_make(trace, &chains, &view, &whole, 4, arena, &strips, said);
+    return hatch_line_strips_make(trace, &chains, &picture, arena, &strips, said);
 }
 
 START_TEST(strips_survive_every_failed_allocation)

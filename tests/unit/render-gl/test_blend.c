@@ -17,7 +17,7 @@ static const double lamp_at[3] = {-0.8, 0.7, 0.9};
 static void add_lamp(void)
 {
     struct hatch_scene *scene = &frame.scene;
-    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, 2, &frame.err);
+    struct hatch_node *nodes = HATCH_NEW(&frame.args.keep, struct hatch_node, 2, &frame.err);
     nodes[0] = scene->nodes[0];
     nodes[1] = nodes[0];
     nodes[1].mesh_count = 0;
@@ -26,12 +26,12 @@ static void add_lamp(void)
         nodes[1].translation[k] = (float)lamp_at[k];
     scene->nodes = nodes;
     scene->node_count = 2;
-    scene->lights = HATCH_NEW(&frame.arena, struct hatch_light, 1, &frame.err);
+    scene->lights = HATCH_NEW(&frame.args.keep, struct hatch_light, 1, &frame.err);
     scene->lights[0] = lamp;
     scene->light_count = 1;
-    HATCH_TEST_OK(hatch_pose_make(scene, &frame.arena, &frame.gpu.pose, &frame.err), &frame.err);
-    HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 0, &frame.scratch, &frame.err), &frame.err);
-    frame.renderer.style.curve.exposure = 1;
+    HATCH_TEST_OK(hatch_pose_make(scene, &frame.args.keep, &frame.on_gpu.unit.pose, &frame.err), &frame.err);
+    HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, 0, &frame.args.scratch, &frame.err), &frame.err);
+    frame.shown.style.curve.exposure = 1;
 }
 
 /* Darkness at a vertex of the plane z = 0: what is not lit, up to the darkest column. */
@@ -100,12 +100,12 @@ static double worst_against_definition(const char *technique, uint32_t tones, ui
 {
     struct hatch_image image;
     frame_arenas(&frame);
-    random_map(SIZE, tones, &frame.arena, &map);
+    random_map(SIZE, tones, &frame.args.keep, &map);
     struct hatch_mesh mesh = frame_plane(&frame, 50);
-    frame_begin(&mesh, &frame_unit, &map, &frame);
+    frame_open(&mesh, &frame_unit, &map, &frame);
     add_lamp();
-    frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)(1u << level);
-    frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
+    frame.on_gpu.unit.items[0].repeat[0] = frame.on_gpu.unit.items[0].repeat[1] = (float)(1u << level);
+    frame_draw(&frame, technique, &view_facing, SIZE, SIZE, 1, &image);
     double worst = 0, least = 1, most = 0;
     for (uint32_t row = 0; row < SIZE; row++)
         for (uint32_t column = 0; column < SIZE; column++) {
@@ -117,7 +117,7 @@ static double worst_against_definition(const char *technique, uint32_t tones, ui
         }
     ck_assert_double_lt(least, 0.3); /* the picture holds lit and dark parts */
     ck_assert_double_gt(most, 0.95);
-    frame_end(&frame);
+    frame_finish(&frame);
     return worst;
 }
 
@@ -160,14 +160,14 @@ START_TEST(tam_triple_is_tam_on_a_teapot)
     struct hatch_image one, three;
     struct hatch_bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
     frame_arenas(&frame);
-    random_map(SIZE, TONES, &frame.arena, &map);
+    random_map(SIZE, TONES, &frame.args.keep, &map);
     struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 4000);
-    frame_begin(&mesh, &bounds, &map, &frame);
+    frame_open(&mesh, &bounds, &map, &frame);
     draw_teapot("tam", &one);
     draw_teapot("tam-triple", &three);
     ck_assert_double_gt(frame_ink(&one), 0.05);
     ck_assert_double_le(frame_difference(&one, &three), 2.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

@@ -14,12 +14,12 @@ static struct test_frame frame;
 static struct hatch_tam map;
 static struct hatch_volume volume;
 static struct hatch_thresholds thresholds;
-static struct fine fine;
+static struct asset asset;
 
 /* A map whose texels darken with tone, each at two tones of its own. */
 static void nested_map(void)
 {
-    random_map(SIZE, TONES, &frame.arena, &map);
+    random_map(SIZE, TONES, &frame.args.keep, &map);
     for (uint32_t t = 0; t < TONES; t++) {
         map.target[t] = (float)(t + 1) / TONES;
         for (uint32_t level = 0; level < map.columns[t].level_count; level++) {
@@ -35,38 +35,38 @@ static void nested_map(void)
 static void begin(double tone, double tiles)
 {
     struct hatch_mesh mesh = frame_plane(&frame, 2);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.fine = &fine;
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
-    frame.gpu.items[0].repeat[0] = frame.gpu.items[0].repeat[1] = (float)tiles;
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.asset = asset;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = tone;
+    frame.on_gpu.unit.items[0].repeat[0] = frame.on_gpu.unit.items[0].repeat[1] = (float)tiles;
 }
 
 static void make_volume(enum hatch_volume_layout layout)
 {
     struct hatch_volume_options how = {.tones = TONES / 2, .layout = layout};
     struct hatch_volume_figures figures;
-    HATCH_TEST_OK(hatch_volume_make(&map, &how, NULL, &frame.arena, &volume, &figures, &frame.err), &frame.err);
-    fine = (struct fine){
-        .form = COLUMNS_VOLUME, .texels = volume.texels, .levels = volume.levels, .darkest = volume.darkest};
+    HATCH_TEST_OK(hatch_volume_make(&map, &how, NULL, &frame.args.keep, &volume, &figures, &frame.err), &frame.err);
+    asset.texture = (struct tone_texture){
+        .holds = TONE_TEXTURE_VOLUME, .texels = volume.texels, .levels = volume.levels, .darkest = volume.darkest};
 }
 
 static void make_thresholds(void)
 {
     struct hatch_threshold_options how = {.bins = HATCH_THRESHOLD_BINS, .seed = 1};
     struct hatch_threshold_figures figures;
-    HATCH_TEST_OK(
-        hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &figures, &frame.err),
-        &frame.err);
-    fine = (struct fine){
-        .form = COLUMNS_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels, .darkest = 1};
+    HATCH_TEST_OK(hatch_thresholds_make(&map, &how, NULL, &frame.args.keep, &frame.args.scratch, &thresholds, &figures,
+                                        &frame.err),
+                  &frame.err);
+    asset.texture = (struct tone_texture){
+        .holds = TONE_TEXTURE_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels, .darkest = 1};
 }
 
 static void make_exact(void)
 {
     struct hatch_exact exact;
-    HATCH_TEST_OK(hatch_exact_make(&map, NULL, &frame.arena, &frame.scratch, &exact, &frame.err), &frame.err);
-    fine = (struct fine){
-        .form = COLUMNS_THRESHOLDS, .texels = exact.texels, .exact = exact, .levels = exact.levels, .darkest = 1};
+    HATCH_TEST_OK(hatch_exact_make(&map, NULL, &frame.args.keep, &frame.args.scratch, &exact, &frame.err), &frame.err);
+    asset.texture = (struct tone_texture){
+        .holds = TONE_TEXTURE_RUNS, .texels = exact.texels, .exact = exact, .levels = exact.levels, .darkest = 1};
 }
 
 /* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone
@@ -81,17 +81,17 @@ static double worst_of(const char *technique, double tone, double tiles)
     struct hatch_image image;
     double worst = 0;
     begin(tone, tiles);
-    frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
+    frame_draw(&frame, technique, &view_facing, SIZE, SIZE, 1, &image);
     for (uint32_t row = 0; row < SIZE; row++)
         for (uint32_t column = 0; column < SIZE; column++) {
             float u = (float)((column + 0.5) / SIZE * tiles), v = (float)((row + 0.5) / SIZE * tiles);
             float want, value[4];
             float lod = (float)fmax(log2(tiles), 0), drawn = image.pixels[3 * (row * SIZE + column)], dark;
-            if (fine.form == COLUMNS_VOLUME) {
+            if (asset.texture.holds == TONE_TEXTURE_VOLUME) {
                 hatch_volume_sample(&volume, u, v, (float)tone, lod, true, value);
                 dark = want = value[0];
-            } else if (fine.exact.columns) {
-                dark = want = hatch_exact_sample(&fine.exact, u, v, (float)tone, lod);
+            } else if (asset.texture.exact.columns) {
+                dark = want = hatch_exact_sample(&asset.texture.exact, u, v, (float)tone, lod);
             } else {
                 double margin = tiles < 1 ? FILTER : 0;
                 want = hatch_thresholds_sample(&thresholds, u, v, (float)(tone - margin), lod);
@@ -109,13 +109,14 @@ static void pack(enum hatch_texels_code code)
 {
     struct hatch_texels plain = volume.texels;
     plain.channels = code == HATCH_TEXELS_BC4 ? 1 : 3;
-    HATCH_TEST_OK(hatch_texels_make(&frame.arena, &plain, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_make(&frame.args.keep, &plain, &frame.err), &frame.err);
     for (uint32_t level = 0; level < plain.level_count; level++)
         for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
             plain.texels[level][i] = (uint8_t)(volume.texels.texels[level][i / plain.channels] *
                                                hatch_random_unit(9, level, i / plain.channels));
-    HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.arena, &fine.texels, NULL, &frame.err), &frame.err);
-    HATCH_TEST_OK(hatch_texels_unpack(&fine.texels, &frame.arena, &volume.texels, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.args.keep, &asset.texture.texels, NULL, &frame.err),
+                  &frame.err);
+    HATCH_TEST_OK(hatch_texels_unpack(&asset.texture.texels, &frame.args.keep, &volume.texels, &frame.err), &frame.err);
 }
 
 static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code code)
@@ -133,8 +134,8 @@ static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code
             double most = (tiles[k] < 1 ? 2 : 1) + (code != HATCH_TEXELS_PLAIN ? 1 : 0);
             ck_assert_msg(worst <= most / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
         }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 
 START_TEST(volume_is_its_model)
@@ -171,8 +172,8 @@ START_TEST(threshold_is_its_model)
             ck_assert_msg(worst <= (tiles[k] < 1 ? HEIGHTS : 1.0) / 255, "tone %g, %g tiles: %g/255", tones[t],
                           tiles[k], 255 * worst);
         }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 
@@ -187,8 +188,8 @@ START_TEST(exact_runs_are_their_model)
             double worst = worst_of("threshold", tones[t], tiles[k]);
             ck_assert_msg(worst <= 1.0 / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
         }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 
@@ -198,23 +199,23 @@ START_TEST(exact_runs_are_the_volume_at_its_tones)
     frame_arenas(&frame);
     nested_map();
     make_volume(HATCH_VOLUME_ARRAY);
-    struct fine forms[2] = {fine};
+    struct asset forms[2] = {asset};
     make_exact();
-    forms[1] = fine;
+    forms[1] = asset;
     for (uint32_t slice = 0; slice < TONES / 2; slice += 3)
         for (double tiles = 1; tiles <= 4; tiles *= 2) {
             struct hatch_image pictures[2];
             for (int k = 0; k < 2; k++) {
-                fine = forms[k];
+                asset = forms[k];
                 begin((slice + 0.5) / (TONES / 2.0), tiles);
-                frame_draw(&frame, k ? "threshold" : "volume", &map_facing, SIZE, SIZE, 1, &pictures[k]);
+                frame_draw(&frame, k ? "threshold" : "volume", &view_facing, SIZE, SIZE, 1, &pictures[k]);
                 frame_close(&frame);
             }
             double worst = frame_difference(&pictures[0], &pictures[1]);
             ck_assert_msg(worst <= 2.0 / 255, "slice %u, %g tiles: %g/255", slice, tiles, 255 * worst);
         }
-    hatch_arena_free(&frame.arena);
-    hatch_arena_free(&frame.scratch);
+    hatch_arena_free(&frame.args.keep);
+    hatch_arena_free(&frame.args.scratch);
 }
 END_TEST
 
@@ -229,10 +230,10 @@ START_TEST(no_tone_is_paper)
         make_thresholds();
     begin(0, 1);
     struct hatch_image image;
-    frame_draw(&frame, "threshold-soft", &map_facing, SIZE, SIZE, 1, &image);
+    frame_draw(&frame, "threshold-soft", &view_facing, SIZE, SIZE, 1, &image);
     for (size_t i = 0; i < 3 * SIZE * SIZE; i++)
         ck_assert_float_eq(image.pixels[i], 1.0f);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

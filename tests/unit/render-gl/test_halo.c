@@ -24,15 +24,15 @@ static void show(const struct hatch_mesh *mesh)
 {
     struct hatch_mesh kept = *mesh;
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.arena, &frame.scratch, &kept, 1, &frame.err), &frame.err);
-    frame_begin(&kept, &frame_unit, NULL, &frame);
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
-    memcpy(frame.renderer.style.inks.light_ink, frame.renderer.style.inks.paper, sizeof(float[3]));
+    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.args.keep, &frame.args.scratch, &kept, 1, &frame.err), &frame.err);
+    frame_open(&kept, &frame_unit, NULL, &frame);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
+    memcpy(frame.shown.style.inks.light_ink, frame.shown.style.inks.paper, sizeof(float[3]));
 }
 
 static void draw(const struct hatch_view *view, double halo_px, uint32_t side, struct hatch_image *image)
 {
-    frame.renderer.style.halo_px = halo_px;
+    frame.shown.style.halo_px = halo_px;
     frame_draw(&frame, "gouraud", view, SIZE, SIZE, side, image);
 }
 
@@ -75,7 +75,7 @@ START_TEST(haloes_are_as_wide_as_asked_for)
     show(&mesh);
     for (uint32_t side = 1; side <= 3; side++)
         for (size_t i = 0; i < 2 * sizeof widths / sizeof *widths; i++) {
-            const struct hatch_view *view = i % 2 ? &near_by : &map_facing;
+            const struct hatch_view *view = i % 2 ? &near_by : &view_facing;
             double width = widths[i / 2], white[2] = {0, 0}, inside = 0, rim = rim_px(view);
             struct hatch_image image;
             draw(view, width, side, &image);
@@ -90,7 +90,7 @@ START_TEST(haloes_are_as_wide_as_asked_for)
                 ck_assert_msg(fabs(white[end] - width) <= 0.5, "%g px for %g, %u samples, view %zu", white[end], width,
                               side * side, i % 2);
         }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -132,14 +132,14 @@ START_TEST(one_surface_has_none)
                                                      : wall_and_floor();
                 tilt(&mesh, kind == 2 ? 0.35 + 0.15 * turn : 1.5 - 0.28 * turn);
                 show(&mesh);
-                draw(view ? &near_by : &map_facing, 0, 2, &without);
-                draw(view ? &near_by : &map_facing, 6, 2, &with);
+                draw(view ? &near_by : &view_facing, 0, 2, &without);
+                draw(view ? &near_by : &view_facing, 6, 2, &with);
 
                 double more = white_of(&with) - white_of(&without);
                 /* of some 800 on a rim that polygons make */
                 ck_assert_msg(more <= (kind == 1 ? 2 : 0), "kind %d, turn %d, view %d: %g pixels", kind, turn, view,
                               more);
-                frame_end(&frame);
+                frame_finish(&frame);
             }
 }
 END_TEST
@@ -150,11 +150,11 @@ START_TEST(tiles_are_one_picture)
     struct hatch_mesh mesh = ball_before_plane();
     show(&mesh);
     draw(&near_by, 12, 1, &whole);
-    frame.renderer.size_max_px = 100;
+    frame.shown.size_max_px = 100;
     draw(&near_by, 12, 1, &tiled);
     for (int i = 0; i < 3 * SIZE * SIZE; i++)
         ck_assert_float_eq_tol(whole.pixels[i], tiled.pixels[i], 1.0f / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -165,16 +165,15 @@ START_TEST(other_sizes_are_drawn_anew)
     struct hatch_image image[4], fresh;
     struct hatch_mesh mesh = ball_before_plane();
     show(&mesh);
-    frame.renderer.style.halo_px = 12;
+    frame.shown.style.halo_px = 12;
     for (int i = 0; i < 4; i++)
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &image[i]);
     for (int i = 1; i < 4; i++) {
-        renderer_free(&frame.renderer);
-        memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+        frame_forget(&frame);
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &fresh);
         ck_assert_double_eq(frame_difference(&image[i], &fresh), 0);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -183,17 +182,17 @@ END_TEST
 /* White surfaces and black lines. */
 static void draw_lines(const struct hatch_mesh *mesh, double halo_px, struct hatch_image *image)
 {
-    struct lines lines;
-    const struct line_style style = {
-        .kinds = HATCH_LINES_ALL, .haloes = true, .asked = true, .width_px = LINE_PX, .crease_rad = 0.7};
+    struct line_overlay lines;
+    const struct line_overlay_style style = {
+        .lines = {.kinds = HATCH_LINES_ALL, .width_px = LINE_PX, .crease_rad = 0.7}, .haloes = true};
     show(mesh);
-    HATCH_TEST_OK(lines_make(&frame.gpu, &style, &frame.renderer.shaders, (uint64_t)1 << 30, &frame.arena,
-                             &frame.scratch, &lines, &frame.err),
+    HATCH_TEST_OK(line_overlay_make(&lines, &frame.on_gpu, &style, &frame.shown.programs, &frame.args, &frame.err),
                   &frame.err);
-    frame.renderer.lines = &lines;
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0;
-    draw(&map_facing, halo_px, 2, image);
-    lines_free(&lines);
+    frame.lines = &lines;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 0;
+    draw(&view_facing, halo_px, 2, image);
+    line_overlay_free(&lines);
+    frame.lines = NULL;
 }
 
 /* Those of a square behind the ball end before it, its own does not. */
@@ -207,7 +206,7 @@ START_TEST(lines_behind_end_at_haloes)
         plane.attributes[0].data[3 * v] *= 2; /* a border runs from left to right below the middle */
     struct hatch_mesh mesh = both(&plane, &ball);
     draw_lines(&mesh, halo, &image);
-    double rim = rim_px(&map_facing), down = 0.35 * SIZE / 2;
+    double rim = rim_px(&view_facing), down = 0.35 * SIZE / 2;
     double side = sqrt(rim * rim - down * down), first = 0, last = 0;
     int row = (int)(SIZE / 2 + down);
     for (int x = SIZE / 2 + (int)side; x < SIZE / 2 + (int)(0.7 * SIZE / 2) - 8; x++)
@@ -224,7 +223,7 @@ START_TEST(lines_behind_end_at_haloes)
         double a = 6.283185307 * k / 64, x = SIZE / 2 + rim * cos(a), y = SIZE / 2 + rim * sin(a);
         ck_assert_msg(light_at(&image, (int)x, (int)y) < 0.5, "the ball's line is cut at %d/64", k);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -252,7 +251,7 @@ START_TEST(crumbs_between_haloes_are_dropped)
                 dark += 1 - light_at(&image, SIZE / 2 + x, SIZE / 2 + y);
         double want = left_px > 12 ? LINE_PX * left_px : 0;
         ck_assert_msg(fabs(dark - want) <= 0.1 * want, "%g of a line of %d pixels", dark, left_px);
-        frame_end(&frame);
+        frame_finish(&frame);
     }
 }
 END_TEST

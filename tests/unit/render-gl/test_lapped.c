@@ -26,15 +26,15 @@ static double worst_against_composite(const char *technique, uint32_t materials)
         mask.pixels[2 * i + 1] = (float)(hatch_random_u64(3, 0, i) % 256) / 255.0f;
     struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 50);
     begin_lapped(&plane, &cut);
-    ck_assert_uint_eq(frame.gpu.item_count, materials == 1 ? 1 : 4);
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = (double)map.target[tone];
-    frame_draw(&frame, technique, &map_facing, SIZE, SIZE, 1, &image);
+    ck_assert_uint_eq(frame.on_gpu.unit.item_count, materials == 1 ? 1 : 4);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = (double)map.target[tone];
+    frame_draw(&frame, technique, &view_facing, SIZE, SIZE, 1, &image);
     double worst = 0;
     for (int row = 0; row < SIZE; row++)
         for (int column = 0; column < SIZE; column++)
             worst =
                 fmax(worst, fabs((double)image.pixels[3 * (row * SIZE + column)] - composite(4, tone, column, row)));
-    frame_end(&frame);
+    frame_finish(&frame);
     return worst;
 }
 
@@ -53,11 +53,11 @@ START_TEST(what_is_lit_stays_paper)
     round_mask();
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
-    frame.renderer.style.curve.high = 0;
+    frame.shown.style.curve.high = 0;
     draw_in_tiles(names[_i], 160, 1, &image);
     for (size_t i = 0; i < 3u * 160 * 160; i++)
         ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -73,22 +73,22 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
         behind.attributes[0].data[3 * v + 2] = -0.5f;
     make_scene(&plane, &cut);
     struct hatch_scene *scene = &frame.scene;
-    struct hatch_scene_mesh *meshes = HATCH_NEW(&frame.arena, struct hatch_scene_mesh, 3, &frame.err);
+    struct hatch_scene_mesh *meshes = HATCH_NEW(&frame.args.keep, struct hatch_scene_mesh, 3, &frame.err);
     memcpy(meshes, scene->meshes, 2 * sizeof *meshes);
     meshes[2] = (struct hatch_scene_mesh){.mesh = behind, .material = HATCH_NONE};
     scene->meshes = meshes;
     scene->mesh_count = scene->nodes[0].mesh_count = 3;
-    HATCH_TEST_OK(hatch_patches_join(scene, &frame.arena, &frame.scratch, &patches, &frame.err), &frame.err);
-    frame_begin_scene(patches, &frame_unit, &map, &frame);
-    ck_assert_uint_eq(frame.gpu.item_count, 2);
+    HATCH_TEST_OK(hatch_patches_join(scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err), &frame.err);
+    frame_open_scene(patches, &frame_unit, &map, &frame);
+    ck_assert_uint_eq(frame.on_gpu.unit.item_count, 2);
     lend_outline();
-    frame.gpu.items[1].base_texture = 0;
+    frame.on_gpu.items[1].base_texture = 0;
     black_map();
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
-    frame_draw(&frame, _i ? "tam-triple" : "tam", &map_facing, SIZE, SIZE, 1, &image);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
+    frame_draw(&frame, _i ? "tam-triple" : "tam", &view_facing, SIZE, SIZE, 1, &image);
     for (size_t i = 0; i < 3u * SIZE * SIZE; i++)
         ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -102,7 +102,7 @@ END_TEST
 /* A lamp from the upper left, so that every vertex has a tone of its own. */
 static void light(void)
 {
-    frame.renderer.style.light = (struct own_light){true, -0.7, 0.6};
+    frame.shown.style.light = (struct hatch_key_light){true, -0.7, 0.6};
 }
 
 static void place_plain(uint32_t patch, const float *position, float hatch[2], float outline[2])
@@ -139,12 +139,12 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &lapped);
     frame_close(&frame);
-    frame_begin(&mesh, &frame_unit, &map, &frame);
+    frame_open(&mesh, &frame_unit, &map, &frame);
     light();
     frame_draw(&frame, names[_i], &slant, 120, 90, 2, &plain);
     ck_assert_double_gt(frame_ink(&plain), 0.1);
     ck_assert_double_le(frame_difference(&lapped, &plain), 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -164,7 +164,7 @@ START_TEST(both_ways_to_blend_agree)
     ck_assert_double_le(frame_difference(&once, &tiled), 1.0 / 255);
     draw_in_tiles("tam-triple", 64, (uint32_t)_i, &tiled);
     ck_assert_double_le(frame_difference(&passes, &tiled), 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -176,12 +176,12 @@ START_TEST(nothing_shows_through_patches)
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
     black_map();
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
     draw_in_tiles("tam", 160, 1, &image);
     for (int y = -40; y <= 40; y++)
         for (int x = -40; x <= 40; x++)
             ck_assert_double_le((double)image.pixels[3 * ((80 + y) * 160 + 80 + x)], 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -193,11 +193,11 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
     float *texcoord = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), unused[2];
     for (size_t v = 0; v < mesh.vertex_count; v++)
         place_shifted(0, mesh.attributes[0].data + 3 * v, texcoord + 2 * v, unused);
-    frame_begin(&mesh, &frame_unit, &map, &frame);
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.5;
-    frame.renderer.style.hatch_turn_rad = 1.57079632679489662;
-    frame.renderer.style.hatch_scale = 0.5;
-    frame_draw(&frame, "tam", &map_facing, SIZE, SIZE, 1, &turned);
+    frame_open(&mesh, &frame_unit, &map, &frame);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 0.5;
+    frame.shown.style.hatch_turn_rad = 1.57079632679489662;
+    frame.shown.style.hatch_scale = 0.5;
+    frame_draw(&frame, "tam", &view_facing, SIZE, SIZE, 1, &turned);
     frame_close(&frame);
     /* Against the clock as one sees it: what ran to the right along u runs upwards, where v falls. */
     for (size_t v = 0; v < mesh.vertex_count; v++) {
@@ -205,12 +205,12 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
         t[0] = -2 * t[1];
         t[1] = 2 * u;
     }
-    frame_begin(&mesh, &frame_unit, &map, &frame);
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.5;
-    frame_draw(&frame, "tam", &map_facing, SIZE, SIZE, 1, &other);
+    frame_open(&mesh, &frame_unit, &map, &frame);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 0.5;
+    frame_draw(&frame, "tam", &view_facing, SIZE, SIZE, 1, &other);
     ck_assert_double_gt(frame_ink(&other), 0.2);
     ck_assert_double_le(frame_difference(&turned, &other), 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

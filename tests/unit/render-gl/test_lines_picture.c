@@ -1,29 +1,23 @@
 /* Lines in pictures: width, hidden parts, tiles. Surfaces are as white as the paper, so that all ink is
  * lines. */
 #include "lines.h"
-#include "render-gl/context.h"
-#include "render-gl/picture.h"
+#include "render_frame.h"
 
 #define CREASE_RAD 0.7
 
-static struct context context;
-static struct gpu_scene gpu;
-static struct hatch_scene scene;
-static struct lines lines;
-static struct renderer renderer;
+static struct test_frame frame;
+static struct line_overlay lines;
 
-static void begin_context(void)
+static void begin_frame(void)
 {
     begin();
-    HATCH_TEST_OK(context_open_headless(&context, 1, &err), &err);
+    frame_arenas(&frame);
 }
 
-static void end_context(void)
+static void end_frame(void)
 {
-    lines_free(&lines);
-    renderer_free(&renderer);
-    scene_free(&gpu);
-    context_close(&context);
+    line_overlay_free(&lines);
+    frame_finish(&frame);
     hatch_arena_free(&scratch);
     hatch_arena_free(&keep);
 }
@@ -31,31 +25,24 @@ static void end_context(void)
 /* The unit scene is the mesh as it is. */
 static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
 {
-    static struct shader_source shaders;
-    const struct hatch_bounds bounds = {.radius = 1};
-    const struct line_style style = {.kinds = kinds, .asked = true, .width_px = width_px, .crease_rad = CREASE_RAD};
-    shaders = (struct shader_source){NULL, &scratch};
-    HATCH_TEST_OK(hatch_scene_of_mesh(mesh, &keep, &scene, &err), &err);
-    HATCH_TEST_OK(scene_upload(&scene, NULL, &bounds, &keep, &scratch, &gpu, &err), &err);
-    HATCH_TEST_OK(scene_set_pose(&gpu, HATCH_NONE, 0, &scratch, &err), &err);
-    HATCH_TEST_OK(lines_make(&gpu, &style, &shaders, (uint64_t)1 << 30, &keep, &scratch, &lines, &err), &err);
-    renderer = (struct renderer){.shaders = shaders,
-                                 .style = {.inks = {.paper = {1, 1, 1}}, .curve = {.gamma = 1}, .hatch_scale = 1},
-                                 .scene = &gpu,
-                                 .lines = &lines,
-                                 .size_max_px = context.size_max_px};
-    HATCH_TEST_OK(renderer_prepare(&renderer, TECHNIQUE_GOURAUD, &scratch, &err), &err);
+    const struct line_overlay_style style = {.lines = {.kinds = kinds, .width_px = width_px, .crease_rad = CREASE_RAD}};
+    frame_open(mesh, &frame_unit, NULL, &frame);
+    frame.shown.style.curve.high = 0;
+    HATCH_TEST_OK(line_overlay_make(&lines, &frame.on_gpu, &style, &frame.shown.programs, &frame.args, &frame.err),
+                  &frame.err);
+    frame.lines = &lines;
 }
 
 /* The ink of each pixel, lowest row last; drawn in tiles of target_px. */
 static struct hatch_image draw(const struct hatch_view *view, uint32_t target_px, uint32_t side)
 {
+    const struct picture picture = frame_picture(&frame, "gouraud");
     struct hatch_image image;
-    struct target target;
+    struct canvas canvas;
     HATCH_TEST_OK(hatch_image_make(&keep, 400, 400, "RGB", &image, &err), &err);
-    HATCH_TEST_OK(target_make(target_px, target_px, side, &renderer.shaders, &target, &err), &err);
-    HATCH_TEST_OK(picture_draw(&renderer, TECHNIQUE_GOURAUD, view, &target, &image, &err), &err);
-    target_free(&target);
+    HATCH_TEST_OK(canvas_make(target_px, target_px, side, &frame.shown.programs, &canvas, &err), &err);
+    HATCH_TEST_OK(picture_draw(&picture, view, &canvas, &image, &err), &err);
+    canvas_free(&canvas);
     for (uint32_t i = 0; i < 3 * 400 * 400; i++)
         image.pixels[i] = 1 - image.pixels[i];
     return image;
@@ -264,7 +251,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines picture");
     TCase *tests = tcase_create("pictures");
-    tcase_add_checked_fixture(tests, begin_context, end_context);
+    tcase_add_checked_fixture(tests, begin_frame, end_frame);
     tcase_add_loop_test(tests, ink_is_width_times_length, 0, 6);
     tcase_add_test(tests, nine_edges_of_a_cube_are_seen);
     tcase_add_loop_test(tests, a_sphere_is_one_even_ring, 0, 3);

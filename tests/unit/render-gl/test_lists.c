@@ -31,7 +31,7 @@ static void make_case(int i)
                             .fade_size = i % 2};
     for (uint32_t k = 0; k < how.layers; k++)
         how.angle_rad[k] = turns_rad[(level(i, 1) + (int)k) % LEVELS] + 0.1 * k;
-    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
 }
 
 START_TEST(lists_and_all_seeds_give_one_picture)
@@ -44,18 +44,18 @@ START_TEST(lists_and_all_seeds_give_one_picture)
     frame_arenas(&frame);
     make_case(_i);
     struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 400);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
-    frame.renderer.style.curve.high = tones[level(_i, 2)];
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
+    frame.shown.style.curve.high = tones[level(_i, 2)];
     for (int all = 0; all < 2; all++) {
-        seeds_free(&frame.renderer.seeds);
-        frame.renderer.all_seeds = all;
+        frame_forget(&frame);
+        rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &pictures[all]);
     }
     double worst = frame_difference(&pictures[0], &pictures[1]);
     ck_assert_msg(worst <= 1 / 255.0, "%.2f/255", 255 * worst);
     ck_assert_double_gt(frame_ink(&pictures[0]), 0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

@@ -22,9 +22,9 @@ static const struct cut whole = {.count = 3, .materials = 1, .place = place_turn
 static void make_model(void)
 {
     static const struct model_how how_drawn = {.layers = 2, .tile_px = 40, .length_px = 14, .width_px = 2};
-    model_make(&how_drawn, &frame.arena, &frame.scratch, &rptam);
-    frame.renderer.rptam = &rptam;
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 0.5;
+    model_make(&how_drawn, &frame.args.keep, &frame.args.scratch, &rptam);
+    frame.model = &rptam;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 0.5;
 }
 
 /* Near a torus's face, off its normal. */
@@ -41,8 +41,8 @@ static struct hatch_view view_near(const struct hatch_mesh *mesh, double distanc
         choice.target[k] = 0.3 * corner[0][k] + 0.3 * corner[1][k] + 0.4 * corner[2][k] + shift[k];
         choice.eye[k] = choice.target[k] + distance * (0.9 * normal[k] + 0.44 * side[k]);
     }
-    HATCH_TEST_OK(hatch_view_make(&choice, &frame.gpu.pose, NULL, &frame.gpu.bounds, (double)WIDE / HIGH,
-                                  &frame.scratch, &view, &frame.err),
+    const struct hatch_framing framing = {.bounds = &frame.on_gpu.unit.bounds, .aspect = (double)WIDE / HIGH};
+    HATCH_TEST_OK(hatch_view_make(&choice, &frame.on_gpu.unit.pose, &framing, &frame.args.scratch, &view, &frame.err),
                   &frame.err);
     return view;
 }
@@ -62,10 +62,10 @@ START_TEST(lapped_surfaces_hold)
     make_model();
     struct hatch_view view = view_near(&torus, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[0]);
-    ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
-    struct hatch_mesh last = patch_of(&torus, &whole, whole.count - 1);
+    ck_assert_ptr_nonnull(hatch_near_item_at(&frame.shown.near.found, 0));
+    struct hatch_mesh last = patch_of(&torus, &whole, whole.count - 1, &frame.args.keep, &frame.err);
     frame_close(&frame);
-    frame_begin(&last, &frame_unit, NULL, &frame);
+    frame_open(&last, &frame_unit, NULL, &frame);
     make_model();
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[1]);
     double ink = 0;
@@ -73,7 +73,7 @@ START_TEST(lapped_surfaces_hold)
         ink += 1 - (double)pictures[1].pixels[i];
     ck_assert_double_gt(ink, 3 * WIDE * HIGH * 0.1);
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -84,20 +84,20 @@ START_TEST(surfaces_may_move)
     struct hatch_image pictures[3];
     begin();
     struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
-    frame_begin(&torus, &frame_unit, NULL, &frame);
+    frame_open(&torus, &frame_unit, NULL, &frame);
     make_model();
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)
             frame.scene.nodes[0].translation[k] = i == 1 ? (float)away[k] : 0.0f;
-        HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, i, &frame.scratch, &frame.err), &frame.err);
+        HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, i, &frame.args.scratch, &frame.err), &frame.err);
         struct hatch_view view = view_near(&torus, 0x1p-30, i == 1 ? away : nowhere);
         frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &pictures[i]);
-        ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
+        ck_assert_ptr_nonnull(hatch_near_item_at(&frame.shown.near.found, 0));
     }
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[2]), 0);
     /* Sums of coordinates of other sizes are rounded otherwise, by 2^-23 of the distance or less. */
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 0.02);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -110,26 +110,24 @@ START_TEST(skinned_surfaces_hold)
     struct hatch_image plain, skinned;
     begin();
     struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 700);
-    frame_begin(&plane, &frame_unit, NULL, &frame);
+    frame_open(&plane, &frame_unit, NULL, &frame);
     make_model();
     struct hatch_view view = view_near(&plane, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &plain);
-    renderer_free(&frame.renderer);
-    scene_free(&frame.gpu);
-    context_close(&frame.context);
+    frame_close(&frame);
     frame_hang(&plane, &frame);
-    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    frame_open_scene(NULL, &frame_unit, NULL, &frame);
     make_model();
     for (int moved = 0; moved < 3; moved++) {
         for (int i = 0; i < 6; i++)
             frame.scene.nodes[1 + i / 3].translation[i % 3] = moved == 1 ? (float)away[i % 3] : 0;
-        HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, moved, &frame.scratch, &frame.err), &frame.err);
+        HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, moved, &frame.args.scratch, &frame.err), &frame.err);
         view = view_near(&plane, distance, moved == 1 ? away : nowhere);
         frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &skinned);
-        ck_assert_ptr_nonnull(near_find(&frame.renderer.near, 0));
+        ck_assert_ptr_nonnull(hatch_near_item_at(&frame.shown.near.found, 0));
         ck_assert_double_le(frame_difference(&plain, &skinned), 0.02);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -137,24 +135,24 @@ END_TEST
 START_TEST(too_little_memory_is_a_status)
 {
     static const struct hatch_tile tile = {0, 0, WIDE, HIGH, WIDE, HIGH};
-    const struct near_wish wish = {.pieces = true, .hatch = {1, 0}, .tile = &tile};
     uint32_t refused = 0;
     begin();
     struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
-    frame_begin(&torus, &frame_unit, NULL, &frame);
+    frame_open(&torus, &frame_unit, NULL, &frame);
     struct hatch_view view = view_near(&torus, 0x1p-30, nowhere);
     for (uint64_t bytes = 1024; bytes < (uint64_t)64 << 20; bytes += bytes / 3) {
-        struct near near = {.is_open = false};
+        const struct hatch_near_options options = {.pieces = true, .turn = {1, 0}, .tile = &tile, .max_memory = bytes};
+        struct hatch_near near = {.is_open = false};
         enum hatch_status status = HATCH_LIMIT;
         for (int again = 0; again < 3; again++)
-            status = near_begin(&near, &frame.gpu, &wish, &view, bytes, &frame.err);
+            status = hatch_near_find(&near, &frame.on_gpu.unit, &options, &view, &frame.err);
         ck_assert(status == HATCH_OK || status == HATCH_LIMIT);
-        ck_assert_int_eq(near_find(&near, 0) != NULL, status == HATCH_OK);
+        ck_assert_int_eq(hatch_near_item_at(&near, 0) != NULL, status == HATCH_OK);
         refused += status == HATCH_LIMIT;
-        near_free(&near);
+        hatch_near_free(&near);
     }
     ck_assert_uint_gt(refused, 3);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

@@ -18,8 +18,8 @@ static void begin_plane(void)
         texcoord[2 * v] = position[3 * v];
         texcoord[2 * v + 1] = -position[3 * v + 1];
     }
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
 }
 
 /* A stroke by where it stands in the plane of texture coordinates, and in the picture. */
@@ -55,7 +55,7 @@ static void find_alone(struct stroke *strokes, uint32_t count, double pixels, do
 /* The picture shows 2 span of the plane around its middle. Returns how many strokes show well. */
 static uint32_t read_strokes(double span, double size_px, struct stroke *strokes, uint32_t count)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(&frame.arena);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame.args.keep);
     struct hatch_image picture;
     struct hatch_view view = {.eye = {0, 0, 5},
                               .right = {1, 0, 0},
@@ -81,7 +81,7 @@ static uint32_t read_strokes(double span, double size_px, struct stroke *strokes
         stroke->ink = ink;
         there += ink > 0.5;
     }
-    hatch_arena_rewind(&frame.arena, mark);
+    hatch_arena_rewind(&frame.args.keep, mark);
     return there;
 }
 
@@ -100,9 +100,9 @@ START_TEST(strokes_only_go_while_the_plane_goes_away)
     how.solid = true;
     how.candidates = 50;
     frame_arenas(&frame);
-    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
     uint32_t count = list_strokes(strokes), first = 0, last = 0;
     for (int i = 0; i < FRAMES; i++) {
         last = read_strokes(exp2(i / 32.0), how.length_px, strokes, count);
@@ -111,7 +111,7 @@ START_TEST(strokes_only_go_while_the_plane_goes_away)
     ck_assert_uint_gt(first, count / 2);
     ck_assert_uint_lt(last, first / 2);
     ck_assert_uint_gt(last, 0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

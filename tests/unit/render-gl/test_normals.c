@@ -1,5 +1,5 @@
 /* Normal maps of one normal everywhere: light on a plane is then known. */
-#include "render-gl/normals.h"
+#include "render-gl/scene/normals.h"
 #include "render_frame.h"
 #include "render_map.h"
 
@@ -33,13 +33,13 @@ static void begin(int turn, bool mirrored, bool own)
             mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
     if (jointed) {
         frame_hang(&mesh, &frame);
-        frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+        frame_open_scene(NULL, &frame_unit, NULL, &frame);
     } else {
-        frame_begin(&mesh, &frame_unit, NULL, &frame);
+        frame_open(&mesh, &frame_unit, NULL, &frame);
     }
-    frame.renderer.style.pixel_light = true;
-    frame.renderer.style.light = (struct own_light){
-        .wanted = true, .azimuth_rad = atan2(to_light[0], to_light[2]), .elevation_rad = asin(to_light[1])};
+    frame.shown.style.pixel_light = true;
+    frame.shown.style.light = (struct hatch_key_light){
+        .replaces = true, .azimuth_rad = atan2(to_light[0], to_light[2]), .elevation_rad = asin(to_light[1])};
 }
 
 static void set_normal(double x, double y, double z, double strength)
@@ -50,14 +50,14 @@ static void set_normal(double x, double y, double z, double strength)
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
     glTextureStorage2D(texture, 1, GL_RGBA32F, 1, 1);
     glTextureSubImage2D(texture, 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel);
-    HATCH_TEST_OK(normals_set(&frame.gpu, &frame.gpu.items[0], &map, texture, &frame.arena, &frame.scratch, &frame.err),
+    HATCH_TEST_OK(normals_set(&frame.on_gpu, 0, &map, texture, &frame.args.keep, &frame.args.scratch, &frame.err),
                   &frame.err);
 }
 
 static double light(void)
 {
     struct hatch_image image;
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image);
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &image);
     return (double)image.pixels[3 * (SIZE / 2 * SIZE + SIZE / 2)];
 }
 
@@ -81,7 +81,7 @@ START_TEST(light_is_that_of_the_tilted_normal)
                 double got = light();
                 ck_assert_msg(fabs(got - fmax(want, 0)) <= 1.0 / 255, "turn %d, kind %d, tilt %zu: %g, not %g", turn,
                               kind, i, got, want);
-                frame_end(&frame);
+                frame_finish(&frame);
             }
 }
 END_TEST
@@ -93,7 +93,7 @@ START_TEST(a_flat_map_is_none)
     double bare = light();
     set_normal(128 / 127.5 - 1, 128 / 127.5 - 1, 1, 1);
     ck_assert_double_eq_tol(light(), bare, 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -105,16 +105,16 @@ START_TEST(joints_turn_what_is_tilted)
     set_normal(0.6, 0, 0.8, 1);
     for (int i = 1; i <= 2; i++)
         frame.scene.nodes[i].rotation[2] = frame.scene.nodes[i].rotation[3] = (float)sqrt(0.5);
-    HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 0, &frame.scratch, &frame.err), &frame.err);
+    HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, 0, &frame.args.scratch, &frame.err), &frame.err);
     ck_assert_double_eq_tol(light(), 0.6 * to_light[1] + 0.8 * to_light[2], 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
 /* The other side of a plane leans as that side shows it. */
 START_TEST(from_behind_all_is_turned_round)
 {
-    struct hatch_view behind = map_facing;
+    struct hatch_view behind = view_facing;
     behind.eye[2] = -2;
     behind.right[0] = -1;
     behind.back[2] = -1;
@@ -124,7 +124,7 @@ START_TEST(from_behind_all_is_turned_round)
     frame_draw(&frame, "gouraud", &behind, SIZE, SIZE, 1, &image);
     double want = 0.6 * to_light[0] + 0.8 * to_light[2]; /* -n, seen in a camera whose right is -x */
     ck_assert_double_eq_tol((double)image.pixels[3 * (SIZE / 2 * SIZE + SIZE / 2)], want, 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

@@ -67,17 +67,17 @@ static void draw_both(int scene, double low, double high, struct raster *raster,
     static struct hatch_view view;
     set_view(scene, &view);
     mesh = frame_shape(&frame, scenes[scene].shape, scenes[scene].faces);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
-    frame.renderer.style.curve.low = low;
-    frame.renderer.style.curve.high = high;
-    frame.renderer.style.light = (struct own_light){true, -0.7, 0.7};
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
+    frame.shown.style.curve.low = low;
+    frame.shown.style.curve.high = high;
+    frame.shown.style.light = (struct hatch_key_light){true, -0.7, 0.7};
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, picture);
     *raster = (struct raster){.mesh = &mesh, .view = &view, .size = SIZE};
     for (int k = 0; k < 3; k++)
         raster->to_light[k] =
             cos(0.7) * sin(-0.7) * view.right[k] + sin(0.7) * view.up[k] + cos(0.7) * cos(-0.7) * view.back[k];
-    raster_draw(raster, &frame.arena);
+    raster_draw(raster, &frame.args.keep);
 }
 
 START_TEST(pictures_are_algorithm_2)
@@ -87,7 +87,7 @@ START_TEST(pictures_are_algorithm_2)
     double worst = 0, ink = 0;
     uint32_t inside = 0, at = 0, shown = 0;
     frame_arenas(&frame);
-    model_make(&models[_i % MODELS], &frame.arena, &frame.scratch, &rptam);
+    model_make(&models[_i % MODELS], &frame.args.keep, &frame.args.scratch, &rptam);
     draw_both(_i / MODELS, 0.05, 0.7, &raster, &picture);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         shown += isfinite(raster.pixels[i].w) ? 1 : 0;
@@ -106,7 +106,7 @@ START_TEST(pictures_are_algorithm_2)
     ck_assert_double_gt(ink / inside, 0.05);
     ck_assert_uint_gt(inside, shown * 3 / 4);
     ck_assert_uint_gt(shown, SIZE * SIZE / 8);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

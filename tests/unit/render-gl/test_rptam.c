@@ -13,8 +13,8 @@ static struct hatch_rptam rptam;
 static void begin_plane(void)
 {
     struct hatch_mesh mesh = frame_plane(&frame, 200);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
 }
 
 /* From the front; the picture shows `span` by `span` of the texture's plane around its middle. */
@@ -49,7 +49,7 @@ static double compare(double span, double tone)
     struct hatch_image picture;
     struct hatch_view view = view_of(span);
     double amounts[HATCH_RPTAM_LAYERS_MAX], worst = 0;
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = tone;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = tone;
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
     hatch_rptam_amounts(&rptam, tone, amounts);
     for (uint32_t y = 0; y < SIZE; y++)
@@ -123,14 +123,14 @@ START_TEST(a_plane_is_the_model)
 {
     static const double spans[] = {1, 0.7, 0.31, 0.11};
     frame_arenas(&frame);
-    model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
+    model_make(&looks[_i], &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
     for (int i = 0; i < 4; i++)
         for (int tone = 1; tone <= 3; tone++) {
             double worst = compare(spans[i], 0.13 * tone);
             ck_assert_msg(worst <= 1 / 255.0, "span %g, tone %d: %g", spans[i], tone, worst);
         }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -141,19 +141,19 @@ START_TEST(lists_hold_every_stroke_that_shows)
     struct hatch_view view = view_of(0.8);
     view.half_height = 1.5;
     frame_arenas(&frame);
-    model_make(&looks[_i], &frame.arena, &frame.scratch, &rptam);
+    model_make(&looks[_i], &frame.args.keep, &frame.args.scratch, &rptam);
     struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 800);
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.rptam = &rptam;
-    frame.renderer.style.curve.exposure = 1;
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.model = &rptam;
+    frame.shown.style.curve.exposure = 1;
     for (int all = 0; all < 2; all++) {
-        seeds_free(&frame.renderer.seeds);
-        frame.renderer.all_seeds = all;
+        frame_forget(&frame);
+        rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 2, &pictures[all]);
     }
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 1 / 255.0);
     ck_assert_double_gt(frame_ink(&pictures[0]), 0.02);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -164,9 +164,9 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
     /* dots: only whether they are there counts */
     const struct model_how how = {.seeds = 16, .tile_px = SIZE, .length_px = 4, .width_px = 4, .overlap = 1};
     frame_arenas(&frame);
-    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
-    frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
     struct hatch_view view = view_of(1); /* depth 0 */
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &near_picture);
     view = view_of(2);
@@ -186,7 +186,7 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
         }
     ck_assert_uint_gt(dots, 20);
     ck_assert_uint_eq(lost, 0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -197,21 +197,21 @@ START_TEST(layers_differ_in_everything)
     frame_arenas(&frame);
     struct hatch_rptam_style style;
     struct hatch_image dot, brush, grain;
-    model_style(&looks[3], &frame.arena, &brush, &style);
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, 3, 3, "A", &dot, &frame.err), &frame.err);
+    model_style(&looks[3], &frame.args.keep, &brush, &style);
+    HATCH_TEST_OK(hatch_image_make(&frame.args.keep, 3, 3, "A", &dot, &frame.err), &frame.err);
     dot.pixels[4] = 1;
-    HATCH_TEST_OK(hatch_image_make(&frame.arena, 2, 2, "A", &grain, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_image_make(&frame.args.keep, 2, 2, "A", &grain, &frame.err), &frame.err);
     grain.pixels[1] = grain.pixels[2] = 1;
     style.layers[0] = (struct hatch_rptam_layer_style){0.4, 1, 2.5, 7, 7, 33, 0.6, &dot, NULL, false};
     style.layers[1].high = 0.9;
     style.layers[2] = (struct hatch_rptam_layer_style){0, 0.5, 0, 12, 2, 50, 1, &brush, &grain, true};
-    model_of_style(&looks[3], &style, &frame.arena, &frame.scratch, &rptam);
+    model_of_style(&looks[3], &style, &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
     for (int tone = 1; tone <= 4; tone++) {
         double worst = compare(0.45, rptam.darkest * tone / 4);
         ck_assert_msg(worst <= 1 / 255.0, "tone %d: %g", tone, worst);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -226,7 +226,7 @@ START_TEST(more_layers_than_tones)
     how.ink = 0.5;
     for (uint32_t i = 0; i < how.layers; i++)
         how.angle_rad[i] = i;
-    model_make(&how, &frame.arena, &frame.scratch, &rptam);
+    model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
     hatch_rptam_amounts(&rptam, rptam.darkest / 8, amounts);
     ck_assert_double_gt(amounts[0], 0.99);
@@ -235,7 +235,7 @@ START_TEST(more_layers_than_tones)
         double worst = compare(0.7, rptam.darkest * tone / 8);
         ck_assert_msg(worst <= 1 / 255.0, "tone %d: %g", tone, worst);
     }
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -246,13 +246,14 @@ START_TEST(no_layer_is_paper)
     const struct hatch_rptam_style none = {.overlap = 0.5};
     const struct hatch_seeds no_sets = {0};
     frame_arenas(&frame);
-    HATCH_TEST_OK(hatch_rptam_make(&no_sets, &none, &frame.arena, &frame.scratch, &rptam, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_rptam_make(&no_sets, &none, &frame.args.keep, &frame.args.scratch, &rptam, &frame.err),
+                  &frame.err);
     begin_plane();
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
     for (uint32_t i = 0; i < 3 * SIZE * SIZE; i++)
         ck_assert_float_eq(picture.pixels[i], 1);
     ck_assert_double_eq(rptam.darkest, 0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

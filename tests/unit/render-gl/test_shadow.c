@@ -15,7 +15,7 @@ static struct test_frame frame;
 static struct hatch_mesh plane_and_square(void)
 {
     struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_mesh_make(&frame.arena, 8, 4, &mesh, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_mesh_make(&frame.args.keep, 8, 4, &mesh, &frame.err), &frame.err);
     for (uint32_t v = 0; v < 8; v++) {
         float half = v < 4 ? 2.0f : (float)HALF, *at = mesh.attributes[0].data + 3 * v;
         at[0] = v & 1 ? half : -half;
@@ -27,30 +27,29 @@ static struct hatch_mesh plane_and_square(void)
         for (uint32_t i = 0; i < 6; i++)
             mesh.indices[6 * q + i] = 4 * q + corners[i];
     }
-    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.arena, &frame.scratch, &mesh, 1, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_mesh_add_normals(&frame.args.keep, &frame.args.scratch, &mesh, 1, &frame.err), &frame.err);
     return mesh;
 }
 
 static void set_shadows(double width)
 {
-    frame.renderer.style.curve.ambient = AMBIENT;
-    frame.renderer.style.curve.exposure = 1;
-    frame.renderer.style.pixel_light = true;
-    frame.renderer.style.shadows = width > 0;
-    frame.renderer.style.shadow_edge = width;
+    frame.shown.style.curve.ambient = AMBIENT;
+    frame.shown.style.curve.exposure = 1;
+    frame.shown.style.pixel_light = true;
+    frame.shown.style.shadows = width > 0;
+    frame.shown.style.shadow_edge = width;
 }
 
 static void forget(void)
 {
-    renderer_free(&frame.renderer);
-    memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+    frame_forget(&frame);
 }
 
 /* The middle row's brightness from left to right. */
 static void draw_row(float row[SIZE])
 {
     struct hatch_image image;
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image);
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &image);
     for (uint32_t x = 0; x < SIZE; x++)
         row[x] = image.pixels[3 * ((size_t)SIZE / 2 * SIZE + x)];
 }
@@ -103,10 +102,10 @@ START_TEST(sun_casts_a_square)
     for (size_t i = 0; i < 3; i++) {
         frame_arenas(&frame);
         struct hatch_mesh mesh = plane_and_square();
-        frame_begin(&mesh, &frame_unit, NULL, &frame);
-        frame.renderer.style.light = (struct own_light){.wanted = true, .azimuth_rad = atan(1)};
+        frame_open(&mesh, &frame_unit, NULL, &frame);
+        frame.shown.style.light = (struct hatch_key_light){.replaces = true, .azimuth_rad = atan(1)};
         check_edges(-HEIGHT - HALF, -HEIGHT + HALF, widths[i]);
-        frame_end(&frame);
+        frame_finish(&frame);
     }
 }
 END_TEST
@@ -119,9 +118,9 @@ END_TEST
 static void begin_lamps(enum hatch_light_type type, uint32_t count)
 {
     struct hatch_mesh mesh = plane_and_square();
-    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.arena, &frame.scene, &frame.err), &frame.err);
-    struct hatch_node *nodes = HATCH_NEW(&frame.arena, struct hatch_node, count + 1, &frame.err);
-    struct hatch_light *lights = HATCH_NEW(&frame.arena, struct hatch_light, count, &frame.err);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.args.keep, &frame.scene, &frame.err), &frame.err);
+    struct hatch_node *nodes = HATCH_NEW(&frame.args.keep, struct hatch_node, count + 1, &frame.err);
+    struct hatch_light *lights = HATCH_NEW(&frame.args.keep, struct hatch_light, count, &frame.err);
     double turn = atan2(LAMP_X, LAMP_HEIGHT - HEIGHT);
     nodes[0] = frame.scene.nodes[0];
     for (uint32_t i = 0; i < count; i++) {
@@ -142,7 +141,7 @@ static void begin_lamps(enum hatch_light_type type, uint32_t count)
     frame.scene.node_count = count + 1;
     frame.scene.lights = lights;
     frame.scene.light_count = count;
-    frame_begin_scene(NULL, &frame_unit, NULL, &frame);
+    frame_open_scene(NULL, &frame_unit, NULL, &frame);
 }
 
 START_TEST(lamps_cast_larger_squares)
@@ -153,7 +152,7 @@ START_TEST(lamps_cast_larger_squares)
         frame_arenas(&frame);
         begin_lamps(types[i], 1);
         check_edges(LAMP_X + (-HALF - LAMP_X) * grown, LAMP_X + (HALF - LAMP_X) * grown, 0.03);
-        frame_end(&frame);
+        frame_finish(&frame);
     }
 }
 END_TEST
@@ -164,27 +163,26 @@ START_TEST(shadows_have_their_maps)
     static const struct {
         enum hatch_light_type type;
         uint32_t count;
-    } cases[] = {{HATCH_LIGHT_POINT, SHADOW_LAYERS / 6},
-                 {HATCH_LIGHT_POINT, SHADOW_LAYERS / 6 + 3},
-                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS},
-                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS + 8}};
+    } cases[] = {{HATCH_LIGHT_POINT, SHADOW_LAYERS_MAX / 6},
+                 {HATCH_LIGHT_POINT, SHADOW_LAYERS_MAX / 6 + 3},
+                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS_MAX},
+                 {HATCH_LIGHT_SPOT, SHADOW_LAYERS_MAX + 8}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         uint32_t layers = cases[i].type == HATCH_LIGHT_SPOT ? 1 : 6, count = cases[i].count;
-        double through = 1 - fmin(1, SHADOW_LAYERS / layers / (double)count);
+        double through = 1 - fmin(1, SHADOW_LAYERS_MAX / layers / (double)count);
         float bare[SIZE], row[SIZE];
         frame_arenas(&frame);
         begin_lamps(cases[i].type, count);
         set_shadows(0);
         draw_row(bare);
-        renderer_free(&frame.renderer);
-        memset(frame.renderer.programs, 0, sizeof frame.renderer.programs);
+        frame_forget(&frame);
         set_shadows(0.03);
         draw_row(row);
         int middle = pixel_at(LAMP_X - LAMP_X * LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT));
         double want = AMBIENT + through * ((double)bare[middle] - AMBIENT);
         ck_assert_msg(fabs((double)row[middle] - want) <= 1.0 / 255, "case %zu: %g, not %g", i, (double)row[middle],
                       want);
-        frame_end(&frame);
+        frame_finish(&frame);
     }
 }
 END_TEST
@@ -198,17 +196,17 @@ START_TEST(nothing_shades_itself)
             frame_arenas(&frame);
             struct hatch_mesh mesh =
                 shape ? frame_shape(&frame, HATCH_SHAPE_SPHERE, 3000) : frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
-            frame_begin(&mesh, &frame_unit, NULL, &frame);
-            frame.renderer.style.light =
-                (struct own_light){.wanted = true, .azimuth_rad = 0.37 * turn, .elevation_rad = 0.1 * turn};
+            frame_open(&mesh, &frame_unit, NULL, &frame);
+            frame.shown.style.light =
+                (struct hatch_key_light){.replaces = true, .azimuth_rad = 0.37 * turn, .elevation_rad = 0.1 * turn};
             for (int shadows = 0; shadows < 2; shadows++) {
                 set_shadows(shadows ? 0.03 : 0);
-                frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &image[shadows]);
+                frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &image[shadows]);
                 forget();
             }
             double worst = frame_difference(&image[0], &image[1]);
             ck_assert_msg(worst <= (shape ? 8.0 : 1.0) / 255, "shape %d, turn %d: %g/255", shape, turn, 255 * worst);
-            frame_end(&frame);
+            frame_finish(&frame);
         }
 }
 END_TEST
@@ -218,14 +216,14 @@ START_TEST(tiles_are_one_picture)
     struct hatch_image whole, tiled;
     frame_arenas(&frame);
     struct hatch_mesh mesh = plane_and_square();
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    frame.renderer.style.light = (struct own_light){.wanted = true, .azimuth_rad = 0.7, .elevation_rad = 0.3};
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame.shown.style.light = (struct hatch_key_light){.replaces = true, .azimuth_rad = 0.7, .elevation_rad = 0.3};
     set_shadows(0.05);
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 2, &whole);
-    frame.renderer.size_max_px = SIZE;
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 2, &tiled);
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 2, &whole);
+    frame.shown.size_max_px = SIZE;
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 2, &tiled);
     ck_assert_double_le(frame_difference(&whole, &tiled), 1.0 / 255);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 
@@ -237,29 +235,29 @@ START_TEST(shadows_follow_lights_and_poses)
     struct hatch_mesh mesh = plane_and_square();
     for (uint32_t v = 4; v < 8; v++)
         mesh.attributes[0].data[3 * v] += 0.3f;
-    frame_begin(&mesh, &frame_unit, NULL, &frame);
-    struct own_light *light = &frame.renderer.style.light;
-    *light = (struct own_light){.wanted = true, .azimuth_rad = 0.5, .elevation_rad = 0.1};
+    frame_open(&mesh, &frame_unit, NULL, &frame);
+    struct hatch_key_light *light = &frame.shown.style.light;
+    *light = (struct hatch_key_light){.replaces = true, .azimuth_rad = 0.5, .elevation_rad = 0.1};
     set_shadows(0.05);
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &before);
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &before);
     for (int turned = 0; turned < 2; turned++) {
         if (turned) {
             frame.scene.nodes[0].rotation[2] = 1;
             frame.scene.nodes[0].rotation[3] = 0;
-            HATCH_TEST_OK(scene_set_pose(&frame.gpu, HATCH_NONE, 1, &frame.scratch, &frame.err), &frame.err);
+            HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, 1, &frame.args.scratch, &frame.err), &frame.err);
         } else {
             light->azimuth_rad = -0.4;
         }
-        frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &kept);
+        frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &kept);
         forget();
-        frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &fresh);
+        frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &fresh);
         ck_assert_double_le(frame_difference(&kept, &fresh), 0);
         ck_assert_double_gt(frame_difference(&kept, &before), 0.2);
         before = kept;
     }
-    frame_draw(&frame, "gouraud", &map_facing, SIZE, SIZE, 1, &kept);
+    frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &kept);
     ck_assert_double_le(frame_difference(&kept, &fresh), 0);
-    frame_end(&frame);
+    frame_finish(&frame);
 }
 END_TEST
 

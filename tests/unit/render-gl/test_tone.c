@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "filter/difference.h"
+#include "render-gl/scene/attributes.h"
 #include "render_frame.h"
 #include "tam_map.h"
 
@@ -22,13 +23,13 @@ static void begin(void)
     map_fill(&map);
     frame_arenas(&frame);
     mesh = frame_shape(&frame, HATCH_SHAPE_TEAPOT, 10000);
-    frame_begin(&mesh, &teapot_bounds, &map.tam, &frame);
-    frame.renderer.style.light = (struct own_light){.azimuth_rad = -0.7, .elevation_rad = 0.7};
+    frame_open(&mesh, &teapot_bounds, &map.tam, &frame);
+    frame.shown.style.light = (struct hatch_key_light){.azimuth_rad = -0.7, .elevation_rad = 0.7};
 }
 
 static void end(void)
 {
-    frame_end(&frame);
+    frame_finish(&frame);
     map_end();
 }
 
@@ -43,7 +44,9 @@ static struct hatch_view view_from(double distance)
 
 static void set_repeat(const struct hatch_view *view)
 {
-    HATCH_TEST_OK(repeat_set(&frame.gpu, 0, view, HEIGHT, 256, 4, &frame.scratch, &frame.err), &frame.err);
+    const struct hatch_uv_repeat how = {.view = view, .height_px = HEIGHT, .size_px = 256, .levels = 4};
+    HATCH_TEST_OK(scene_set_repeats(&frame.on_gpu, &how, &frame.args.keep, &frame.args.scratch, &frame.err),
+                  &frame.err);
 }
 
 /* The low pass is a box of half the map's side: what the eye blends at reading distance. */
@@ -60,7 +63,8 @@ START_TEST(strokes_have_the_tone_of_the_light)
         double low, ink = 1 - 0.99;
         frame_draw(&frame, "tam", &view, WIDTH, HEIGHT, 2, &strokes);
         frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
-        HATCH_TEST_OK(hatch_image_low_difference(&strokes, &tone, 128, &frame.scratch, &low, &frame.err), &frame.err);
+        HATCH_TEST_OK(hatch_image_low_difference(&strokes, &tone, 128, &frame.args.scratch, &low, &frame.err),
+                      &frame.err);
         ck_assert_msg(low <= 0.03, "at %g: %g", distances[i], low);
         ck_assert_double_lt(hatch_image_mean(&tone), 1 - ink);
     }
@@ -101,9 +105,9 @@ START_TEST(tiles_join_without_a_seam)
         struct hatch_image whole, tiled;
         struct hatch_difference difference;
         frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &whole);
-        frame.renderer.size_max_px = 300; /* of a target: tiles of 150 pixels */
+        frame.shown.size_max_px = 300; /* of a target: tiles of 150 pixels */
         frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &tiled);
-        frame.renderer.size_max_px = frame.context.size_max_px;
+        frame.shown.size_max_px = frame.context.size_max_px;
         hatch_image_difference(&whole, &tiled, &difference);
         ck_assert_msg(difference.rmse < 0.002, "%s: %g", drawn[i], difference.rmse);
     }
@@ -119,7 +123,7 @@ START_TEST(every_technique_has_the_tone)
     struct hatch_view view = view_from(1);
     set_repeat(&view);
     frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
-    for (uint32_t i = 0; i < TECHNIQUE_GOURAUD; i++) {
+    for (uint32_t i = 0; techniques[i] != &technique_gouraud; i++) {
         struct hatch_image image;
         double threshold = strcmp(techniques[i]->name, "tam-threshold") == 0 ? 0.05 : 0.01;
         frame_draw(&frame, techniques[i]->name, &view, WIDTH, HEIGHT, 2, &image);

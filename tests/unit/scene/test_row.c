@@ -1,0 +1,55 @@
+/* Scenes side by side. */
+#include "fail_alloc.h"
+#include "lapped_scene.h"
+#include "meshes.h"
+#include "scene/row.h"
+
+static enum hatch_status row(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                             struct hatch_err *err)
+{
+    struct hatch_scene joined;
+    return hatch_scene_join_row(context, 2, false, keep, scratch, &joined, err);
+}
+
+START_TEST(scenes_stand_in_a_row)
+{
+    struct hatch_scene scene, scenes[2], joined;
+    float world[16 * 8];
+    struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100);
+    struct hatch_mesh large = shape_of(HATCH_SHAPE_SPHERE, 100);
+    for (size_t i = 0; i < 3 * (size_t)large.vertex_count; i++)
+        large.attributes[0].data[i] = 5 * large.attributes[0].data[i] + 7;
+    lapped_scene(&sphere, &caps, &keep, &scene);
+    lapped_scene_skin(&scene, &keep);
+    scenes[0] = scene;
+    lapped_scene(&large, &caps, &keep, &scene);
+    scenes[1] = scene;
+    HATCH_TEST_OK(hatch_scene_join_row(scenes, 2, false, &keep, &scratch, &joined, &err), &err);
+    ck_assert_uint_eq(joined.node_count, 6);
+    ck_assert_uint_eq(joined.nodes[1].parent, 0);
+    ck_assert_uint_eq(joined.skins[0].joints[1], 3);
+    ck_assert_uint_eq(joined.nodes[5].parent, 4);
+    ck_assert_uint_eq(joined.nodes[5].first_mesh, CAPS);
+    ck_assert_uint_eq(joined.meshes[CAPS].material, 2);
+    ck_assert_uint_eq(joined.materials[2].base.texture, 1);
+    hatch_scene_pose(&joined, HATCH_NONE, 0, world);
+    /* A fifth as large, and its middle beside the first by two half widths and a gap. */
+    const float *place = world + 16 * 5;
+    ck_assert_double_eq_tol((double)place[0], 0.2, 0.01);
+    ck_assert_double_eq_tol((double)(place[0] * 7 + place[12]), 2 + 0.2 * sqrt(3), 0.05);
+    ck_assert_double_eq_tol((double)(place[5] * 7 + place[13]), 0, 0.01);
+    ck_assert_uint_gt(hatch_test_fail_alloc(row, scenes, NULL, 0), 8);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("row");
+    TCase *tests = tcase_create("row");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, scenes_stand_in_a_row);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
