@@ -43,8 +43,8 @@ static inline int fuzz_mesh_file(enum hatch_mesh_format format, const uint8_t *d
     double origin[3];
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err = {HATCH_OK, ""};
-    enum hatch_status status = hatch_mesh_read((struct hatch_bytes){data, size}, format, &arenas.keep, &arenas.scratch,
-                                               &mesh, origin, &notes, &err);
+    enum hatch_status status = hatch_mesh_read((struct hatch_mesh_file){{data, size}, format}, &arenas.keep,
+                                               &arenas.scratch, &mesh, origin, &notes, &err);
     fuzz_check(status, &err, &arenas);
     if (status == HATCH_OK)
         fuzz_use_mesh(&mesh, &arenas);
