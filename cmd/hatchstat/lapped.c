@@ -24,7 +24,7 @@ static struct hatch_image *read_masks(struct cmd_args *args, const char *name, c
             continue;
         struct hatch_bytes file = {scene->textures[t].data, scene->textures[t].size};
         if (hatch_png_read(file, &args->keep, &args->scratch, &masks[t], &err) != HATCH_OK) {
-            hatch_fail_at(&err, "mask of material %u: ", m);
+            hatch_fail_at(&err, "outline of material %u: ", m);
             cmd_die(name, &err);
         }
     }

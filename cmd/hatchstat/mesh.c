@@ -80,7 +80,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
             added += part->mesh.vertex_count - part->file_vertices;
         }
     report_row(report, name, figures.vertices - added, origin, &figures);
-    /* Warns of what commands that clean their input would repair. */
+    /* Warns of the faults that commands which clean their input would repair. */
     cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
     cmd_warn_mesh(name, &notes);
 }

@@ -36,7 +36,7 @@ enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks, const ex
                                        const struct hatch_exr_area *area, struct hatch_image *image,
                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees what is not in the arena. */
+/* Frees the memory outside the arena. */
 void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks);
 
 #endif

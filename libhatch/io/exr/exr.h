@@ -53,7 +53,7 @@ enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_bu
 enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch_buffer *head,
                                    struct hatch_bytes *pieces, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees what the writer holds outside its arena: after hatch_exr_pieces, or instead of hatch_exr_end
+/* Frees the writer's memory outside its arena: after hatch_exr_pieces, or instead of hatch_exr_end
  * after a failure. NULL is allowed. */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 

@@ -115,7 +115,7 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
                               width, height);
     }
     if (across < 1 || across > (int32_t)HATCH_MIP_LEVELS_MAX)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels", across);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels, want 1 to %u", across, HATCH_MIP_LEVELS_MAX);
     layout->level_count = (uint32_t)across;
     return HATCH_OK;
 }
@@ -168,7 +168,7 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
     int32_t rows = 0;
     TRY_EXR(r, exr_get_scanlines_per_chunk(r->context, part, &rows));
     if (rows < 1)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d rows in a chunk", rows);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d rows in a chunk, want at least 1", rows);
     layout->level_count = 1;
     layout->chunk_width = layout->width;
     layout->chunk_height = (uint32_t)rows;

@@ -19,7 +19,7 @@ enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *nam
 /* Writes a scene: nodes, meshes (a node's meshes as the primitives of one glTF mesh, in order), materials,
  * textures, cameras, lights, skins, animations. A material with `outline` is written as a blended one
  * whose baseColorTexture uses TEXCOORD_1, with extras {"hatch": "outline"}. hatch_gltf_read gives the same
- * scene except for what is not written: meshes without faces, images that are neither PNG nor JPEG, skins
+ * scene except for parts that are not written: meshes without faces, images that are neither PNG nor JPEG, skins
  * without joints, animations without channels.
  *   scene    two nodes' ranges of meshes are equal or disjoint
  *   comment  asset.extras.hatch (random seed, options); may be NULL

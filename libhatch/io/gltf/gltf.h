@@ -28,7 +28,7 @@ struct hatch_gltf_resolver {
  *   resolver  NULL: no companion file can be read
  *   scene     out: in arena; unchanged on failure
  *   notes     counted up
- * HATCH_BAD_INPUT for what the format forbids and for other required extensions, which err names. */
+ * HATCH_BAD_INPUT for violations of the format and for other required extensions, which err names. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver,
                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,
                                   struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;

@@ -60,7 +60,8 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     else if (sampler.interpolation == "LINEAR")
         channel->interpolation = HATCH_LINEAR;
     else
-        return bad(r, where, "unknown interpolation");
+        return bad(r, where,
+                   "interpolation " + sampler.interpolation + " is unknown, want STEP, LINEAR or CUBICSPLINE");
     uint32_t count;
     bool weights = channel->path == HATCH_PATH_WEIGHTS;
     int components = weights ? 1 : static_cast<int>(hatch_channel_width(channel));

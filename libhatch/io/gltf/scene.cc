@@ -238,7 +238,7 @@ enum hatch_status read_cameras(Reader &r)
                                      : to->yfov_rad > 0 && to->yfov_rad < 3.14159f && to->znear > 0;
         if (!size || !(to->zfar == 0 || to->zfar > to->znear) || !std::isfinite(to->zfar) || !(to->aspect >= 0) ||
             !std::isfinite(to->aspect) || !std::isfinite(to->ymag))
-            return bad(r, place("camera", i), "a size is out of range");
+            return bad(r, place("camera", i), "its size or a clipping distance is out of range");
     }
     r.scene->camera_count = static_cast<uint32_t>(count);
     return HATCH_OK;
@@ -256,7 +256,7 @@ enum hatch_status read_lights(Reader &r)
         std::string where = place("light", i);
         *to = {};
         if (from.type != "directional" && from.type != "point" && from.type != "spot")
-            return bad(r, where, "unknown type");
+            return bad(r, where, "type " + from.type + " is unknown, want directional, point or spot");
         to->type = from.type == "point"  ? HATCH_LIGHT_POINT
                    : from.type == "spot" ? HATCH_LIGHT_SPOT
                                          : HATCH_LIGHT_DIRECTIONAL;

@@ -131,7 +131,7 @@ static enum hatch_status allocate_vertices(struct ply *p, struct hatch_err *err)
     if (!has[HATCH_PLY_X] || !has[HATCH_PLY_Y] || !has[HATCH_PLY_Z])
         return hatch_fail(err, HATCH_BAD_INPUT, "element vertex: no properties x, y and z");
     if (p->element->count > INT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d", INT32_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d vertices", INT32_MAX);
     p->vertex_count = (uint32_t)p->element->count;
     p->positions = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
     if (!p->positions)

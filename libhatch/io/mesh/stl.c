@@ -48,7 +48,7 @@ static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct ha
     if (faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
     if (faces > UINT32_MAX / 3 - 1)
-        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces, UINT32_MAX / 3 - 1);
+        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds at most %u", faces, UINT32_MAX / 3 - 1);
     uint32_t corners = (uint32_t)faces * 3;
     HATCH_TRY(hatch_mesh_make(arena, corners, (uint32_t)faces, mesh, err));
     for (uint32_t i = 0; i < corners; i++)

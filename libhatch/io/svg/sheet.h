@@ -19,7 +19,7 @@ struct hatch_svg_sheet {
     uint32_t others; /* combined selectors and at-rules, which are ignored */
 };
 
-/* Parses style sheets; what is not understood is counted and ignored.
+/* Parses style sheets; unknown rules are counted and ignored.
  *   text  of all sheets; must outlive the sheet
  * HATCH_LIMIT also for more than HATCH_SVG_RULES_MAX selectors. */
 enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_arena *arena, struct hatch_svg_sheet *sheet,

@@ -7,7 +7,7 @@
 #include "base/bytes.h"
 #include "stroke/stroke.h"
 
-/* Counts of what a drawing contains. All but strokes was ignored. */
+/* Counts of a drawing's contents; all but strokes was ignored. */
 struct hatch_svg_notes {
     uint32_t strokes;   /* read */
     uint32_t outside;   /* strokes entirely outside the page */
