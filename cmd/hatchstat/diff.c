@@ -1,4 +1,4 @@
-/* hatchstat diff A B: how far two pictures are from each other. */
+/* hatchstat diff A B: difference of two pictures. */
 #include "filter/difference.h"
 #include "subject.h"
 

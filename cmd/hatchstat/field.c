@@ -1,4 +1,4 @@
-/* hatchstat field FILE ...: the figures of direction fields, a row each. */
+/* hatchstat field FILE ...: figures of direction fields, one row per file. */
 #include "shared/scene.h"
 #include "measure/field_figures.h"
 #include "subject.h"
@@ -38,8 +38,7 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
     struct hatch_field_figures figures;
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     if (reference && reference->mesh_count != scene.mesh_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "meshes: %u, and %u in the reference", scene.mesh_count,
-                   reference->mesh_count);
+        hatch_fail(&err, HATCH_BAD_INPUT, "%u meshes, the reference has %u", scene.mesh_count, reference->mesh_count);
         cmd_die(name, &err);
     }
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
@@ -59,7 +58,7 @@ enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *o
     struct hatch_scene reference;
     if (options->reference)
         cmd_read_scene(args, options->reference, CMD_SCENE_AS_IS, &reference);
-    /* Of one file the name is not repeated: the figures are the same from wherever it comes. */
+    /* The name column is omitted for a single file, so that the output does not depend on its path. */
     cmd_report_begin(&report, args, args->operand_count > 2 ? columns : columns + 1);
     for (int i = 1; i < args->operand_count || i == 1; i++)
         measure(args, options, i < args->operand_count ? args->operands[i] : NULL,

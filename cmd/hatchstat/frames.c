@@ -1,4 +1,4 @@
-/* hatchstat frames A B ...: flicker over a sequence of pictures. */
+/* hatchstat frames A B ...: flicker in a sequence of pictures. */
 #include <math.h>
 
 #include "filter/difference.h"
@@ -9,7 +9,7 @@
 
 static const char *const columns[] = {"frame", "mean", "drift", "change", "pop", "pop_box8", NULL};
 
-/* change: from the frame before; pop: around the frame. NaN where there is no such neighbour. */
+/* change: from the previous frame; pop: from both neighbours. NaN without these. */
 struct figures {
     double mean, change, pop, pop_low;
 };
@@ -27,12 +27,13 @@ static struct hatch_image *load(struct cmd_args *args, int index, bool srgb, str
     hatch_arena_free(arena);
     hatch_arena_init(arena, args->max_memory);
     stat_read_picture(args, path, srgb, arena, image);
-    const struct hatch_image *before = &ring->images[(index + HELD - 1) % HELD];
+    const struct hatch_image *previous = &ring->images[(index + HELD - 1) % HELD];
     struct hatch_err err;
-    if (index > 0 && (image->width != before->width || image->height != before->height ||
-                      image->channel_count != before->channel_count)) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels of %u channels, the frame before has %ux%u of %u", image->width,
-                   image->height, image->channel_count, before->width, before->height, before->channel_count);
+    if (index > 0 && (image->width != previous->width || image->height != previous->height ||
+                      image->channel_count != previous->channel_count)) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels of %u channels, the previous frame has %ux%u of %u",
+                   image->width, image->height, image->channel_count, previous->width, previous->height,
+                   previous->channel_count);
         cmd_die(cmd_input_name(path), &err);
     }
     return image;
@@ -46,17 +47,17 @@ static void measure(struct cmd_args *args, bool srgb, int count, struct figures 
         struct hatch_image *image = load(args, i, srgb, &ring);
         struct hatch_difference difference;
         figures[i] = (struct figures){hatch_image_mean(image), NAN, NAN, NAN};
-        struct hatch_image *one = &ring.images[(i + HELD - 1) % HELD];
+        struct hatch_image *previous = &ring.images[(i + HELD - 1) % HELD];
         if (i >= 1) {
-            hatch_image_difference(one, image, &difference);
+            hatch_image_difference(previous, image, &difference);
             figures[i].change = difference.mean;
         }
-        if (i >= 2) { /* the oldest is not needed again: the second difference takes its place */
-            struct hatch_image *two = &ring.images[(i + HELD - 2) % HELD];
+        if (i >= 2) { /* the second difference overwrites the oldest frame, which is not needed again */
+            struct hatch_image *oldest = &ring.images[(i + HELD - 2) % HELD];
             struct figures *middle = &figures[i - 1];
-            middle->pop = hatch_image_second_difference(two, one, image, two);
-            cmd_check(hatch_image_low_difference(two, NULL, POP_BOX_PX, &args->scratch, &middle->pop_low, &err), NULL,
-                      &err);
+            middle->pop = hatch_image_second_difference(oldest, previous, image, oldest);
+            cmd_check(hatch_image_low_difference(oldest, NULL, POP_BOX_PX, &args->scratch, &middle->pop_low, &err),
+                      NULL, &err);
         }
         cmd_progress("frames", (double)(i + 1) / count);
     }
@@ -74,7 +75,7 @@ static void put_row(struct cmd_report *report, const char *name, const struct fi
     cmd_report_number(report, figures->pop_low);
 }
 
-/* Means over the frames that have the figure; of drift and pop_box8 the largest. */
+/* Means over the frames that have the figure; maxima of drift and pop_box8. */
 static void put_summary(struct cmd_report *report, const struct figures *figures, int count)
 {
     struct figures all = {0, 0, 0, 0};

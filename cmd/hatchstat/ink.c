@@ -1,4 +1,4 @@
-/* hatchstat ink FILE ...: how strokes look in pictures: grey strokes, tone, edges. */
+/* hatchstat ink FILE ...: grey strokes, tone and edges in pictures, one row per file. */
 #include "measure/ink_figures.h"
 #include "subject.h"
 
@@ -23,7 +23,7 @@ enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *opt
     struct hatch_err err;
     if (options->reference)
         stat_read_picture(args, options->reference, options->srgb, NULL, &reference);
-    /* Of one file the name is not repeated: the figures are the same from wherever it comes. */
+    /* The name column is omitted for a single file, so that the output does not depend on its path. */
     bool named = args->operand_count > 2;
     cmd_report_begin(&report, args, named ? columns : columns + 1);
     for (int i = 1; i < args->operand_count; i++) {

@@ -1,10 +1,10 @@
-/* hatchstat lapped [FILE]: how well patches cover a surface, and how true their coordinates are. */
+/* hatchstat lapped [FILE]: coverage and distortion of lapped textures. */
 #include "shared/scene.h"
 #include "io/png/png.h"
 #include "measure/lapped_figures.h"
 #include "subject.h"
 
-#define SEED 1 /* of the samples: the same file has the same figures */
+#define SEED 1 /* of the samples; fixed, so that a file always has the same figures */
 
 static const char *const columns[] = {
     "patches",        "hidden",         "faces",          "patch_faces", "overlap",     "samples",     "covered",
@@ -12,7 +12,7 @@ static const char *const columns[] = {
     "area_p95",       "area_p99",       "area_max",       "angle_p50",   "angle_p95",   "angle_p99",   "angle_max",
     "angle_area_p50", "angle_area_p95", "angle_area_p99", NULL};
 
-/* The pixels of the textures that patches show themselves with. */
+/* Reads the outlines of the patches. */
 static struct hatch_image *read_masks(struct cmd_args *args, const char *name, const struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -24,7 +24,7 @@ static struct hatch_image *read_masks(struct cmd_args *args, const char *name, c
             continue;
         struct hatch_bytes file = {scene->textures[t].data, scene->textures[t].size};
         if (hatch_png_read(file, &args->keep, &args->scratch, &masks[t], &err) != HATCH_OK) {
-            hatch_fail_at(&err, "mask of material %u: ", m);
+            hatch_fail_at(&err, "outline of material %u: ", m);
             cmd_die(name, &err);
         }
     }
@@ -50,13 +50,13 @@ static void put(struct cmd_report *report, const struct hatch_lapped_figures *f)
         cmd_report_number(report, f->angle_area_deg[k]);
 }
 
-/* Each bar that is missed is a warning. NaN misses. */
-static bool holds(const char *name, const struct hatch_lapped_figures *f)
+/* Warns of each limit that is exceeded; NaN exceeds every limit. */
+static bool check_limits(const char *name, const struct hatch_lapped_figures *f)
 {
     const struct {
         const char *what;
-        double value, most;
-    } bars[] = {
+        double value, max;
+    } limits[] = {
         {"uncovered share of the samples", 1 - f->covered, 0},
         {"overlap", f->overlap, 1.5},
         {"flipped faces", f->flipped, 0},
@@ -65,9 +65,9 @@ static bool holds(const char *name, const struct hatch_lapped_figures *f)
         {"angle_p95", f->angle_deg[HATCH_LAPPED_P95], 8},
     };
     bool all = true;
-    for (size_t i = 0; i < sizeof bars / sizeof *bars; i++)
-        if (!(bars[i].value <= bars[i].most)) {
-            cmd_warn(name, "%s: %.6g, want %g at most", bars[i].what, bars[i].value, bars[i].most);
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+        if (!(limits[i].value <= limits[i].max)) {
+            cmd_warn(name, "%s: %.6g, want %g at most", limits[i].what, limits[i].value, limits[i].max);
             all = false;
         }
     return all;
@@ -87,5 +87,5 @@ enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *
     cmd_report_begin(&report, args, columns);
     put(&report, &figures);
     cmd_report_write(&report, output);
-    return !options->check || holds(name, &figures) ? HATCH_OK : HATCH_DIFFERS;
+    return !options->check || check_limits(name, &figures) ? HATCH_OK : HATCH_DIFFERS;
 }

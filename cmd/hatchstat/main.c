@@ -1,4 +1,4 @@
-/* hatchstat: measures what the other commands make. */
+/* hatchstat: measures the files that the other commands make. */
 #include <string.h>
 
 #include "subject.h"
@@ -6,25 +6,26 @@
 static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1, .samples = 100000};
 
 static const struct cmd_option options[] = {
-    {'m', "max-difference", CMD_REAL, 0, 1e9, "X", "diff: exit 1 when the largest difference is over X (default: any)",
-     &values.max_difference, NULL, NULL},
-    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames, ink: measure sRGB numbers in place of linear light", &values.srgb,
-     NULL, NULL},
-    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: its strokes, as tamgen --strokes wrote them", &values.strokes, NULL,
+    {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
+     "diff: exit 1 when the largest difference exceeds X, 0 .. 1e9 (default: no limit)", &values.max_difference, NULL,
      NULL},
-    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: what they were drawn with (default: as FILE says)", &values.style,
+    {0, "srgb", CMD_FLAG, 0, 0, NULL, "diff, frames, ink: measure sRGB values instead of linear light", &values.srgb,
      NULL, NULL},
+    {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "tam: the map's strokes, as tamgen --strokes wrote them", &values.strokes,
+     NULL, NULL},
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: style of the strokes (default: the one that the map names)",
+     &values.style, NULL, NULL},
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: tamgen's --set", &values.settings, NULL, NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
-    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with (default 8)", &values.throws,
-     NULL, NULL},
-    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a bar is missed: see the manual",
+    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with, 1 .. 1000 (default 8)",
+     &values.throws, NULL, NULL},
+    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a limit is missed, see the manual",
      &values.check, NULL, NULL},
-    {'R', "reference", CMD_TEXT, 0, 0, "FILE",
-     "field: the one that is wanted; tones: the map of FILE; ink: another picture", &values.reference, NULL, NULL},
-    {0, "share", CMD_REAL, 0.001, 1, "X", "field: compare where it is most confident (default 1: everywhere)",
+    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: mesh with the true field; ink: picture; tones: map of FILE",
+     &values.reference, NULL, NULL},
+    {0, "share", CMD_REAL, 0.001, 1, "X", "field: share of the points, most confident first, 0.001 .. 1 (default 1)",
      &values.share, NULL, NULL},
-    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: places that are looked at (default 100000)",
+    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: number of sampled places, 1 .. 1e9 (default 100000)",
      &values.samples, NULL, NULL},
     {0},
 };
@@ -32,8 +33,8 @@ static const struct cmd_option options[] = {
 static const struct {
     const char *name;
     int files_min, files_max; /* max -1: any number */
-    const char *want;         /* the same in words */
-    bool checks;              /* --check has a bar there */
+    const char *want;         /* both in words */
+    bool has_check;           /* supports --check */
     stat_measure measure;
 } subjects[] = {
     {"diff", 2, 2, "2", false, stat_diff},
@@ -61,7 +62,7 @@ static const struct cmd_program program = {
     .operands = "SUBJECT [FILE ...]",
     .summary = "measure pictures (diff A B, frames A B ..., ink FILE ...), meshes (mesh FILE ...), "
                "direction fields (field FILE ...), lapped patches (lapped FILE), "
-               "tonal art maps (tam FILE), what was made of them (tones FILE), seed sets (seeds FILE)",
+               "tonal art maps (tam FILE), their volumes and thresholds (tones FILE), seed sets (seeds FILE)",
     .examples = examples,
     .options = options,
     .operands_min = 1,
@@ -80,8 +81,8 @@ int main(int argc, char **argv)
         if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
             cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_noun((uint64_t)files, "file", "files"),
                       subjects[i].want);
-        /* What asks for an exit status must not be passed over. */
-        if (values.check && !subjects[i].checks)
+        /* Options that decide the exit status must not be ignored. */
+        if (values.check && !subjects[i].has_check)
             cmd_usage("%s: --check is for tam, lapped and seeds", subjects[i].name);
         if (values.max_difference >= 0 && subjects[i].measure != stat_diff)
             cmd_usage("%s: --max-difference is for diff", subjects[i].name);

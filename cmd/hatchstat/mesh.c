@@ -1,4 +1,4 @@
-/* hatchstat mesh FILE ...: the figures of meshes and scenes, a row each. */
+/* hatchstat mesh FILE ...: figures of meshes and scenes, one row per file. */
 #include "shared/scene.h"
 #include "measure/mesh_figures.h"
 #include "subject.h"
@@ -16,18 +16,19 @@ static const char *const columns[] = {
     "texels_p95",     NULL};
 /* clang-format on */
 
-/* A mesh far from the origin (hatch_mesh_read) is measured where floats are fine; what was taken off goes to away. */
-static void take_place(struct hatch_scene *scene, double away[3])
+/* Measures a mesh of a single node without its translation, into which hatch_mesh_read moves the position of
+ * meshes far from the origin. */
+static void remove_origin(struct hatch_scene *scene, double origin[3])
 {
     struct hatch_node *node = scene->nodes;
-    bool plain = scene->node_count == 1 && !node->has_matrix && node->skin == HATCH_NONE;
-    for (int k = 0; k < 3 && plain; k++) {
-        away[k] = (double)node->translation[k];
+    bool single = scene->node_count == 1 && !node->has_matrix && node->skin == HATCH_NONE;
+    for (int k = 0; k < 3 && single; k++) {
+        origin[k] = (double)node->translation[k];
         node->translation[k] = 0;
     }
 }
 
-static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double away[3],
+static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double origin[3],
                        const struct hatch_mesh_figures *f)
 {
     const uint32_t counts[] = {file_vertices,      f->faces,      f->points,
@@ -44,9 +45,9 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
         cmd_report_whole(report, faults[i]);
     cmd_report_number(report, f->area);
     for (int k = 0; k < 3; k++)
-        cmd_report_number(report, away[k] + (double)f->low[k]);
+        cmd_report_number(report, origin[k] + (double)f->low[k]);
     for (int k = 0; k < 3; k++)
-        cmd_report_number(report, away[k] + (double)f->high[k]);
+        cmd_report_number(report, origin[k] + (double)f->high[k]);
     cmd_report_number(report, f->edge_min);
     cmd_report_number(report, f->edge_mean);
     cmd_report_number(report, f->edge_max);
@@ -67,19 +68,19 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     struct hatch_mesh_figures figures;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
-    double away[3] = {0, 0, 0};
+    double origin[3] = {0, 0, 0};
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
-    take_place(&scene, away);
+    remove_origin(&scene, origin);
     cmd_check(hatch_scene_flatten(&scene, &args->keep, &args->scratch, &mesh, &err), name, &err);
     cmd_check(hatch_measure_mesh(&mesh, &args->scratch, &figures, &err), name, &err);
-    uint32_t doubled = 0;
+    uint32_t added = 0;
     for (uint32_t n = 0; n < scene.node_count; n++)
         for (uint32_t m = 0; m < scene.nodes[n].mesh_count; m++) {
             const struct hatch_scene_mesh *part = &scene.meshes[scene.nodes[n].first_mesh + m];
-            doubled += part->mesh.vertex_count - part->file_vertices;
+            added += part->mesh.vertex_count - part->file_vertices;
         }
-    report_row(report, name, figures.vertices - doubled, away, &figures);
-    /* What a command that cleans its input would say of this one. */
+    report_row(report, name, figures.vertices - added, origin, &figures);
+    /* Warns of the faults that commands which clean their input would repair. */
     cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
     cmd_warn_mesh(name, &notes);
 }
@@ -88,7 +89,7 @@ enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *op
 {
     (void)options;
     struct cmd_report report;
-    /* Of one file the name is not repeated: the figures are the same from wherever it comes. */
+    /* The name column is omitted for a single file, so that the output does not depend on its path. */
     cmd_report_begin(&report, args, args->operand_count > 2 ? columns : columns + 1);
     if (args->operand_count == 1)
         measure(args, NULL, &report);

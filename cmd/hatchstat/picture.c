@@ -20,7 +20,6 @@ void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struc
         encode_srgb(image);
 }
 
-/* The value of a picture at a texel as red, green, blue, alpha. */
 static void as_rgba(const struct hatch_image *image, size_t texel, float *rgba)
 {
     uint32_t channels = image->channel_count, colors = channels - (channels % 2 == 0);

@@ -1,4 +1,4 @@
-/* hatchstat seeds FILE: the figures of seed sets, a row for each layer. */
+/* hatchstat seeds FILE: figures of seed sets, one row per layer. */
 #include <math.h>
 
 #include "measure/seed_figures.h"
@@ -14,15 +14,15 @@ static void report_row(struct cmd_report *report, uint32_t layer, const struct h
     cmd_report_whole(report, layer);
     cmd_report_whole(report, f->seeds);
     cmd_report_whole(report, f->uneven);
-    cmd_report_number(report, f->whole ? (double)f->astray : (double)NAN);
+    cmd_report_number(report, f->complete ? (double)f->astray : (double)NAN);
     cmd_report_number(report, f->distance);
     cmd_report_number(report, f->distance_sparse);
     cmd_report_number(report, f->distance_random);
     cmd_report_number(report, f->distance_bayer);
-    cmd_report_number(report, f->whole ? f->discrepancy : (double)NAN);
+    cmd_report_number(report, f->complete ? f->discrepancy : (double)NAN);
     cmd_report_number(report, f->correlation);
     for (uint32_t ring = 0; ring < HATCH_SEED_RINGS; ring++)
-        cmd_report_number(report, f->whole ? f->power[ring] : (double)NAN);
+        cmd_report_number(report, f->complete ? f->power[ring] : (double)NAN);
 }
 
 enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
@@ -32,7 +32,7 @@ enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *o
     struct cmd_report report;
     struct hatch_seeds seeds;
     struct hatch_err err;
-    bool good = true;
+    bool passed = true;
     cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &seeds, &err), name, &err);
     cmd_report_begin(&report, args, columns);
     for (uint32_t i = 0; i < seeds.layer_count; i++) {
@@ -40,8 +40,8 @@ enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *o
         cmd_check(hatch_measure_seeds(&seeds.layers[i], (uint32_t)options->throws, &args->scratch, &figures, &err),
                   name, &err);
         report_row(&report, i + 1, &figures);
-        good = good && !figures.uneven && !figures.astray;
+        passed = passed && !figures.uneven && !figures.astray;
     }
     cmd_report_write(&report, output);
-    return options->check && !good ? HATCH_DIFFERS : HATCH_OK;
+    return options->check && !passed ? HATCH_DIFFERS : HATCH_OK;
 }

@@ -1,4 +1,4 @@
-/* What hatchstat measures: one file of this folder each, one line in main.c's table. */
+/* Subjects of hatchstat: each has its own file and a line in main.c's table. */
 #ifndef HATCHSTAT_SUBJECT_H
 #define HATCHSTAT_SUBJECT_H
 
@@ -6,20 +6,20 @@
 #include "shared/report.h"
 #include "image/image.h"
 
-/* The options of all subjects; each looks at its own. */
+/* Options of all subjects; the subjects that use each are named. */
 struct stat_options {
     double max_difference;                          /* diff: negative when not given */
-    bool srgb;                                      /* diff, frames, ink: sRGB numbers in place of linear light */
+    bool srgb;                                      /* diff, frames, ink: measure sRGB values, not linear light */
     const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
-    int64_t throws;                                 /* tam, seeds: how many random drawings to compare with */
-    bool check;                                     /* tam, lapped, seeds: what must hold decides the exit status */
+    int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
+    bool check;                                     /* tam, lapped, seeds: a missed limit is the exit status */
     const char *reference;                          /* field, tones, ink: NULL when not given */
-    double share;                                   /* field: of the reference's points, the most confident first */
-    int64_t samples;                                /* lapped: for coverage; tones: of each level */
+    double share;                                   /* field: of the compared points, the most confident ones */
+    int64_t samples;                                /* lapped: for coverage; tones: per level of detail */
 };
 
-/* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or
- * HATCH_DIFFERS when a limit that the user gave is passed. */
+/* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or HATCH_DIFFERS
+ * when a limit is missed. */
 typedef enum hatch_status (*stat_measure)(struct cmd_args *args, const struct stat_options *options,
                                           struct cmd_output *output);
 
@@ -29,18 +29,19 @@ enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *o
 enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
-
 enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 
-/* Reads a picture of any format; dies on failure. Warns when pixels are not finite. srgb: its
- * colours as sRGB numbers. Memory: args->keep, or arena where it is not NULL. */
+/* Reads a picture of any format. Ends the process on failure; warns of pixels that are not finite.
+ *   srgb   encodes the colours as sRGB
+ *   arena  of the pixels; NULL: args->keep */
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
                        struct hatch_image *image);
 
-/* Dies when path's image has not the size of the first; where their channels differ, both become
- * RGBA in arena: grey is equal red, green and blue, and no alpha is 1. */
+/* Converts both images to RGBA when their channels differ: grey to equal red, green and blue, missing alpha
+ * to 1. Ends the process when their sizes differ.
+ *   path  of image, for messages */
 void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first, struct hatch_image *image);
 
 #endif

@@ -1,5 +1,4 @@
-/* hatchstat tam FILE: tone, nesting, seams and evenness of a tonal art map, a row for each image.
- */
+/* hatchstat tam FILE: tone, nesting, seams and evenness of a tonal art map, one row per image. */
 #include <math.h>
 
 #include "shared/map.h"
@@ -8,15 +7,16 @@
 #include "stroke/script.h"
 #include "subject.h"
 
-#define FINEST_ERROR 0.003
-#define ERROR 0.02
+/* Allowed errors of tone, at the finest level and at others. */
+#define FINEST_ERROR_MAX 0.003
+#define ERROR_MAX 0.02
 
 static const char *const columns[] = {"tone",    "level",      "size",     "target",  "mean",      "error",
                                       "allowed", "allowed_by", "stroke",   "lighter", "missing",   "seam_x",
                                       "seam_y",  "spread32",   "spread16", "spread8", "spread4",   "even32",
                                       "even16",  "even8",      "even4",    "chroma",  "hue_error", NULL};
 
-/* A map with all that is known of it. */
+/* A map and, if given, its strokes. */
 struct subject {
     struct hatch_tam tam;
     bool has_strokes;
@@ -24,15 +24,15 @@ struct subject {
     struct hatch_style style;
     struct hatch_brush brush;
     struct hatch_tam_strokes strokes;
-    double stroke_darkness[HATCH_MIP_LEVELS_MAX]; /* NaN without strokes, and where none are drawn */
-    double *evenness;                             /* of each tone's finest image, or NULL */
+    double stroke_darkness[HATCH_MIP_LEVELS_MAX]; /* per level; NaN without strokes */
+    double *evenness;                             /* per tone and box; NULL without strokes */
 };
 
-/* What the last row says. */
+/* The last row. */
 struct summary {
-    uint32_t broken; /* images whose tone is further off than allowed */
+    uint32_t failed; /* images whose tone error exceeds the allowed one */
     uint64_t lighter, missing;
-    double hue_error; /* largest, NaN where none is known */
+    double hue_error; /* maximum; NaN in grey maps */
     double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
 };
 
@@ -42,7 +42,7 @@ static double growth_of(const struct hatch_tam *tam)
     return growth && growth->number > 0 && growth->number < 1 ? growth->number : 0;
 }
 
-/* What the user says, else what the map says, where that can be had. */
+/* The option, else the name in the map, else "ink". */
 static const char *style_of(struct cmd_args *args, const struct stat_options *options, const struct hatch_tam *tam)
 {
     const struct hatch_attribute *named = hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
@@ -51,7 +51,7 @@ static const char *style_of(struct cmd_args *args, const struct stat_options *op
     if (!named || !named->text)
         return "ink";
     if (!cmd_has_style(args, named->text))
-        cmd_usage("the map's style '%s' does not come with the commands: --style says where it is", named->text);
+        cmd_usage("the map's style '%s' is not installed; give its file with --style", named->text);
     return named->text;
 }
 
@@ -86,12 +86,13 @@ static void measure_strokes(struct cmd_args *args, const struct stat_options *op
               name, &err);
 }
 
-/* The error that an image may have: NaN where it holds no strokes of its own. */
+/* The allowed error of an image; NaN without strokes of its own.
+ *   by  out: column allowed_by */
 static double allowed_error(const struct subject *subject, uint32_t level, const char **by)
 {
-    double stroke = subject->stroke_darkness[level], bar = level ? ERROR : FINEST_ERROR;
-    *by = level >= subject->tam.levels ? "-" : stroke > bar ? "stroke" : "tone";
-    return level >= subject->tam.levels ? NAN : fmax(stroke, bar);
+    double stroke = subject->stroke_darkness[level], limit = level ? ERROR_MAX : FINEST_ERROR_MAX;
+    *by = level >= subject->tam.levels ? "-" : stroke > limit ? "stroke" : "tone";
+    return level >= subject->tam.levels ? NAN : fmax(stroke, limit);
 }
 
 static void put_numbers(struct cmd_report *report, const double *numbers, uint32_t count)
@@ -128,9 +129,9 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
     }
     if (level >= subject->tam.levels)
         return;
-    summary->broken += !(fabs(f->error) <= allowed);
+    summary->failed += !(fabs(f->error) <= allowed);
     summary->error = fmax(summary->error, fabs(f->error));
-    summary->hue_error = fmax(summary->hue_error, f->hue_error_deg); /* of a number and NaN, the number */
+    summary->hue_error = fmax(summary->hue_error, f->hue_error_deg); /* fmax ignores NaN */
     summary->images++;
     for (int axis = 0; axis < 2; axis++)
         summary->seam[axis] += f->seam_z[axis];
@@ -145,7 +146,7 @@ static void put_summary(struct cmd_report *report, const struct subject *subject
     put_numbers(report, NULL, 2);
     cmd_report_number(report, s->error);
     put_numbers(report, NULL, 1);
-    cmd_report_text(report, s->broken ? "no" : "yes");
+    cmd_report_text(report, s->failed ? "no" : "yes");
     put_numbers(report, NULL, 1);
     cmd_report_whole(report, s->lighter);
     if (subject->has_strokes)
@@ -166,7 +167,7 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
     struct summary summary = {.hue_error = NAN};
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
     if (!options->strokes && (options->style || options->settings || options->brush))
-        cmd_usage("--style, --set and --brush tell of the strokes: --strokes is missing");
+        cmd_usage("--style, --set and --brush describe strokes and need --strokes");
     for (uint32_t level = 0; level < HATCH_MIP_LEVELS_MAX; level++)
         subject.stroke_darkness[level] = NAN;
     cmd_read_map(args, path, &subject.tam);
@@ -185,6 +186,6 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
         }
     put_summary(&report, &subject, &summary);
     cmd_report_write(&report, output);
-    bool holds = !summary.broken && !summary.lighter && !summary.missing;
-    return holds || !options->check ? HATCH_OK : HATCH_DIFFERS;
+    bool passed = !summary.failed && !summary.lighter && !summary.missing;
+    return passed || !options->check ? HATCH_OK : HATCH_DIFFERS;
 }

@@ -1,4 +1,4 @@
-/* hatchstat tones FILE: how a volume, thresholds, exact runs or another map show the tones of a map. */
+/* hatchstat tones FILE: errors of tone of a volume, a threshold texture, exact runs or a map of few columns. */
 #include <string.h>
 
 #include "shared/map.h"
@@ -17,7 +17,7 @@ static const char *const columns[] = {"lod",       "bytes", "tone_error", "tone_
 struct subject {
     size_t bytes; /* of texels */
     hatch_tone_sample sample;
-    const void *what;
+    const void *sampled; /* argument of sample: one of the members below */
     struct hatch_tam map;
     struct hatch_volume volume;
     struct hatch_thresholds thresholds;
@@ -50,7 +50,7 @@ static size_t texel_bytes(const struct hatch_texels *texels)
     return bytes;
 }
 
-/* Which kind a texture is shows in its form and its keys. */
+/* Format and keys tell which kind a texture is. */
 static void open_texture(struct cmd_args *args, const char *name, struct hatch_bytes file, struct subject *subject)
 {
     struct hatch_err err;
@@ -62,16 +62,16 @@ static void open_texture(struct cmd_args *args, const char *name, struct hatch_b
     if (texels.code == HATCH_TEXELS_R32UI) {
         cmd_check(hatch_exact_from_texels(&texels, &subject->exact, &err), name, &err);
         subject->sample = sample_exact;
-        subject->what = &subject->exact;
+        subject->sampled = &subject->exact;
     } else if (hatch_texels_value(keys, HATCH_THRESHOLD_KEY_BORDERS)) {
         cmd_check(hatch_thresholds_from_texels(&texels, keys, &subject->thresholds, &err), name, &err);
         subject->sample = sample_thresholds;
-        subject->what = &subject->thresholds;
+        subject->sampled = &subject->thresholds;
     } else {
         cmd_check(hatch_texels_unpack(&texels, &args->keep, &plain, &err), name, &err);
         cmd_check(hatch_volume_from_texels(&plain, keys, &subject->volume, &err), name, &err);
         subject->sample = sample_volume;
-        subject->what = &subject->volume;
+        subject->sampled = &subject->volume;
     }
 }
 
@@ -90,7 +90,7 @@ static void open_subject(struct cmd_args *args, const char *path, struct subject
         subject->bytes += size * size * map->tones * (map->color ? 3 : 1);
     }
     subject->sample = hatch_tone_sample_map;
-    subject->what = map;
+    subject->sampled = map;
 }
 
 enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
@@ -100,7 +100,7 @@ enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *o
     struct hatch_tam map;
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
     if (!options->reference)
-        cmd_usage("tones: --reference, the map that it was made of, is missing");
+        cmd_usage("tones: --reference is missing: the map that the file was made from");
     cmd_read_map(args, options->reference, &map);
     open_subject(args, path, &subject);
     struct cmd_report report;
@@ -108,9 +108,8 @@ enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *o
     for (uint32_t half = 0; half < 2 * map.levels - 1; half++) {
         struct hatch_tone_figures f;
         float lod = 0.5f * (float)half;
-        cmd_check(hatch_measure_tones(&map, subject.sample, subject.what, lod, (uint64_t)options->samples,
-                                      cmd_pool(args), &args->scratch, &f, &err),
-                  cmd_input_name(path), &err);
+        const struct hatch_tone_test test = {&map, subject.sample, subject.sampled, lod, (uint64_t)options->samples};
+        cmd_check(hatch_measure_tones(&test, cmd_pool(args), &args->scratch, &f, &err), cmd_input_name(path), &err);
         cmd_report_number(&report, (double)lod);
         cmd_report_whole(&report, subject.bytes);
         const double numbers[] = {f.tone_error, f.tone_worst, f.error, f.error_max, f.grey, f.grey_all};

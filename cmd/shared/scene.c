@@ -68,12 +68,15 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
     struct hatch_err err;
     enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
     if (format == HATCH_MESH_GLTF) {
-        cmd_check(hatch_gltf_read(file, is_file(path) ? read_companion : NULL, (void *)path, &args->keep,
-                                  &args->scratch, scene, notes, &err),
-                  name, &err);
+        const struct hatch_gltf_resolver folder = {read_companion, (void *)path};
+        cmd_check(
+            hatch_gltf_read(file, is_file(path) ? &folder : NULL, &args->keep, &args->scratch, scene, notes, &err),
+            name, &err);
     } else {
         double origin[3];
-        cmd_check(hatch_mesh_read(file, format, &args->keep, &args->scratch, &mesh, origin, notes, &err), name, &err);
+        cmd_check(hatch_mesh_read((struct hatch_mesh_file){file, format}, &args->keep, &args->scratch, &mesh, origin,
+                                  notes, &err),
+                  name, &err);
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);

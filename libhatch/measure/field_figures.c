@@ -13,17 +13,17 @@
 #define DEGREES (180 / 3.14159265358979323846)
 
 struct compared {
-    double degrees, confidence; /* the reference's */
+    double degrees, confidence; /* confidence: of the reference */
 };
 
 struct hatch_field_samples {
-    struct hatch_field_samples *older;
-    uint32_t points, faces, compared; /* faces, compared: that have an angle */
+    struct hatch_field_samples *next;
+    uint32_t points, faces, compared; /* entries of confidence, uv, angles */
     struct hatch_weighted *confidence, *uv;
     struct compared *angles;
 };
 
-/* A mesh with its field, per point. */
+/* A mesh with its field: a direction and a confidence per point. */
 struct subject {
     const struct hatch_mesh *mesh;
     struct hatch_surface surface;
@@ -44,11 +44,11 @@ static enum hatch_status read_subject(const struct hatch_field_sum *sum, const s
     if (!subject->confidence)
         return HATCH_LIMIT;
     if (!hatch_field_of_mesh(surface, &subject->frames, mesh, subject->direction, subject->confidence))
-        return hatch_fail(err, HATCH_BAD_INPUT, "no direction field (_HATCH_DIR): dirfield adds one");
+        return hatch_fail(err, HATCH_BAD_INPUT, "no direction field (_HATCH_DIR); add one with dirfield");
     return HATCH_OK;
 }
 
-/* Between lines, 0 .. 90; right for small angles too. */
+/* Angle between lines, 0 .. 90; accurate for small angles, too. */
 static double angle_degrees(const double a[3], const double b[3])
 {
     double across[3];
@@ -56,7 +56,8 @@ static double angle_degrees(const double a[3], const double b[3])
     return atan2(hatch_vec_length(across), fabs(hatch_vec_dot(a, b))) * DEGREES;
 }
 
-/* Where u rises and v stays, in the plane of a face. False where the texture coordinates are degenerate. */
+/* Computes the direction in a face's plane in which u rises and v is constant; false when the texture
+ * coordinates are degenerate. */
 static bool rising_u(const struct subject *s, const float *uv, uint32_t face, double rising[3], double *area)
 {
     const uint32_t *vertex = &s->surface.corner_vertex[3 * (size_t)face];
@@ -95,9 +96,9 @@ static enum hatch_status measure_uv(const struct hatch_field_sum *sum, const str
     return HATCH_OK;
 }
 
-/* Both meshes' vertices as one cloud: those at one place get one number. */
+/* Numbers the positions of both meshes' vertices; equal positions get equal numbers. */
 static enum hatch_status weld_both(const struct hatch_field_sum *sum, const struct hatch_mesh *a,
-                                   const struct hatch_mesh *b, uint32_t *places, uint32_t *place_count,
+                                   const struct hatch_mesh *b, uint32_t *position, uint32_t *position_count,
                                    struct hatch_err *err)
 {
     struct hatch_mesh both;
@@ -105,59 +106,60 @@ static enum hatch_status weld_both(const struct hatch_field_sum *sum, const stru
     if (a->vertex_count > UINT32_MAX - 1 - b->vertex_count)
         return hatch_fail(err, HATCH_LIMIT, "too many vertices to compare");
     HATCH_TRY(hatch_mesh_make(sum->scratch, a->vertex_count + b->vertex_count, 0, &both, err));
-    size_t split = 3 * (size_t)a->vertex_count;
-    memcpy(both.attributes[0].data, a->attributes[0].data, split * sizeof(float));
-    memcpy(both.attributes[0].data + split, b->attributes[0].data, 3 * (size_t)b->vertex_count * sizeof(float));
-    enum hatch_status status = hatch_mesh_weld(&both, sum->scratch, places, place_count, err);
+    size_t first_of_b = 3 * (size_t)a->vertex_count;
+    memcpy(both.attributes[0].data, a->attributes[0].data, first_of_b * sizeof(float));
+    memcpy(both.attributes[0].data + first_of_b, b->attributes[0].data, 3 * (size_t)b->vertex_count * sizeof(float));
+    enum hatch_status status = hatch_mesh_weld(&both, sum->scratch, position, position_count, err);
     hatch_arena_rewind(sum->scratch, mark);
     return status;
 }
 
-/* partner[v]: the reference's point that vertex v of the mesh meets, or HATCH_NO_SIDE. */
-static enum hatch_status find_partners(const struct hatch_field_sum *sum, const struct subject *s,
-                                       const struct subject *reference, uint32_t *partner, struct hatch_err *err)
+/* Finds for each vertex of the mesh the reference's point that it is compared with, or HATCH_NO_SIDE. */
+static enum hatch_status match_vertices(const struct hatch_field_sum *sum, const struct subject *s,
+                                        const struct subject *reference, uint32_t *match, struct hatch_err *err)
 {
-    uint32_t own = s->mesh->vertex_count, others = reference->mesh->vertex_count, place_count;
-    uint32_t *point = HATCH_NEW(sum->scratch, uint32_t, others, err);
-    uint32_t *places = point ? HATCH_NEW(sum->scratch, uint32_t, (size_t)own + others, err) : NULL;
-    if (!places)
+    uint32_t count = s->mesh->vertex_count, reference_count = reference->mesh->vertex_count, position_count;
+    uint32_t *point = HATCH_NEW(sum->scratch, uint32_t, reference_count, err);
+    uint32_t *position = point ? HATCH_NEW(sum->scratch, uint32_t, (size_t)count + reference_count, err) : NULL;
+    if (!position)
         return HATCH_LIMIT;
-    hatch_surface_vertex_points(&reference->surface, others, point);
-    HATCH_TRY(weld_both(sum, s->mesh, reference->mesh, places, &place_count, err));
-    uint32_t *at_place = HATCH_NEW(sum->scratch, uint32_t, place_count, err);
-    if (!at_place)
+    hatch_surface_vertex_points(&reference->surface, reference_count, point);
+    HATCH_TRY(weld_both(sum, s->mesh, reference->mesh, position, &position_count, err));
+    uint32_t *point_at = HATCH_NEW(sum->scratch, uint32_t, position_count, err);
+    if (!point_at)
         return HATCH_LIMIT;
-    memset(at_place, 0xff, place_count * sizeof *at_place);
-    for (uint32_t v = others; v-- > 0;)
+    memset(point_at, 0xff, position_count * sizeof *point_at);
+    for (uint32_t v = reference_count; v-- > 0;)
         if (point[v] != HATCH_NO_SIDE)
-            at_place[places[own + v]] = point[v];
-    uint32_t met = 0;
-    for (uint32_t v = 0; v < own; v++) {
-        partner[v] = at_place[places[v]];
-        met += partner[v] != HATCH_NO_SIDE;
+            point_at[position[count + v]] = point[v];
+    uint32_t matched = 0;
+    for (uint32_t v = 0; v < count; v++) {
+        match[v] = point_at[position[v]];
+        matched += match[v] != HATCH_NO_SIDE;
     }
-    if (met < own - met && own == others) /* some points, as poles, may stay where they are under noise */
-        memcpy(partner, point, own * sizeof *partner);
-    else if (met == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no point is where one of the reference is, and %u vertices are not %u",
-                          own, others);
+    if (matched < count - matched && count == reference_count) /* noise does not move some points, such as poles */
+        memcpy(match, point, count * sizeof *match);
+    else if (matched == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "no point is at the position of one of the reference, and the vertices are %u, not %u", count,
+                          reference_count);
     return HATCH_OK;
 }
 
-/* Both lines are laid into the reference's tangent plane: noise tilts planes, which no stroke shows. */
+/* Lines are projected to the reference's tangent plane, since noise tilts the mesh's own. */
 static void compare_points(const struct subject *s, const struct subject *reference, const uint32_t *first_vertex,
-                           const uint32_t *partner, struct hatch_field_samples *samples)
+                           const uint32_t *match, struct hatch_field_samples *samples)
 {
     for (uint32_t p = 0; p < s->surface.point_count; p++) {
-        uint32_t other = partner[first_vertex[p]];
+        uint32_t other = match[first_vertex[p]];
         if (other == HATCH_NO_SIDE || !(reference->confidence[other] > 0))
             continue;
         const double *normal = &reference->frames.normal[3 * (size_t)other];
         const double *line = &s->direction[3 * (size_t)p];
-        double laid[3];
-        hatch_vec_add_scaled(line, -hatch_vec_dot(line, normal), normal, laid);
+        double projected[3];
+        hatch_vec_add_scaled(line, -hatch_vec_dot(line, normal), normal, projected);
         samples->angles[samples->compared++] = (struct compared){
-            angle_degrees(laid, &reference->direction[3 * (size_t)other]), reference->confidence[other]};
+            angle_degrees(projected, &reference->direction[3 * (size_t)other]), reference->confidence[other]};
     }
 }
 
@@ -170,14 +172,14 @@ static enum hatch_status compare(const struct hatch_field_sum *sum, const struct
     if (status != HATCH_OK)
         return hatch_fail_at(err, "reference: ");
     samples->angles = HATCH_NEW(sum->arena, struct compared, s->surface.point_count, err);
-    uint32_t *partner = samples->angles ? HATCH_NEW(sum->scratch, uint32_t, s->mesh->vertex_count, err) : NULL;
-    uint32_t *first_vertex = partner ? HATCH_NEW(sum->scratch, uint32_t, s->surface.point_count, err) : NULL;
+    uint32_t *match = samples->angles ? HATCH_NEW(sum->scratch, uint32_t, s->mesh->vertex_count, err) : NULL;
+    uint32_t *first_vertex = match ? HATCH_NEW(sum->scratch, uint32_t, s->surface.point_count, err) : NULL;
     if (!first_vertex)
         return HATCH_LIMIT;
     for (size_t i = 3 * (size_t)s->surface.face_count; i-- > 0;)
         first_vertex[s->surface.corners[i]] = s->surface.corner_vertex[i];
-    HATCH_TRY(find_partners(sum, s, &reference, partner, err));
-    compare_points(s, &reference, first_vertex, partner, samples);
+    HATCH_TRY(match_vertices(sum, s, &reference, match, err));
+    compare_points(s, &reference, first_vertex, match, samples);
     return HATCH_OK;
 }
 
@@ -186,10 +188,10 @@ static enum hatch_status measure_surface(struct hatch_field_sum *sum, const stru
     const struct hatch_surface *surface = &s->surface;
     struct hatch_singularities singular;
     struct hatch_field_figures *out = &sum->figures;
-    double energy[2], *nothing = HATCH_NEW(sum->scratch, double, surface->point_count, err);
-    if (!nothing)
+    double energy[2], *zeros = HATCH_NEW(sum->scratch, double, surface->point_count, err);
+    if (!zeros)
         return HATCH_LIMIT;
-    const struct hatch_field_data none = {.direction = s->direction, .confidence = nothing};
+    const struct hatch_field_data none = {.direction = s->direction, .confidence = zeros};
     HATCH_TRY(hatch_field_singularities(surface, &s->frames, s->direction, sum->arena, sum->scratch, &singular, err));
     hatch_field_energy(surface, &s->frames, &none, 1, s->direction, energy);
     out->points += surface->point_count;
@@ -222,7 +224,7 @@ static enum hatch_status add(struct hatch_field_sum *sum, const struct hatch_mes
     if (reference)
         HATCH_TRY(compare(sum, &subject, reference, samples, err));
     HATCH_TRY(measure_surface(sum, &subject, err));
-    samples->older = sum->samples;
+    samples->next = sum->samples;
     sum->samples = samples;
     return HATCH_OK;
 }
@@ -236,7 +238,7 @@ enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const str
     return status;
 }
 
-/* The most confident first; equal ones by their angle, so that the choice does not hang on their order. */
+/* Descending by confidence, then ascending by angle, so that the result does not depend on the points' order. */
 static int by_confidence(const void *a, const void *b)
 {
     const struct compared *x = a, *y = b;
@@ -244,24 +246,24 @@ static int by_confidence(const void *a, const void *b)
     return order ? order : (x->degrees > y->degrees) - (x->degrees < y->degrees);
 }
 
-/* Percentiles of one list of all meshes; copied into a list of its own. */
 enum list { CONFIDENCE, UV };
 
-static enum hatch_status rank(const struct hatch_field_sum *sum, enum list which, const double shares[3], double out[3],
+/* Percentiles of a list over all meshes. */
+static enum hatch_status rank(const struct hatch_field_sum *sum, enum list list, const double shares[3], double out[3],
                               struct hatch_err *err)
 {
     size_t count = 0;
-    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older)
-        count += which == UV ? s->faces : s->points;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->next)
+        count += list == UV ? s->faces : s->points;
     struct hatch_weighted *all = HATCH_NEW(sum->scratch, struct hatch_weighted, count, err);
     if (!all)
         return HATCH_LIMIT;
     count = 0;
-    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older) {
-        uint32_t more = which == UV ? s->faces : s->points;
-        if (more)
-            memcpy(&all[count], which == UV ? s->uv : s->confidence, more * sizeof *all);
-        count += more;
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->next) {
+        uint32_t length = list == UV ? s->faces : s->points;
+        if (length)
+            memcpy(&all[count], list == UV ? s->uv : s->confidence, length * sizeof *all);
+        count += length;
     }
     hatch_percentiles(all, count, shares, 3, out);
     return HATCH_OK;
@@ -272,14 +274,14 @@ static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double s
 {
     static const double shares[4] = {0.5, 0.75, 0.95, 1};
     size_t count = 0;
-    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older)
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->next)
         count += s->compared;
     struct compared *all = HATCH_NEW(sum->scratch, struct compared, count, err);
     struct hatch_weighted *angles = all ? HATCH_NEW(sum->scratch, struct hatch_weighted, count, err) : NULL;
     if (!angles)
         return HATCH_LIMIT;
     count = 0;
-    for (const struct hatch_field_samples *s = sum->samples; s; s = s->older) {
+    for (const struct hatch_field_samples *s = sum->samples; s; s = s->next) {
         if (s->compared)
             memcpy(&all[count], s->angles, s->compared * sizeof *all);
         count += s->compared;

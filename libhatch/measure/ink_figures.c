@@ -6,13 +6,14 @@
 
 #include "image/color.h"
 
+/* Limits of the darkness: of inked pixels, edges (INKED .. EDGE_MAX), grey (GREY_MIN .. INK_MIN), ink. */
 #define INKED 0.1f
-#define EDGE_BELOW 0.9f
-#define GREY 0.25f
-#define INK 0.75f
-#define DARKENED 0.01 /* a window's mean */
+#define EDGE_MAX 0.9f
+#define GREY_MIN 0.25f
+#define INK_MIN 0.75f
+#define WINDOW_MIN 0.01 /* of a window's mean */
 
-/* Darkness, pixel by pixel, from 0 to 1. */
+/* Darkness of each pixel, 0 (paper) .. 1 (ink). */
 static float *darkness_of(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t count = (size_t)image->width * image->height;
@@ -26,12 +27,12 @@ static float *darkness_of(const struct hatch_image *image, struct hatch_arena *s
     return dark;
 }
 
-/* Whether one of the eight pixels around (x, y) is ink. */
-static bool has_ink_beside(const float *dark, uint32_t width, uint32_t height, uint32_t x, uint32_t y)
+/* Whether one of the eight neighbours of (x, y) is ink. */
+static bool has_ink_next_to(const float *dark, uint32_t width, uint32_t height, uint32_t x, uint32_t y)
 {
     for (uint32_t row = y ? y - 1 : 0; row <= y + 1 && row < height; row++)
         for (uint32_t column = x ? x - 1 : 0; column <= x + 1 && column < width; column++)
-            if (dark[(size_t)row * width + column] >= INK)
+            if (dark[(size_t)row * width + column] >= INK_MIN)
                 return true;
     return false;
 }
@@ -42,17 +43,17 @@ static void count_greys(const float *dark, uint32_t width, uint32_t height, stru
     for (uint32_t y = 0; y < height; y++)
         for (uint32_t x = 0; x < width; x++) {
             float here = dark[(size_t)y * width + x];
-            bool is_grey = here > GREY && here < INK;
+            bool is_grey = here > GREY_MIN && here < INK_MIN;
             inked += here > INKED;
             grey += is_grey;
-            strokes += is_grey && !has_ink_beside(dark, width, height, x, y);
+            strokes += is_grey && !has_ink_next_to(dark, width, height, x, y);
         }
     figures->inked = (double)inked / ((double)width * height);
     figures->grey = inked ? (double)grey / (double)inked : 0;
     figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
 }
 
-/* sums[y * (width + 1) + x]: of all numbers above y and left of x. */
+/* Summed area table: sums[y * (width + 1) + x] is the sum of the values above row y and left of column x. */
 static double *sum_areas(const float *dark, uint32_t width, uint32_t height, struct hatch_arena *scratch,
                          struct hatch_err *err)
 {
@@ -68,14 +69,14 @@ static double *sum_areas(const float *dark, uint32_t width, uint32_t height, str
     return sums;
 }
 
-static enum hatch_status compare_tones(const float *dark, const float *want, uint32_t width, uint32_t height,
+static enum hatch_status compare_tones(const float *dark, const float *reference, uint32_t width, uint32_t height,
                                        struct hatch_arena *scratch, struct hatch_ink_figures *figures,
                                        struct hatch_err *err)
 {
     uint32_t across = HATCH_INK_WINDOW_PX < width ? HATCH_INK_WINDOW_PX : width;
     uint32_t down = HATCH_INK_WINDOW_PX < height ? HATCH_INK_WINDOW_PX : height;
-    const double *got = sum_areas(dark, width, height, scratch, err);
-    const double *wanted = got ? sum_areas(want, width, height, scratch, err) : NULL;
+    const double *sums = sum_areas(dark, width, height, scratch, err);
+    const double *wanted = sums ? sum_areas(reference, width, height, scratch, err) : NULL;
     if (!wanted)
         return HATCH_LIMIT;
     double sum = 0, worst = 0, area = (double)across * down;
@@ -83,29 +84,29 @@ static enum hatch_status compare_tones(const float *dark, const float *want, uin
     for (uint32_t y = 0; y + down <= height; y++)
         for (uint32_t x = 0; x + across <= width; x++) {
             size_t top = y * ((size_t)width + 1) + x, bottom = top + down * ((size_t)width + 1);
-            double mean = (wanted[bottom + across] - wanted[bottom] - wanted[top + across] + wanted[top]) / area;
-            double is = (got[bottom + across] - got[bottom] - got[top + across] + got[top]) / area;
-            if (mean <= DARKENED)
+            double want = (wanted[bottom + across] - wanted[bottom] - wanted[top + across] + wanted[top]) / area;
+            double got = (sums[bottom + across] - sums[bottom] - sums[top + across] + sums[top]) / area;
+            if (want <= WINDOW_MIN)
                 continue;
             windows++;
-            sum += fabs(is - mean);
-            worst = fmax(worst, fabs(is - mean));
+            sum += fabs(got - want);
+            worst = fmax(worst, fabs(got - want));
         }
     figures->tone_error = windows ? sum / (double)windows : 0;
     figures->tone_worst = worst;
     return HATCH_OK;
 }
 
-static void compare_edges(const float *dark, const float *want, size_t count, struct hatch_ink_figures *figures)
+static void compare_edges(const float *dark, const float *reference, size_t count, struct hatch_ink_figures *figures)
 {
     double squares = 0;
     uint64_t edges = 0;
     for (size_t i = 0; i < count; i++) {
-        double off = (double)dark[i] - (double)want[i];
-        if (want[i] <= INKED || want[i] >= EDGE_BELOW)
+        double error = (double)dark[i] - (double)reference[i];
+        if (reference[i] <= INKED || reference[i] >= EDGE_MAX)
             continue;
         edges++;
-        squares += off * off;
+        squares += error * error;
     }
     figures->edge_error = edges ? sqrt(squares / (double)edges) : 0;
 }

@@ -1,5 +1,5 @@
-/* How strokes look in a picture: which share of them is grey, and how far their tone and their edges are from
- * those of another picture. hatchstat(1) writes the formulas. */
+/* Figures of strokes in a picture: the share that is grey, and the errors of tone and edges against a
+ * reference; hatchstat(1) has the formulas. */
 #ifndef HATCH_MEASURE_INK_FIGURES_H
 #define HATCH_MEASURE_INK_FIGURES_H
 
@@ -9,16 +9,16 @@
 
 struct hatch_ink_figures {
     double inked;        /* share of the pixels that are not paper */
-    double grey;         /* of these, the share that is neither nearly paper nor nearly ink */
-    double grey_strokes; /* of these, the share that is grey with no ink beside it: no edge of a stroke */
-    /* Against the reference; not numbers where there is none. */
-    double tone_error; /* over the windows that the reference darkens: mean of |difference of the mean| */
-    double tone_worst; /* and the largest */
-    double edge_error; /* over the pixels that are edges in the reference: root of the mean square */
+    double grey;         /* share of the inked pixels that are grey */
+    double grey_strokes; /* share of the inked pixels that are grey without ink next to them: not edges */
+    /* Against the reference; NaN without one. */
+    double tone_error; /* mean of |difference of means| over the windows that the reference darkens */
+    double tone_worst; /* maximum of the same */
+    double edge_error; /* root mean square difference over the reference's edge pixels */
 };
 
-/* Pictures in linear light, from 0, ink, to 1, paper, grey or with colours first. reference: NULL, or of the
- * same size. */
+/* Measures a picture in linear light, 0 (ink) to 1 (paper): grey, or colours in the first three channels.
+ *   reference  of the same size; may be NULL */
 enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const struct hatch_image *reference,
                                     struct hatch_arena *scratch, struct hatch_ink_figures *figures,
                                     struct hatch_err *err) HATCH_MUST_USE;

@@ -6,17 +6,17 @@
 #include "base/random.h"
 #include "math/percentile.h"
 #include "math/vector.h"
-#include "measure/lapped_sheets.h"
+#include "measure/lapped_faces.h"
 #include "measure/stretch.h"
 
-/* What a sum of rounded bilinear weights may lack of 1. */
+/* Smallest opacity that counts as 1, given the rounding of bilinear interpolation. */
 #define OPAQUE (1 - 1e-6)
 #define DEGREES (180 / 3.14159265358979323846)
 
 static const double shares[HATCH_LAPPED_SHARES] = {0.5, 0.95, 0.99, 1};
 
 struct work {
-    struct hatch_sheets sheets;
+    struct hatch_lapped_faces faces;
     struct hatch_arena *scratch;
     struct hatch_lapped_figures *out;
 };
@@ -28,66 +28,69 @@ static double texel(const struct hatch_image *mask, int channel, double x, doubl
     return (double)mask->pixels[(row * mask->width + column) * mask->channel_count + (size_t)channel];
 }
 
-/* As a texture unit reads it: linear between the texels' middles, clamped to the edge. */
-static double opacity_at(const struct hatch_image *mask, const double place[2])
+/* Bilinear between texel centres, clamped to the edge, as in a texture unit. */
+static double opacity_at(const struct hatch_image *mask, const double uv[2])
 {
     int channel = hatch_image_channel(mask, "A");
     if (channel < 0)
         return 1;
-    double x = place[0] * mask->width - 0.5, y = place[1] * mask->height - 0.5;
+    double x = uv[0] * mask->width - 0.5, y = uv[1] * mask->height - 0.5;
     double left = floor(x), top = floor(y), fx = x - left, fy = y - top;
     double above = (1 - fx) * texel(mask, channel, left, top) + fx * texel(mask, channel, left + 1, top);
     double below = (1 - fx) * texel(mask, channel, left, top + 1) + fx * texel(mask, channel, left + 1, top + 1);
     return (1 - fy) * above + fy * below;
 }
 
-/* weights: of the corners in the order of the sheet's points. */
-static double sheet_opacity(const struct hatch_sheets *sheets, const struct hatch_sheet *sheet, const double weights[3])
+/* weights: barycentric, in the order of the face's points. */
+static double face_opacity(const struct hatch_lapped_faces *faces, const struct hatch_lapped_face *face,
+                           const double weights[3])
 {
-    const struct hatch_mesh *mesh = &sheets->patches[sheet->patch]->mesh;
-    const float *uv = hatch_mesh_find(mesh, "TEXCOORD_1", 2);
-    double place[2] = {0, 0};
+    const struct hatch_mesh *mesh = &faces->patches[face->patch]->mesh;
+    const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_1", 2);
+    double uv[2] = {0, 0};
     for (int i = 0; i < 3; i++) {
-        size_t vertex = mesh->indices[3 * (size_t)sheet->face + sheet->corner[i]];
+        size_t vertex = mesh->indices[3 * (size_t)face->face + face->corner[i]];
         for (size_t k = 0; k < 2; k++)
-            place[k] += weights[i] * (double)uv[2 * vertex + k];
+            uv[k] += weights[i] * (double)texcoords[2 * vertex + k];
     }
-    return opacity_at(sheets->masks[sheet->patch], place);
+    return opacity_at(faces->masks[face->patch], uv);
 }
 
-/* One sample: its patches from the last drawn to the first, until one is opaque. seen: per patch. */
-static void look(struct work *w, uint32_t face, const double weights[3], uint8_t *seen, uint32_t *covered)
+/* Takes a sample: its patches from the last drawn to the first, until one is opaque. seen: per patch. */
+static void take_sample(struct work *w, uint32_t surface_face, const double weights[3], uint8_t *seen,
+                        uint32_t *covered)
 {
-    double bare = 1;
+    double transparency = 1;
     bool opaque = false;
-    for (uint32_t s = w->sheets.first[face + 1]; s > w->sheets.first[face] && !opaque; s--) {
-        const struct hatch_sheet *sheet = &w->sheets.list[s - 1];
-        double opacity = sheet_opacity(&w->sheets, sheet, weights);
+    for (uint32_t s = w->faces.first[surface_face + 1]; s > w->faces.first[surface_face] && !opaque; s--) {
+        const struct hatch_lapped_face *face = &w->faces.list[s - 1];
+        double opacity = face_opacity(&w->faces, face, weights);
         opaque = opacity >= OPAQUE;
-        bare *= opaque ? 0 : 1 - opacity;
+        transparency *= opaque ? 0 : 1 - opacity;
         if (opacity > 0)
-            seen[sheet->patch] = 1;
+            seen[face->patch] = 1;
     }
     *covered += opaque;
-    w->out->opacity_min = fmin(w->out->opacity_min, 1 - bare);
+    w->out->opacity_min = fmin(w->out->opacity_min, 1 - transparency);
 }
 
-/* Corners' weights that are uniform over a triangle. */
+/* Barycentric weights uniformly distributed over a triangle. */
 static void random_weights(uint64_t seed, uint64_t index, double weights[3])
 {
     double root = sqrt((double)(hatch_random_u64(seed, 1, index) >> 11) * 0x1p-53);
-    double share = (double)(hatch_random_u64(seed, 2, index) >> 11) * 0x1p-53;
+    double t = (double)(hatch_random_u64(seed, 2, index) >> 11) * 0x1p-53;
     weights[0] = 1 - root;
-    weights[1] = root * (1 - share);
-    weights[2] = root * share;
+    weights[1] = root * (1 - t);
+    weights[2] = root * t;
 }
 
-static uint32_t find_face(const double *until, uint32_t count, double place)
+/* The first face whose cumulative area exceeds area. */
+static uint32_t find_face(const double *area_up_to, uint32_t count, double area)
 {
     uint32_t low = 0, high = count - 1;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        if (until[middle] > place)
+        if (area_up_to[middle] > area)
             high = middle;
         else
             low = middle + 1;
@@ -97,34 +100,34 @@ static uint32_t find_face(const double *until, uint32_t count, double place)
 
 static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_t seed, struct hatch_err *err)
 {
-    const struct hatch_sheets *sheets = &w->sheets;
-    double *until = HATCH_NEW(w->scratch, double, sheets->face_count, err), area = 0;
-    uint8_t *seen = until ? HATCH_NEW(w->scratch, uint8_t, sheets->patch_count, err) : NULL;
+    const struct hatch_lapped_faces *faces = &w->faces;
+    double *area_up_to = HATCH_NEW(w->scratch, double, faces->surface_count, err), area = 0;
+    uint8_t *seen = area_up_to ? HATCH_NEW(w->scratch, uint8_t, faces->patch_count, err) : NULL;
     uint32_t covered = 0;
     if (!seen)
         return HATCH_LIMIT;
-    for (uint32_t f = 0; f < sheets->face_count; f++) {
-        const struct hatch_sheet *sheet = &sheets->list[sheets->first[f]];
+    for (uint32_t f = 0; f < faces->surface_count; f++) {
+        const struct hatch_lapped_face *face = &faces->list[faces->first[f]];
         double p[3][3], normal[3];
-        hatch_mesh_corners(&sheets->patches[sheet->patch]->mesh, sheet->face, p);
+        hatch_mesh_corners(&faces->patches[face->patch]->mesh, face->face, p);
         hatch_vec_triangle(p[0], p[1], p[2], normal);
-        until[f] = area += hatch_vec_length(normal);
+        area_up_to[f] = area += hatch_vec_length(normal);
     }
     w->out->opacity_min = 1;
     for (uint32_t i = 0; i < samples; i++) {
-        double weights[3], place = (double)(hatch_random_u64(seed, 0, i) >> 11) * 0x1p-53 * area;
+        double weights[3], at = (double)(hatch_random_u64(seed, 0, i) >> 11) * 0x1p-53 * area;
         random_weights(seed, i, weights);
-        look(w, find_face(until, sheets->face_count, place), weights, seen, &covered);
+        take_sample(w, find_face(area_up_to, faces->surface_count, at), weights, seen, &covered);
     }
     w->out->samples = samples;
     w->out->covered = (double)covered / samples;
-    for (uint32_t p = 0; p < sheets->patch_count; p++)
+    for (uint32_t p = 0; p < faces->patch_count; p++)
         w->out->hidden += !seen[p];
     return HATCH_OK;
 }
 
-/* The line that a face's corners agree on, in its plane, as the square of a complex number over the axes
- * u and v; false where they cancel. */
+/* Mean of the corners' lines in the face's plane: the squared complex number with axes u and v. False when the
+ * lines cancel. */
 static bool face_line(const struct hatch_mesh *mesh, const float *directions, uint32_t face, const double u[3],
                       const double v[3], double line[2])
 {
@@ -141,7 +144,7 @@ static bool face_line(const struct hatch_mesh *mesh, const float *directions, ui
     return hypot(line[0], line[1]) > 1e-6;
 }
 
-/* The angle between the texture's rows and the field, 0 .. 90 degrees; negative where there is none. */
+/* Angle between rising u and the field, 0 .. 90 degrees; -1 without a field. */
 static double angle_to_field(const struct hatch_mesh *mesh, uint32_t face, const double u[3])
 {
     const float *directions = hatch_mesh_find(mesh, "_HATCH_DIR", 4);
@@ -157,25 +160,25 @@ static double angle_to_field(const struct hatch_mesh *mesh, uint32_t face, const
     return fabs(atan2(line[1], line[0])) / 2 * DEGREES;
 }
 
-/* Per patch face; the list is as long as there are such faces. */
+/* Samples, one per patch face that has the figure. */
 struct lists {
     struct hatch_weighted *stretch, *area, *angle;
     uint32_t stretches, angles;
 };
 
-/* Faces of the patches of one group, which have one scale: begin .. end of the sheets. */
+/* Measures the faces begin .. end of the list, one group, relative to its mean texture area. */
 static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct lists *lists)
 {
     double area = 0, uv_area = 0;
     uint32_t first = lists->stretches;
     for (uint32_t s = begin; s < end; s++) {
-        const struct hatch_sheet *sheet = &w->sheets.list[s];
-        const struct hatch_mesh *mesh = &w->sheets.patches[sheet->patch]->mesh;
+        const struct hatch_lapped_face *face = &w->faces.list[s];
+        const struct hatch_mesh *mesh = &w->faces.patches[face->patch]->mesh;
         struct hatch_stretch stretch;
-        if (!hatch_stretch_of(mesh, hatch_mesh_find(mesh, "TEXCOORD_0", 2), sheet->face, &stretch))
+        if (!hatch_measure_stretch(mesh, hatch_mesh_find(mesh, "TEXCOORD_0", 2), face->face, &stretch))
             continue;
         w->out->flipped += !(stretch.uv_area < 0);
-        double angle = angle_to_field(mesh, sheet->face, stretch.u);
+        double angle = angle_to_field(mesh, face->face, stretch.u);
         if (angle >= 0)
             lists->angle[lists->angles++] = (struct hatch_weighted){angle, stretch.area};
         if (!isfinite(stretch.ratio))
@@ -194,13 +197,13 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
 static enum hatch_status measure_stretch(struct work *w, struct hatch_err *err)
 {
     struct lists lists = {.angles = 0};
-    lists.stretch = HATCH_NEW(w->scratch, struct hatch_weighted, w->sheets.count, err);
-    lists.area = lists.stretch ? HATCH_NEW(w->scratch, struct hatch_weighted, w->sheets.count, err) : NULL;
-    lists.angle = lists.area ? HATCH_NEW(w->scratch, struct hatch_weighted, w->sheets.count, err) : NULL;
+    lists.stretch = HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err);
+    lists.area = lists.stretch ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
+    lists.angle = lists.area ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
     if (!lists.angle)
         return HATCH_LIMIT;
-    for (uint32_t begin = 0, end; begin < w->sheets.count; begin = end) {
-        for (end = begin; end < w->sheets.count && w->sheets.list[end].group == w->sheets.list[begin].group;)
+    for (uint32_t begin = 0, end; begin < w->faces.count; begin = end) {
+        for (end = begin; end < w->faces.count && w->faces.list[end].group == w->faces.list[begin].group;)
             end++;
         measure_group(w, begin, end, &lists);
     }
@@ -221,11 +224,11 @@ enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const st
     struct hatch_lapped_figures made = {.patches = 0};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work w = {.scratch = scratch, .out = &made};
-    enum hatch_status status = hatch_sheets_make(scene, masks, scratch, &w.sheets, err);
+    enum hatch_status status = hatch_lapped_faces_find(scene, masks, scratch, &w.faces, err);
     if (status == HATCH_OK) {
-        made.patches = w.sheets.patch_count;
-        made.faces = w.sheets.face_count;
-        made.patch_faces = w.sheets.count;
+        made.patches = w.faces.patch_count;
+        made.faces = w.faces.surface_count;
+        made.patch_faces = w.faces.count;
         made.overlap = (double)made.patch_faces / made.faces;
         status = measure_cover(&w, samples, seed, err);
     }

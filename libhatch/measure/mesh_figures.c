@@ -14,8 +14,8 @@ struct work {
     struct hatch_mesh_figures *out;
     uint32_t *point;     /* per corner */
     uint8_t *dropped;    /* per face: degenerate */
-    uint8_t *point_used; /* per point: by a face with an area */
-    uint32_t *sets;      /* per point */
+    uint8_t *point_used; /* per point: by a face that is not degenerate */
+    uint32_t *sets;      /* per point: disjoint sets of points */
     struct hatch_edges edges;
 };
 
@@ -66,7 +66,7 @@ static void find_components(struct work *w)
     w->out->components = count_sets(w, w->point_used);
 }
 
-/* on_boundary: one zero per point. */
+/* on_boundary: zeros, one per point. */
 static void find_boundary(struct work *w, uint8_t *on_boundary)
 {
     uint32_t a, b;
@@ -132,14 +132,14 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     uint32_t count = 0;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
         struct hatch_stretch *s = &list[count];
-        if (!hatch_stretch_of(w->mesh, uv, f, s))
+        if (!hatch_measure_stretch(w->mesh, uv, f, s))
             continue;
         if (!(fabs(s->uv_area) > 0) || !isfinite(s->ratio)) {
             degenerate += s->area;
             continue;
         }
         kept += s->area;
-        /* v runs down the texture: its own right way round is the other one in u and v. */
+        /* v points down the texture, so that an unmirrored triangle has negative area in u and v. */
         mirrored += s->uv_area > 0 ? s->area : 0;
         uv_area += fabs(s->uv_area);
         count++;

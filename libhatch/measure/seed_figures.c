@@ -14,23 +14,23 @@ static double to_unit(uint64_t bits)
 static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *uneven,
                                       struct hatch_err *err)
 {
-    uint32_t count = set->count, wrong = 0;
+    uint32_t count = set->count, found = 0;
     for (uint32_t length = 1; (uint64_t)1 << 2 * (length - 1) <= count; length++) {
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         uint32_t patterns = (uint32_t)1 << 2 * length, least = count / patterns, pattern = 0;
-        uint32_t *seen = HATCH_NEW(scratch, uint32_t, patterns, err);
-        if (!seen)
+        uint32_t *occurrences = HATCH_NEW(scratch, uint32_t, patterns, err);
+        if (!occurrences)
             return HATCH_LIMIT;
         for (uint32_t i = 0; i < count + length - 1; i++) {
             pattern = (4 * pattern + set->crumbs[i % count]) % patterns;
             if (i >= length - 1)
-                seen[pattern]++;
+                occurrences[pattern]++;
         }
         for (uint32_t p = 0; p < patterns; p++)
-            wrong += seen[p] != least && !(count % patterns && seen[p] == least + 1);
+            found += occurrences[p] != least && !(count % patterns && occurrences[p] == least + 1);
         hatch_arena_rewind(scratch, mark);
     }
-    *uneven = wrong;
+    *uneven = found;
     return HATCH_OK;
 }
 
@@ -42,8 +42,8 @@ static enum hatch_status ratio_of(const struct hatch_seed_place *places, uint32_
     return HATCH_OK;
 }
 
-/* The first `count` of the recursive Bayer order: place i has the base-4 digits of i, the lowest first, as
- * the quarters 00, 11, 10, 01 it lies in (Bayer, ICC 1973). */
+/* The first points of the recursive Bayer order (Bayer, ICC 1973): the base-4 digits of i, lowest first, select
+ * the quarters 00, 11, 10 or 01 in which point i lies. */
 static void bayer_places(struct hatch_seed_place *places, uint32_t count)
 {
     static const uint64_t u_of[4] = {0, 1, 1, 0}, v_of[4] = {0, 1, 0, 1};
@@ -56,21 +56,21 @@ static void bayer_places(struct hatch_seed_place *places, uint32_t count)
     }
 }
 
-/* The seeds of a tile of the sparse level: of the four dense tiles in it, each shows those whose
- * last bits are the tile's parities. */
+/* Seed points of a tile of the next level, which spans four tiles: of each tile, those remain whose last bits
+ * equal the tile's parities. Returns their number. */
 static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hatch_seed_place *dense,
                               struct hatch_seed_place *sparse)
 {
-    uint32_t shown = 0;
+    uint32_t remaining = 0;
     for (uint64_t tile = 0; tile < 4; tile++)
         for (uint32_t i = 0; i < set->count; i++) {
             uint8_t last = set->crumbs[(i + set->count - 1) % set->count];
             if (last != tile)
                 continue;
-            sparse[shown].u = dense[i].u >> 1 | (tile & 1) << 63;
-            sparse[shown++].v = dense[i].v >> 1 | (tile >> 1) << 63;
+            sparse[remaining].u = dense[i].u >> 1 | (tile & 1) << 63;
+            sparse[remaining++].v = dense[i].v >> 1 | (tile >> 1) << 63;
         }
-    return shown;
+    return remaining;
 }
 
 static enum hatch_status measure_distances(const struct hatch_seed_set *set, uint32_t throws,
@@ -124,12 +124,12 @@ static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t thro
     HATCH_TRY(count_uneven(set, scratch, &f->uneven, err));
     HATCH_TRY(measure_distances(set, throws, places, others, scratch, f, err));
     f->correlation = correlate(places, count);
-    f->whole = count <= HATCH_SEED_FIGURES_MAX;
-    if (!f->whole)
+    f->complete = count <= HATCH_SEED_FIGURES_MAX;
+    if (!f->complete)
         return HATCH_OK;
-    HATCH_TRY(hatch_seeds_astray(set, scratch, &f->astray, err));
+    HATCH_TRY(hatch_measure_astray(set, scratch, &f->astray, err));
     HATCH_TRY(hatch_spread_discrepancy(places, count, scratch, &f->discrepancy, err));
-    return hatch_seeds_spectrum(places, count, scratch, f->power, err);
+    return hatch_measure_spectrum(places, count, scratch, f->power, err);
 }
 
 enum hatch_status hatch_measure_seeds(const struct hatch_seed_set *set, uint32_t throws, struct hatch_arena *scratch,

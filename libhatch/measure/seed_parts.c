@@ -5,14 +5,15 @@
 #include <math.h>
 #include <string.h>
 
-/* An integer of `bits` bits, the highest first, one a byte: plain, because it must be right. */
+/* Reads a seed point's coordinate as an integer of N bits, the highest first, one per byte. Deliberately simple:
+ * it checks faster code. */
 static void read_integer(const struct hatch_seed_set *set, uint32_t seed, uint32_t shift, uint8_t *bits)
 {
     for (uint32_t k = 0; k < set->count; k++)
         bits[k] = set->crumbs[(seed + k) % set->count] >> shift & 1u;
 }
 
-/* bits = 2 bits mod (2^count - 1): a carry out of the top is worth 1. */
+/* Doubles modulo 2^count - 1: a carry out of the highest bit is added at the lowest. */
 static void zoom(uint8_t *bits, uint32_t count)
 {
     uint32_t carry = 0;
@@ -28,8 +29,8 @@ static void zoom(uint8_t *bits, uint32_t count)
     }
 }
 
-enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *astray,
-                                     struct hatch_err *err)
+enum hatch_status hatch_measure_astray(const struct hatch_seed_set *set, struct hatch_arena *scratch, uint32_t *astray,
+                                       struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint8_t *zoomed = HATCH_NEW(scratch, uint8_t, set->count, err);
@@ -38,17 +39,17 @@ enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct ha
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    uint32_t wrong = 0;
+    uint32_t found = 0;
     for (uint32_t shift = 0; shift < 2; shift++) {
         read_integer(set, 0, shift, zoomed);
         for (uint32_t seed = 0; seed < set->count; seed++) {
             zoom(zoomed, set->count);
             read_integer(set, seed + 1, shift, next);
-            wrong += memcmp(zoomed, next, set->count) != 0;
+            found += memcmp(zoomed, next, set->count) != 0;
         }
     }
     hatch_arena_rewind(scratch, mark);
-    *astray = wrong;
+    *astray = found;
     return HATCH_OK;
 }
 
@@ -56,14 +57,14 @@ enum hatch_status hatch_seeds_astray(const struct hatch_seed_set *set, struct ha
 static void fill_waves(double x, uint32_t steps, double complex *waves)
 {
     for (uint32_t k = 0; k < steps; k++) {
-        double turn = fmod((double)k * x, 1.0) * 6.283185307179586;
-        waves[k] = cos(turn) - sin(turn) * I;
+        double angle = fmod((double)k * x, 1.0) * 6.283185307179586;
+        waves[k] = cos(angle) - sin(angle) * I;
     }
 }
 
 struct waves {
     uint32_t count, steps;
-    double complex *u, *v; /* steps a seed */
+    double complex *u, *v; /* steps per seed point */
 };
 
 static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)
@@ -76,14 +77,14 @@ static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)
     return (creal(sum) * creal(sum) + cimag(sum) * cimag(sum)) / waves->count;
 }
 
-enum hatch_status hatch_seeds_spectrum(const struct hatch_seed_place *places, uint32_t count,
-                                       struct hatch_arena *scratch, double power[HATCH_SEED_RINGS],
-                                       struct hatch_err *err)
+enum hatch_status hatch_measure_spectrum(const struct hatch_seed_place *places, uint32_t count,
+                                         struct hatch_arena *scratch, double power[HATCH_SEED_RINGS],
+                                         struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     double unit = sqrt(count);
     struct waves waves = {.count = count, .steps = (uint32_t)(1.125 * unit) + 2};
-    uint32_t seen[HATCH_SEED_RINGS] = {0};
+    uint32_t frequencies[HATCH_SEED_RINGS] = {0};
     waves.u = HATCH_NEW(scratch, double complex, (size_t)count *waves.steps, err);
     waves.v = waves.u ? HATCH_NEW(scratch, double complex, (size_t)count *waves.steps, err) : NULL;
     if (!waves.v) {
@@ -102,10 +103,10 @@ enum hatch_status hatch_seeds_spectrum(const struct hatch_seed_place *places, ui
             if ((ku == 0 && kv <= 0) || ring < 0 || ring >= (int)HATCH_SEED_RINGS)
                 continue;
             power[ring] += power_at(&waves, ku, kv);
-            seen[ring]++;
+            frequencies[ring]++;
         }
     for (uint32_t ring = 0; ring < HATCH_SEED_RINGS; ring++)
-        power[ring] = seen[ring] ? power[ring] / seen[ring] : 0;
+        power[ring] = frequencies[ring] ? power[ring] / frequencies[ring] : 0;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

@@ -4,9 +4,8 @@
 
 #include "math/vector.h"
 
-/* The singular values of the map from the triangle's plane to texture space, from its metric: with
- * E = u·u + v·v and |det|, (s1 ± s2)² = E ± 2 |det|. */
-bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch)
+/* Singular values s1, s2 of the derivative: (s1 ± s2)² = E ± 2 |det|, E the sum of the squared entries. */
+bool hatch_measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch)
 {
     double p[3][3], normal[3], x[3], y[3], ab[3], ac[3], t[3][2];
     const uint32_t *index = &mesh->indices[(size_t)face * 3];
@@ -18,13 +17,13 @@ bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t f
     for (int c = 0; c < 3; c++)
         for (size_t k = 0; k < 2; k++)
             t[c][k] = (double)uv[(size_t)index[c] * 2 + k] - (double)uv[(size_t)index[0] * 2 + k];
-    double doubled = hatch_vec_length(normal), length = hatch_vec_length(ab);
+    double area2 = hatch_vec_length(normal), length = hatch_vec_length(ab);
     hatch_vec_copy(ab, x);
     hatch_vec_normalize(x);
     hatch_vec_normalize(normal);
     hatch_vec_cross(normal, x, y);
-    /* Corners (0, 0), (length, 0), (cx, cy) in the plane; derivatives of u and v along both axes. */
-    double cx = hatch_vec_dot(ac, x), cy = doubled / length, e = 0, d[2][2];
+    /* The corners in the plane are (0, 0), (length, 0), (cx, cy). d[k]: derivative of u (v) along both axes. */
+    double cx = hatch_vec_dot(ac, x), cy = area2 / length, e = 0, d[2][2];
     for (int k = 0; k < 2; k++) {
         d[k][0] = t[1][k] / length;
         d[k][1] = (t[2][k] - d[k][0] * cx) / cy;
@@ -32,7 +31,7 @@ bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t f
     }
     double det = d[0][0] * d[1][1] - d[0][1] * d[1][0], sign = det > 0 ? 1 : det < 0 ? -1 : 0;
     double plus = sqrt(e + 2 * fabs(det)), minus = sqrt(fmax(0, e - 2 * fabs(det)));
-    stretch->area = doubled / 2;
+    stretch->area = area2 / 2;
     stretch->uv_area = det * stretch->area;
     stretch->ratio = sign != 0 ? (plus + minus) / (plus - minus) : HUGE_VAL;
     for (int k = 0; k < 3; k++)

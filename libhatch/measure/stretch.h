@@ -1,4 +1,4 @@
-/* What a triangle's texture coordinates do to it. */
+/* Stretch of the map from a triangle to texture space. */
 #ifndef HATCH_MEASURE_STRETCH_H
 #define HATCH_MEASURE_STRETCH_H
 
@@ -6,12 +6,14 @@
 
 struct hatch_stretch {
     double area;    /* of the triangle */
-    double uv_area; /* of its picture: over 0 where the picture is mirrored, since v runs down the texture */
-    double ratio;   /* the larger over the smaller singular value: 1 keeps angles; infinite without uv_area */
-    double u[3];    /* unit direction on the triangle in which u rises and v stays; zero without uv_area */
+    double uv_area; /* signed area in texture space; positive when mirrored, since v points down */
+    double ratio;   /* larger / smaller singular value; 1 preserves angles; infinite without uv_area */
+    double u[3];    /* unit direction on the triangle in which u rises and v is constant; zero without uv_area */
 };
 
-/* uv: 2 floats a vertex of the mesh. false when the face has no area. */
-bool hatch_stretch_of(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch);
+/* Computes the stretch of a face; false when it has no area.
+ *   uv  2 floats per vertex of the mesh */
+bool hatch_measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
+                           struct hatch_stretch *stretch);
 
 #endif

@@ -1,4 +1,4 @@
-/* The figures that need the strokes themselves: identity, one stroke's darkness, evenness. */
+/* Figures that need the strokes: nesting by stroke, a stroke's darkness, evenness. */
 #include <assert.h>
 #include <math.h>
 
@@ -6,11 +6,12 @@
 #include "measure/tam_figures.h"
 #include "placement/canvas.h"
 
-/* Reflectances are stored as halves: 11 bits. */
+/* Rounding error of reflectances, which are stored as halves: 11 bits. */
 #define HALF_STEP 0x1p-11f
 
-/* A canvas of the map's size with white paper on its first `levels` levels, and room for the longest and
- * the widest stroke of the list, whatever the style says. style is kept by the canvas. */
+/* Makes a canvas of the map's size with white paper on its first levels.
+ *   style  out: the strokes' style, with limits raised to the longest and widest stroke of the list; kept by
+ *          the canvas */
 static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
                                       uint32_t levels, struct hatch_style *style, struct hatch_arena *scratch,
                                       struct hatch_canvas *canvas, struct hatch_err *err)
@@ -24,7 +25,7 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
     return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, tam->color, false, canvas, err);
 }
 
-/* Whether a pixel of the footprint is lighter in any channel than the stroke alone makes it. */
+/* Whether a pixel of the footprint is lighter in any channel than the stroke alone would make it. */
 static bool is_missing(const struct hatch_tam *tam, const struct hatch_canvas *canvas,
                        const struct hatch_stroke *stroke, const struct hatch_image *image)
 {
@@ -38,7 +39,7 @@ static bool is_missing(const struct hatch_tam *tam, const struct hatch_canvas *c
     return false;
 }
 
-static bool belongs(const struct hatch_tam *tam, const struct hatch_stroke *stroke)
+static bool is_in_map(const struct hatch_tam *tam, const struct hatch_stroke *stroke)
 {
     return stroke->level < tam->levels && stroke->level < HATCH_STROKE_LEVELS_MAX &&
            stroke->column + stroke->delay[stroke->level] < tam->tones;
@@ -54,8 +55,9 @@ enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam, const s
     enum hatch_status status = white_canvas(tam, strokes, tam->levels, &style, scratch, &canvas, err);
     for (uint32_t i = 0; status == HATCH_OK && i < strokes->list->count; i++) {
         const struct hatch_stroke *stroke = &strokes->list->items[i];
-        if (!belongs(tam, stroke)) {
-            status = hatch_fail(err, HATCH_BAD_INPUT, "stroke %u: column %u, level %u, but the map has %u, %u", i + 1,
+        if (!is_in_map(tam, stroke)) {
+            status = hatch_fail(err, HATCH_BAD_INPUT,
+                                "stroke %u: column %u, level %u, but the map has %u columns, %u levels", i + 1,
                                 stroke->column, stroke->level, tam->tones, tam->levels);
             break;
         }
@@ -88,9 +90,9 @@ enum hatch_status hatch_measure_stroke_darkness(const struct hatch_tam *tam, con
     return status;
 }
 
-/* Throws the strokes of one column at random places on the canvas. */
-static void throw_column(struct hatch_canvas *canvas, const struct hatch_stroke_list *list, uint32_t column,
-                         uint32_t draw)
+/* Draws the strokes of a column at random positions. */
+static void draw_at_random(struct hatch_canvas *canvas, const struct hatch_stroke_list *list, uint32_t column,
+                           uint32_t draw)
 {
     for (uint32_t i = 0; i < list->count; i++) {
         struct hatch_stroke stroke = list->items[i];
@@ -102,22 +104,22 @@ static void throw_column(struct hatch_canvas *canvas, const struct hatch_stroke_
     }
 }
 
-/* Adds each tone's squared spreads of one throw to ratio. */
-static enum hatch_status add_throw(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes, uint32_t draw,
-                                   struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
+/* Adds the squared spreads of each tone in one random drawing to ratio. */
+static enum hatch_status add_drawing(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
+                                     uint32_t draw, struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
 {
     struct hatch_canvas canvas;
     struct hatch_style style;
     HATCH_TRY(white_canvas(tam, strokes, 1, &style, scratch, &canvas, err));
     struct hatch_image image = {
         .width = tam->size_px, .height = tam->size_px, .channel_count = 1, .pixels = canvas.paper[0]};
-    if (tam->color) { /* as in the map, the first channel counts */
+    if (tam->color) { /* the first channel is measured, as in the map */
         image.channel_count = 3;
         image.pixels = canvas.rgb[0];
     }
     for (uint32_t tone = 0; tone < tam->tones; tone++) {
         double spread[HATCH_EVENNESS_BOXES];
-        throw_column(&canvas, strokes->list, tone, draw);
+        draw_at_random(&canvas, strokes->list, tone, draw);
         HATCH_TRY(hatch_measure_spreads(&image, scratch, spread, err));
         for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++)
             ratio[tone * HATCH_EVENNESS_BOXES + box] += spread[box] * spread[box];
@@ -134,7 +136,7 @@ enum hatch_status hatch_measure_evenness(const struct hatch_tam *tam, const stru
         ratio[i] = 0;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     for (uint32_t draw = 0; draw < draws; draw++) {
-        enum hatch_status status = add_throw(tam, strokes, draw, scratch, ratio, err);
+        enum hatch_status status = add_drawing(tam, strokes, draw, scratch, ratio, err);
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);
     }

@@ -5,26 +5,25 @@
 #include "base/random.h"
 
 #define SEED 0x746f6e65u
+/* Limits: of inked darknesses, of grey ones, of the difference to a column. */
 #define INKED 0.1f
-#define GREY_BELOW 0.9f
-#define APART 0.1f
+#define GREY_MAX 0.9f
+#define UNLIKE 0.1f
 
-/* What one tone's samples sum up to. */
+/* Sums over the samples of a tone. */
 struct sums {
     double darkness, map, error, error_max;
     uint64_t inked, grey, grey_all;
 };
 
 struct job {
-    const struct hatch_tam *map;
-    hatch_tone_sample sample;
-    const void *subject;
-    float lod;
-    uint64_t samples;
+    const struct hatch_tone_test *test;
+    uint64_t samples; /* per tone */
     struct sums *tones;
 };
 
-/* The last column of at most that tone, -1: paper; share: of the next one. */
+/* Finds the last column of at most a tone, -1 for paper.
+ *   share  out: weight of the next column, 0 .. 1 */
 static int column_at(const struct hatch_tam *map, float tone, float *share)
 {
     uint32_t above = 0;
@@ -46,23 +45,24 @@ float hatch_tone_sample_map(const void *subject, float u, float v, float tone, f
 
 static bool is_grey(float darkness)
 {
-    return darkness > INKED && darkness < GREY_BELOW;
+    return darkness > INKED && darkness < GREY_MAX;
 }
 
 static void measure_tone(void *context, uint32_t index)
 {
     const struct job *job = context;
+    const struct hatch_tone_test *test = job->test;
     struct sums *sums = &job->tones[index];
-    /* anywhere in its 64th: even steps would be those of a file */
-    float share, within = hatch_random_unit(SEED, 2 * HATCH_TONES_MEASURED, index);
-    float tone = ((float)index + within) / HATCH_TONES_MEASURED;
-    int column = column_at(job->map, tone, &share), next = share > 0 ? column + 1 : column;
+    /* Random within its 64th: even steps would coincide with those of a file. */
+    float share, offset = hatch_random_unit(SEED, 2 * HATCH_TONES_MEASURED, index);
+    float tone = ((float)index + offset) / HATCH_TONES_MEASURED;
+    int column = column_at(test->map, tone, &share), next = share > 0 ? column + 1 : column;
     for (uint64_t i = 0; i < job->samples; i++) {
         float u = hatch_random_unit(SEED, 2 * index, i), v = hatch_random_unit(SEED, 2 * index + 1, i);
-        float below = 1 - hatch_tam_sample(job->map, column, u, v, job->lod);
-        float above = 1 - hatch_tam_sample(job->map, next, u, v, job->lod);
+        float below = 1 - hatch_tam_sample(test->map, column, u, v, test->lod);
+        float above = 1 - hatch_tam_sample(test->map, next, u, v, test->lod);
         float want = below + share * (above - below);
-        float got = 1 - job->sample(job->subject, u, v, tone, job->lod);
+        float got = 1 - test->sample(test->subject, u, v, tone, test->lod);
         double error = fabs((double)got - (double)want);
         sums->darkness += (double)got;
         sums->map += (double)want;
@@ -70,20 +70,16 @@ static void measure_tone(void *context, uint32_t index)
         sums->error_max = fmax(sums->error_max, error);
         sums->inked += got > INKED;
         sums->grey_all += is_grey(got);
-        sums->grey += is_grey(got) && fabsf(got - below) > APART && fabsf(got - above) > APART;
+        sums->grey += is_grey(got) && fabsf(got - below) > UNLIKE && fabsf(got - above) > UNLIKE;
     }
 }
 
-enum hatch_status hatch_measure_tones(const struct hatch_tam *map, hatch_tone_sample sample, const void *subject,
-                                      float lod, uint64_t samples, struct hatch_pool *pool, struct hatch_arena *scratch,
-                                      struct hatch_tone_figures *figures, struct hatch_err *err)
+enum hatch_status hatch_measure_tones(const struct hatch_tone_test *test, struct hatch_pool *pool,
+                                      struct hatch_arena *scratch, struct hatch_tone_figures *figures,
+                                      struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct job job = {map,
-                      sample,
-                      subject,
-                      lod,
-                      (samples + HATCH_TONES_MEASURED - 1) / HATCH_TONES_MEASURED,
+    struct job job = {test, (test->samples + HATCH_TONES_MEASURED - 1) / HATCH_TONES_MEASURED,
                       HATCH_NEW(scratch, struct sums, HATCH_TONES_MEASURED, err)};
     if (!job.tones)
         return HATCH_LIMIT;
@@ -92,9 +88,9 @@ enum hatch_status hatch_measure_tones(const struct hatch_tam *map, hatch_tone_sa
     double inked = 0, grey = 0, grey_all = 0, count = (double)job.samples;
     for (uint32_t i = 0; i < HATCH_TONES_MEASURED; i++) {
         const struct sums *sums = &job.tones[i];
-        double apart = fabs(sums->darkness - sums->map) / count;
-        found.tone_error += apart / HATCH_TONES_MEASURED;
-        found.tone_worst = fmax(found.tone_worst, apart);
+        double error = fabs(sums->darkness - sums->map) / count;
+        found.tone_error += error / HATCH_TONES_MEASURED;
+        found.tone_worst = fmax(found.tone_worst, error);
         found.error += sums->error / count / HATCH_TONES_MEASURED;
         found.error_max = fmax(found.error_max, sums->error_max);
         inked += (double)sums->inked;

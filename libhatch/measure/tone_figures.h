@@ -1,6 +1,5 @@
-/* How well a volume, thresholds, exact runs or a map of few columns show the tones of a map of many, looked
- * at as a shader looks at them: at random places, over tones and levels of detail. hatchstat(1) writes the
- * formulas. */
+/* Errors of tone: a volume, threshold texture, exact runs or map of few columns against a map of many columns,
+ * sampled as a shader does, at random places over all tones; hatchstat(1) has the formulas. */
 #ifndef HATCH_MEASURE_TONE_FIGURES_H
 #define HATCH_MEASURE_TONE_FIGURES_H
 
@@ -9,25 +8,37 @@
 
 #define HATCH_TONES_MEASURED 64u
 
-/* The reflectance at (u, v), a tone and a level of detail, with what a subject is. */
+/* Returns the reflectance at (u, v).
+ *   tone  0 .. 1
+ *   lod   level of detail, 0 = finest */
 typedef float (*hatch_tone_sample)(const void *subject, float u, float v, float tone, float lod);
 
-/* A map as such a subject: its two columns around the tone, blended; paper is one of tone 0. subject: a
- * struct hatch_tam. */
+/* Samples a map: blends the two columns around the tone, where paper is a column of tone 0.
+ *   subject  a struct hatch_tam */
 float hatch_tone_sample_map(const void *subject, float u, float v, float tone, float lod);
 
+/* Darknesses of the subject (S), of the map (M) and of the map's columns around the tone. */
 struct hatch_tone_figures {
-    double tone_error; /* mean over tones of |mean of darkness - the map's| */
-    double tone_worst; /* the largest of a tone */
-    double error;      /* mean of |darkness - the map's| */
+    double tone_error; /* mean over tones of |mean of S - M| */
+    double tone_worst; /* maximum over tones of the same */
+    double error;      /* mean of |S - M| */
     double error_max;
-    double grey;     /* share of the inked samples that are grey where the map is not */
+    double grey;     /* share of the inked samples that are grey and unlike both columns */
     double grey_all; /* share of the inked samples that are grey */
 };
 
-/* samples: 1 .. ; in all, spread over HATCH_TONES_MEASURED tones. The result does not depend on threads. */
-enum hatch_status hatch_measure_tones(const struct hatch_tam *map, hatch_tone_sample sample, const void *subject,
-                                      float lod, uint64_t samples, struct hatch_pool *pool, struct hatch_arena *scratch,
-                                      struct hatch_tone_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
+struct hatch_tone_test {
+    const struct hatch_tam *map;
+    hatch_tone_sample sample; /* called on several threads */
+    const void *subject;      /* argument of sample */
+    float lod;                /* level of detail, 0 = finest */
+    uint64_t samples;         /* at least 1; divided among HATCH_TONES_MEASURED tones */
+};
+
+/* Compares a subject with a map. The result does not depend on threads.
+ *   pool  NULL: on the caller's thread */
+enum hatch_status hatch_measure_tones(const struct hatch_tone_test *test, struct hatch_pool *pool,
+                                      struct hatch_arena *scratch, struct hatch_tone_figures *figures,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

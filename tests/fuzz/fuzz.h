@@ -1,5 +1,5 @@
-/* The frame of a fuzz target, tests/fuzz/fuzz_NAME.c (or .cc): one function that hands any bytes to a
- * parser and lets its result be looked at.
+/* Support for fuzz targets, tests/fuzz/fuzz_NAME.c (or .cc): each is one function that parses arbitrary bytes
+ * and checks the result.
  *
  *     #include "fuzz.h"
  *
@@ -16,8 +16,8 @@
  *     }
  *
  * `make check` replays tests/fuzz/corpus/NAME; `make fuzz` builds build/fuzz/bin/NAME with clang and
- * libFuzzer; `make check-long` runs each a million times (RUNS=N for another number). What crashed
- * goes to the corpus, with the fix, under a name that says what it was.
+ * libFuzzer; `make check-long` runs each a million times (RUNS=N for another number). Inputs that crashed
+ * are added to the corpus, with the fix, named after the fault.
  */
 #ifndef HATCH_TEST_FUZZ_H
 #define HATCH_TEST_FUZZ_H
@@ -35,7 +35,7 @@ extern "C"
     int
     LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* Small limits: an input of a few bytes that asks for more is refused, and the run stays fast. */
+/* Small, so that a short input that claims a large size is refused soon. */
 #define FUZZ_LIMIT_BYTES ((size_t)64 << 20)
 
 struct fuzz_arenas {
@@ -56,7 +56,7 @@ static inline void fuzz_arenas_free(struct fuzz_arenas *arenas)
     hatch_arena_free(&arenas->keep);
 }
 
-/* A failure has its sentence; scratch is empty either way. */
+/* Checks that a failure has a message and that scratch was rewound. */
 static inline void fuzz_check(enum hatch_status status, const struct hatch_err *err, const struct fuzz_arenas *arenas)
 {
     if (status != HATCH_OK && (err->status != status || !err->text[0]))
@@ -65,7 +65,7 @@ static inline void fuzz_check(enum hatch_status status, const struct hatch_err *
         abort();
 }
 
-/* Reads every byte, so that a sanitizer sees where the memory ends. */
+/* Reads every byte, so that a sanitizer detects memory that is too small. */
 static inline void fuzz_touch(const void *bytes, size_t size)
 {
     const volatile uint8_t *at = (const volatile uint8_t *)bytes;

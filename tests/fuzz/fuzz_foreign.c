@@ -1,4 +1,4 @@
-/* The look at foreign headers; what the plugin does is OpenImageIO's own. */
+/* Headers of foreign images; the plugin itself is OpenImageIO's to test. */
 #include "fuzz.h"
 
 #include "io/foreign/header.h"
@@ -7,6 +7,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct hatch_foreign_header header;
     if (hatch_foreign_header_read((struct hatch_bytes){data, size}, &header))
-        fuzz_touch(header.ending, 2);
+        fuzz_touch(header.extension, 2);
     return 0;
 }

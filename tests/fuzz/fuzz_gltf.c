@@ -1,7 +1,7 @@
 #include "io/gltf/gltf.h"
 #include "mesh.h"
 
-/* A companion file of some bytes, whatever its name. */
+/* A companion file of 64 zeros for any name. */
 static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                  struct hatch_err *err)
 {
@@ -13,6 +13,8 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
     *bytes = (struct hatch_bytes){data, 64};
     return HATCH_OK;
 }
+
+static const struct hatch_gltf_resolver resolver = {resolve, NULL};
 
 static void use_weights(const struct hatch_scene *scene, uint32_t animation, struct fuzz_arenas *arenas)
 {
@@ -55,7 +57,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct hatch_scene scene;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err = {HATCH_OK, ""};
-    enum hatch_status status = hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &arenas.keep,
+    enum hatch_status status = hatch_gltf_read((struct hatch_bytes){data, size}, &resolver, &arenas.keep,
                                                &arenas.scratch, &scene, &notes, &err);
     fuzz_check(status, &err, &arenas);
     if (status == HATCH_OK)

@@ -6,9 +6,9 @@
 #include "tam/thresholds.h"
 #include "tam/volume.h"
 
-#define TEXELS_MAX ((size_t)1 << 20) /* that are unpacked and sampled: more take long */
+#define BYTES_MAX ((size_t)1 << 20) /* of textures that are unpacked and sampled, for speed */
 
-/* A texture as each of the kinds that it may be, looked at in a few places. */
+/* Opens a texture as each kind that it may be and samples it. */
 static void open_kinds(const struct hatch_texels *texture, const char *const *keys, struct fuzz_arenas *arenas)
 {
     struct hatch_err err;
@@ -16,17 +16,17 @@ static void open_kinds(const struct hatch_texels *texture, const char *const *ke
     struct hatch_volume volume;
     struct hatch_thresholds thresholds;
     struct hatch_exact exact;
-    static const float places[] = {0, 0.3f, 0.999f, 1, -7.5f};
+    static const float coordinates[] = {0, 0.3f, 0.999f, 1, -7.5f};
     enum hatch_status unpacked = hatch_texels_unpack(texture, &arenas->keep, &plain, &err);
     fuzz_check(unpacked, &err, arenas);
     bool is_volume = unpacked == HATCH_OK && hatch_volume_from_texels(&plain, keys, &volume, &err) == HATCH_OK;
-    bool is_steps = hatch_thresholds_from_texels(texture, keys, &thresholds, &err) == HATCH_OK;
+    bool is_thresholds = hatch_thresholds_from_texels(texture, keys, &thresholds, &err) == HATCH_OK;
     bool is_exact = hatch_exact_from_texels(texture, &exact, &err) == HATCH_OK;
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        float value[4], at = places[i];
+    for (size_t i = 0; i < sizeof coordinates / sizeof *coordinates; i++) {
+        float value[4], at = coordinates[i];
         if (is_volume)
             hatch_volume_sample(&volume, at, -at, at, 3 * at, true, value);
-        if (is_steps)
+        if (is_thresholds)
             hatch_thresholds_sample(&thresholds, at, -at, at, 3 * at);
         if (is_exact)
             hatch_exact_sample(&exact, at, -at, at, 3 * at);
@@ -49,7 +49,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         bytes += hatch_texels_level_size(&texture, level);
         fuzz_touch(texture.texels[level], hatch_texels_level_size(&texture, level));
     }
-    if (status == HATCH_OK && bytes <= TEXELS_MAX)
+    if (status == HATCH_OK && bytes <= BYTES_MAX)
         open_kinds(&texture, keyed == HATCH_OK ? keys : NULL, &arenas);
     fuzz_arenas_free(&arenas);
     return 0;

@@ -2,7 +2,7 @@
 
 #include "seed/layers.h"
 
-/* Layers that are read have stretches of tones and sizes in their ranges. */
+/* Tone intervals and sizes of layers must be in their ranges. */
 static void check(const struct hatch_layers *layers)
 {
     for (uint32_t i = 0; i < layers->count; i++) {

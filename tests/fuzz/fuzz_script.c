@@ -8,7 +8,7 @@
 
 #define SIZE_PX 256
 
-/* Rounding to floats may take the narrowest stroke over the limit. */
+/* Rounding to floats may move the narrowest widths below the limit. */
 static bool has_narrowest(const struct hatch_stroke_list *strokes)
 {
     for (uint32_t i = 0; i < strokes->count; i++)
@@ -28,7 +28,7 @@ static bool is_same(struct hatch_stroke stroke, const struct hatch_stroke *other
     return memcmp(&stroke, other, sizeof stroke) == 0;
 }
 
-/* What was read is printed and read again: the same strokes, bit by bit. */
+/* Strokes that are printed and read again must be identical. */
 static void check_round_trip(const struct hatch_stroke_list *strokes, struct hatch_arena *arena)
 {
     struct hatch_buffer text = {.arena = arena};

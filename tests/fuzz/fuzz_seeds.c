@@ -2,7 +2,7 @@
 
 #include "seed/seeds.h"
 
-/* Any seeds that are read have crumbs and can be written and read again. */
+/* Seed sets must have base-4 digits and survive a round trip. */
 static void check(const struct hatch_seeds *seeds, struct fuzz_arenas *arenas)
 {
     struct hatch_err err;

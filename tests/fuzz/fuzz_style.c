@@ -2,7 +2,7 @@
 
 #include "placement/style.h"
 
-/* What a style holds after any text: within the ranges that its header states. */
+/* Values of a style must be in the ranges of its header, even after a failure. */
 static void check(const struct hatch_style *style)
 {
     float target[HATCH_TAM_TONES_MAX];

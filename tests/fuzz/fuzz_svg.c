@@ -7,7 +7,7 @@
 
 #define SIZE_PX 64
 
-/* What a drawing hands on is what a script may hold. */
+/* Strokes of a drawing must be in the ranges of a script. */
 static void check_stroke(const struct hatch_stroke *stroke)
 {
     if (!(stroke->x >= 0 && stroke->x < 1 && stroke->y >= 0 && stroke->y < 1))

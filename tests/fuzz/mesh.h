@@ -1,5 +1,5 @@
-/* What the fuzzers of the mesh readers share: whatever was read must stand every use that the commands
- * make of a mesh. */
+/* Shared by the fuzz targets of mesh formats: a mesh that was read must withstand every use that the commands
+ * make of it. */
 #ifndef HATCH_TEST_FUZZ_MESH_H
 #define HATCH_TEST_FUZZ_MESH_H
 
@@ -13,7 +13,7 @@
             abort();                                                                                                   \
     } while (0)
 
-/* Measures, cleans and completes a mesh; any step may fail by a limit, the checks must hold. */
+/* Measures, cleans and completes a mesh. Steps may fail; the invariants must hold. */
 static inline void fuzz_use_mesh(struct hatch_mesh *mesh, struct fuzz_arenas *arenas)
 {
     struct hatch_err err;
@@ -35,7 +35,7 @@ static inline void fuzz_use_mesh(struct hatch_mesh *mesh, struct fuzz_arenas *ar
             FUZZ_MUST_HOLD(mesh->attributes[a].data[i] - mesh->attributes[a].data[i] == 0);
 }
 
-/* The whole life of a mesh file of a format. */
+/* Fuzz target for a mesh format. */
 static inline int fuzz_mesh_file(enum hatch_mesh_format format, const uint8_t *data, size_t size)
 {
     struct fuzz_arenas arenas = fuzz_arenas_make();
@@ -43,8 +43,8 @@ static inline int fuzz_mesh_file(enum hatch_mesh_format format, const uint8_t *d
     double origin[3];
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err = {HATCH_OK, ""};
-    enum hatch_status status = hatch_mesh_read((struct hatch_bytes){data, size}, format, &arenas.keep, &arenas.scratch,
-                                               &mesh, origin, &notes, &err);
+    enum hatch_status status = hatch_mesh_read((struct hatch_mesh_file){{data, size}, format}, &arenas.keep,
+                                               &arenas.scratch, &mesh, origin, &notes, &err);
     fuzz_check(status, &err, &arenas);
     if (status == HATCH_OK)
         fuzz_use_mesh(&mesh, &arenas);

@@ -1,12 +1,12 @@
-/* Gives each file to a fuzz target once, without clang: replay_NAME FILE ... prints TAP. A crash ends
- * the run, and the plan, printed first, tells that tests are missing. */
+/* replay_NAME FILE ...: runs a fuzz target once on each file, without clang, and prints TAP. A crash ends the
+ * run; the plan, printed first, shows that tests are missing. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <sys/time.h>
 
 #include "fuzz.h"
 
-#define SECONDS_EACH 20 /* of a processor; under sanitizers the slowest takes a few */
+#define SECONDS_EACH 20 /* processor time per file; under sanitizers the slowest needs a few */
 
 static int replay(const char *path)
 {
@@ -16,18 +16,18 @@ static int replay(const char *path)
     fseek(file, 0, SEEK_END);
     long size = ftell(file);
     rewind(file);
-    /* As large as the content and no larger, so that AddressSanitizer sees every read beyond. */
+    /* Exactly as large as the content, so that AddressSanitizer detects every overrun. */
     uint8_t *data = size >= 0 ? malloc(size ? (size_t)size : 1) : NULL;
-    int whole = data && fread(data, 1, (size_t)size, file) == (size_t)size;
+    int complete = data && fread(data, 1, (size_t)size, file) == (size_t)size;
     fclose(file);
-    if (whole) {
+    if (complete) {
         struct itimerval limit = {.it_value.tv_sec = SECONDS_EACH}, none = {.it_value.tv_sec = 0};
         setitimer(ITIMER_PROF, &limit, NULL);
         LLVMFuzzerTestOneInput(data, (size_t)size);
         setitimer(ITIMER_PROF, &none, NULL);
     }
     free(data);
-    return whole;
+    return complete;
 }
 
 int main(int argc, char **argv)

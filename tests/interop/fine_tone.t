@@ -1,13 +1,13 @@
-# Volumes, thresholds and exact runs on their whole way: what ktx-parse reads in the files of tamvol and
-# tamthresh is what OpenImageIO reads in tamgen's map, and in their own EXR files, on every level.
+# Volumes, threshold textures and exact runs: the texels that ktx-parse reads from the files of tamvol and
+# tamthresh equal those that OpenImageIO reads from tamgen's map, and from their EXR files, on every level.
 . "${TOP:-.}/tests/tap.sh"
 INTEROP=$BUILD/interop
 export INTEROP
 if [ ! -d "$INTEROP/node_modules/ktx-parse" ]; then
-    skip "fine tones come whole into other readers" "make check-interop fetches them"
+    skip "other readers read fine tones exactly" "make check-interop fetches them"
     finish
 fi
-# texels FILE: by ktx-parse
+# texels FILE: its texels, read by ktx-parse
 texels() {
     node "$TOP/tests/interop/ktx_parse.mjs" "$1"
 }
@@ -25,8 +25,8 @@ compare "a volume as EXR has the same slices" slices slices.raw volume 128 32
 tamthresh map.exr -o thresholds.ktx2 && texels thresholds.ktx2 >thresholds
 tamthresh map.exr -o thresholds.exr &&
     "$BUILD/tests/interop/oiio_texels" thresholds.exr R G B A >layers.raw
-compare "thresholds as EXR are those of KTX2" layers layers.raw thresholds 128
-compare "thresholds rise to the map's last column" sums map.raw thresholds 128 64
+compare "thresholds as EXR equal those of KTX2" layers layers.raw thresholds 128
+compare "thresholds sum to the map's last column" sums map.raw thresholds 128 64
 tamthresh --exact map.exr -o exact.ktx2 && texels exact.ktx2 >exact
-compare "exact runs are the whole map" exact map.raw exact 128 64
+compare "exact runs contain the map exactly" exact map.raw exact 128 64
 finish

@@ -1,6 +1,6 @@
-/* samples FOLDER: writes sample files of every kind beside NAME.raw, which holds the texels as
- * another program must read them: level after level; of EXR files part after part, as floats,
- * channels in the order that NAME.channels names. */
+/* samples FOLDER: writes sample files of every format and, for images, NAME.raw with the texels that another
+ * program must read: level after level; of EXR files part after part, as floats, channels in the order of
+ * NAME.channels. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,10 +23,10 @@ static void check(enum hatch_status status)
     exit((int)status);
 }
 
-static void save(const char *folder, const char *name, const char *ending, const void *data, size_t size)
+static void save(const char *folder, const char *name, const char *extension, const void *data, size_t size)
 {
     char path[512];
-    snprintf(path, sizeof path, "%s/%s%s", folder, name, ending);
+    snprintf(path, sizeof path, "%s/%s%s", folder, name, extension);
     FILE *file = fopen(path, "wb");
     if (!file || fwrite(data, 1, size, file) != size || fclose(file) != 0) {
         fprintf(stderr, "samples: cannot write %s\n", path);
@@ -90,7 +90,7 @@ static const struct {
     {"flat", "RGBA", "R G B A", 45, 33, 1, false}, {"dot", "Y", "Y", 1, 1, 2, true},
 };
 
-/* Halves of all sizes and signs, some of them alike; whole ids; floats. */
+/* A random value of the channel's type; some halves are equal. */
 static float texel(const struct hatch_channel *channel, uint64_t stream, uint64_t index)
 {
     uint64_t bits = hatch_random_u64(77, stream, index);
@@ -143,31 +143,31 @@ static void save_pictures(const char *folder)
     }
 }
 
-/* A torus that a skin bends, with an attribute of its own and a texture; a plane with morph targets and a
- * normal map, under a matrix, drawn twice; cameras, lights, an animation of every interpolation. */
+/* The scene: a torus with a skin, a custom attribute and a texture; a plane with morph targets and a normal map,
+ * used by two nodes, one of them with a matrix; cameras, lights, and an animation of every interpolation. */
 static void make_meshes(struct hatch_scene_mesh meshes[2])
 {
-    const struct hatch_shape_options how = {.faces = 300};
+    const struct hatch_shape_options options = {.faces = 300};
     const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_PLANE};
     for (uint32_t i = 0; i < 2; i++) {
-        check(hatch_shape_make(shapes[i], &how, &arena, &scratch, &meshes[i].mesh, &err));
+        check(hatch_shape_make(shapes[i], &options, &arena, &scratch, &meshes[i].mesh, &err));
         meshes[i].material = i;
     }
     static const char *const names[] = {"JOINTS_0", "WEIGHTS_0", "COLOR_0", "_TEMPERATURE"};
     struct hatch_mesh *torus = &meshes[0].mesh, *plane = &meshes[1].mesh;
-    float *data[4], *moves;
-    check(hatch_mesh_add(&arena, plane, HATCH_MORPH_POSITION, 6, &moves, &err));
+    float *data[4], *displacements;
+    check(hatch_mesh_add(&arena, plane, HATCH_MORPH_POSITION, 6, &displacements, &err));
     for (size_t i = 0; i < 6 * (size_t)plane->vertex_count; i++)
-        moves[i] = 0.125f * (float)(i % 3);
+        displacements[i] = 0.125f * (float)(i % 3);
     for (uint32_t i = 0; i < 4; i++)
         check(hatch_mesh_add(&arena, torus, names[i], i < 3 ? 4 : 1, &data[i], &err));
     for (size_t v = 0; v < torus->vertex_count; v++) {
-        float share = (float)(v % 17) / 16;
-        data[0][4 * v + 1] = share < 1 ? 1 : 0; /* no joint where no weight is */
-        data[1][4 * v] = share;
-        data[1][4 * v + 1] = 1 - share;
+        float weight = (float)(v % 17) / 16;
+        data[0][4 * v + 1] = weight < 1 ? 1 : 0; /* joint 0 where the weight is 0 */
+        data[1][4 * v] = weight;
+        data[1][4 * v + 1] = 1 - weight;
         data[2][4 * v] = data[2][4 * v + 3] = 1;
-        data[3][v] = torus->attributes[0].data[3 * v]; /* a function of the place */
+        data[3][v] = torus->attributes[0].data[3 * v]; /* a function of the position */
     }
 }
 
@@ -180,69 +180,77 @@ static void make_texture(struct hatch_texture *texture)
     *texture = (struct hatch_texture){file.data, file.size};
 }
 
-static void save_scene(const char *folder)
+static float times[] = {0, 0.5f, 2}, values[27], rotations[12], inverse_bind[32];
+static uint32_t joints[] = {2, 5};
+static struct hatch_skin skin = {2, joints, inverse_bind};
+static struct hatch_animation_channel channels[] = {{2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
+                                                    {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, rotations, 0},
+                                                    {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
+                                                    {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
+static struct hatch_animation animation = {4, channels, 2};
+
+static void fill_motion(void)
 {
-    static float times[] = {0, 0.5f, 2}, values[27], turns[12], bind[32];
-    static uint32_t joints[] = {2, 5};
-    struct hatch_scene_mesh meshes[2] = {{.material = 0}};
-    struct hatch_node nodes[6];
-    const uint32_t parents[] = {HATCH_NONE, HATCH_NONE, HATCH_NONE, 1, 1, 2};
+    for (uint32_t i = 0; i < 27; i++)
+        values[i] = 1 + 0.1f * (float)i;
+    for (uint32_t i = 0; i < 3; i++)
+        rotations[4 * i + i] = 1;
+    for (uint32_t i = 0; i < 8; i++)
+        inverse_bind[i / 4 * 16 + i % 4 * 5] = 1;
+}
+
+static struct hatch_material materials[] = {{.base_color = {1, 0.5f, 0.25f, 1},
+                                             .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
+                                             .base.placed = true,
+                                             .base.scale = {2, 3},
+                                             .base.turn_rad = 0.5f,
+                                             .base.offset = {0.25f, 0}},
+                                            {.base_color = {1, 1, 1, 1},
+                                             .base.texture = HATCH_NONE,
+                                             .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
+                                             .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 0.5f},
+                                             .double_sided = true,
+                                             .alpha_cutoff = 0.5f,
+                                             .blend = true}};
+static struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
+static struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
+                                      {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
+                                      {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
+
+static void make_nodes(struct hatch_node nodes[6])
+{
+    static const uint32_t parents[] = {HATCH_NONE, HATCH_NONE, HATCH_NONE, 1, 1, 2};
     for (uint32_t i = 0; i < 6; i++)
         nodes[i] = (struct hatch_node){.parent = parents[i],
                                        .translation = {0.5f * (float)i},
                                        .scale = {1, 1, 1},
-                                       .rotation = {0, 0.6f, 0, 0.8f},
+                                       .rotation = {0, i ? 0.6f : 0, 0, i ? 0.8f : 1},
                                        .skin = i ? HATCH_NONE : 0,
-                                       .camera = i == 5   ? 0
-                                                 : i == 3 ? 1
-                                                          : HATCH_NONE,
-                                       .light = i == 2   ? 2
-                                                : i == 4 ? 0
-                                                         : HATCH_NONE};
-    nodes[0] = (struct hatch_node){.parent = HATCH_NONE,
-                                   .scale = {1, 1, 1},
-                                   .rotation = {0, 0, 0, 1},
-                                   .mesh_count = 1,
-                                   .camera = HATCH_NONE,
-                                   .light = 1};
+                                       .camera = HATCH_NONE,
+                                       .light = HATCH_NONE};
+    nodes[0].light = 1;
+    nodes[2].light = 2;
+    nodes[3].camera = 1;
+    nodes[4].light = 0;
+    nodes[5].camera = 0;
+    nodes[0].mesh_count = 1;
     nodes[1].mesh_count = nodes[3].mesh_count = nodes[1].first_mesh = nodes[3].first_mesh = 1;
     nodes[1].has_matrix = true;
     nodes[1].matrix[0] = nodes[1].matrix[10] = nodes[1].matrix[15] = 1;
     nodes[1].matrix[5] = -2; /* mirrors */
-    for (uint32_t i = 0; i < 27; i++)
-        values[i] = 1 + 0.1f * (float)i;
-    for (uint32_t i = 0; i < 3; i++)
-        turns[4 * i + i] = 1;
-    for (uint32_t i = 0; i < 8; i++)
-        bind[i / 4 * 16 + i % 4 * 5] = 1;
-    struct hatch_animation_channel channels[] = {{2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
-                                                 {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, turns, 0},
-                                                 {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
-                                                 {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
+}
+
+static void save_scene(const char *folder)
+{
+    struct hatch_scene_mesh meshes[2] = {{.material = 0}};
+    struct hatch_node nodes[6];
     struct hatch_texture texture;
-    struct hatch_material materials[] = {{.base_color = {1, 0.5f, 0.25f, 1},
-                                          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
-                                          .base.placed = true,
-                                          .base.scale = {2, 3},
-                                          .base.turn_rad = 0.5f,
-                                          .base.offset = {0.25f, 0}},
-                                         {.base_color = {1, 1, 1, 1},
-                                          .base.texture = HATCH_NONE,
-                                          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
-                                          .normals = {true, {.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}}, 0.5f},
-                                          .double_sided = true,
-                                          .alpha_cutoff = 0.5f,
-                                          .blend = true}};
-    struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
-    struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
-                                   {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
-                                   {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
-    struct hatch_skin skin = {2, joints, bind};
-    struct hatch_animation animation = {4, channels, 2};
     const struct hatch_scene scene = {2,      6,     2,         1,        2,       3,      1,     1,
                                       meshes, nodes, materials, &texture, cameras, lights, &skin, &animation};
     struct hatch_buffer file = {.arena = &arena};
     make_meshes(meshes);
+    make_nodes(nodes);
+    fill_motion();
     make_texture(&texture);
     check(hatch_glb_write_scene(&scene, "a sample", &scratch, &file, &err));
     save(folder, "scene", ".glb", file.data, file.size);

@@ -1,10 +1,10 @@
-# A map on its whole way: what three.js uploads of tampack's textures is what OpenImageIO reads in
-# tamgen's file, rounded to 8 bits, on every level.
+# The texels that three.js uploads of tampack's textures equal those that OpenImageIO reads from tamgen's map,
+# rounded to 8 bits, on every level.
 . "${TOP:-.}/tests/tap.sh"
 INTEROP=$BUILD/interop
 export INTEROP
 if [ ! -d "$INTEROP/node_modules/three" ]; then
-    skip "a map comes whole into three.js" "make check-interop fetches it"
+    skip "three.js reads a map exactly" "make check-interop fetches it"
     finish
 fi
 tamgen --size 128 --tones 5 --style pencil -o map.exr
@@ -13,7 +13,7 @@ for ink in 0 1; do
     tampack --ink $ink map.exr -o map.ktx2
     for index in 0 1; do
         node "$TOP/tests/interop/three_ktx2.mjs" map.$index.ktx2 >got
-        ok "texture $index with ink as $ink comes whole into three.js" \
+        ok "three.js reads texture $index with ink as $ink exactly" \
             node "$TOP/tests/interop/compare_tam.mjs" map.raw got 128 5 $index $ink
     done
 done

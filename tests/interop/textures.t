@@ -1,11 +1,11 @@
-# What other projects' readers see in our files is what was written, texel for texel, on every level:
-# EXR by OpenImageIO and exrheader; KTX2 by ktx-parse and three.js, DDS by PixiJS, which `make
-# check-interop` fetches. (No such reader knows DDS arrays: tests/unit/io/test_container.c.)
+# Readers of other projects read exactly the texels that were written, on every level: OpenImageIO and
+# exrheader read EXR; ktx-parse and three.js read KTX2, PixiJS reads DDS; `make check-interop` fetches these.
+# None of them supports DDS arrays, see tests/unit/io/test_container.c.
 . "${TOP:-.}/tests/tap.sh"
 TESTS=$BUILD/tests/interop
 INTEROP=$BUILD/interop
 export INTEROP
-[ -x "$TESTS/samples" ] || { skip "sample files" "they are built by make check"; finish; }
+[ -x "$TESTS/samples" ] || { skip "sample files" "make check builds them"; finish; }
 ok "sample files are written" "$TESTS/samples" "$WORK"
 
 for file in *.exr; do
@@ -24,7 +24,7 @@ for file in *.exr; do
     fi
 done
 
-# by NAME SCRIPT FILE PACKAGE
+# by NAME SCRIPT FILE PACKAGE: compares the texels that a reader prints with FILE.raw
 by() {
     if [ ! -d "$INTEROP/node_modules/$4" ]; then
         skip "$1 reads $3" "make check-interop fetches it"
@@ -40,8 +40,8 @@ by() {
 for file in *.ktx2; do
     by ktx-parse ktx_parse.mjs "$file" ktx-parse
 done
-for file in rgba.ktx2 rgba-volume.ktx2; do # three.js has no arrays of plain formats and no RGB8
+for file in rgba.ktx2 rgba-volume.ktx2; do # three.js supports neither arrays of uncompressed formats nor RGB8
     by three.js three_ktx2.mjs "$file" three
 done
-by PixiJS pixi_dds.mjs rgba.dds pixi.js # it takes no arrays and no volumes
+by PixiJS pixi_dds.mjs rgba.dds pixi.js # supports neither arrays nor volumes
 finish

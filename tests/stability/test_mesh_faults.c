@@ -106,8 +106,8 @@ START_TEST(corners_of_unequal_triangles)
                                "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     struct hatch_mesh mesh;
     struct hatch_mesh_notes notes = {0};
-    HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)cube, sizeof cube - 1}, HATCH_MESH_OBJ, &keep,
-                                  &scratch, &mesh, NULL, &notes, &err),
+    HATCH_TEST_OK(hatch_mesh_read((struct hatch_mesh_file){{(const uint8_t *)cube, sizeof cube - 1}, HATCH_MESH_OBJ},
+                                  &keep, &scratch, &mesh, NULL, &notes, &err),
                   &err);
     ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 15);
     ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 1e-4);
@@ -128,9 +128,10 @@ START_TEST(polygons_that_are_not_convex)
         struct hatch_mesh mesh;
         struct hatch_mesh_figures figures;
         struct hatch_mesh_notes notes = {0};
-        HATCH_TEST_OK(hatch_mesh_read((struct hatch_bytes){(const uint8_t *)files[i], strlen(files[i])}, HATCH_MESH_OBJ,
-                                      &keep, &scratch, &mesh, NULL, &notes, &err),
-                      &err);
+        HATCH_TEST_OK(
+            hatch_mesh_read((struct hatch_mesh_file){{(const uint8_t *)files[i], strlen(files[i])}, HATCH_MESH_OBJ},
+                            &keep, &scratch, &mesh, NULL, &notes, &err),
+            &err);
         HATCH_TEST_OK(hatch_measure_mesh(&mesh, &scratch, &figures, &err), &err);
         areas[i] = figures.area;
     }

@@ -33,7 +33,8 @@ static struct hatch_tone_figures measure(const struct hatch_tam *map, hatch_tone
                                          float lod)
 {
     struct hatch_tone_figures found;
-    HATCH_TEST_OK(hatch_measure_tones(map, sampler, what, lod, 20000, NULL, &map_scratch, &found, &map_err), &map_err);
+    const struct hatch_tone_test test = {map, sampler, what, lod, 20000};
+    HATCH_TEST_OK(hatch_measure_tones(&test, NULL, &map_scratch, &found, &map_err), &map_err);
     return found;
 }
 

@@ -6,18 +6,15 @@
 
 #include "io/exr/zip.h"
 
-enum hatch_status hatch_exr_chunks_begin(const struct hatch_exr_stream *stream, exr_context_t context, int part,
-                                         size_t raw_max, const uint32_t *place, struct hatch_arena *scratch,
-                                         struct hatch_exr_chunks *chunks, struct hatch_err *err)
+enum hatch_status hatch_exr_chunks_begin(struct hatch_exr_chunks *chunks, struct hatch_arena *scratch,
+                                         struct hatch_err *err)
 {
-    *chunks = (struct hatch_exr_chunks){
-        .stream = stream, .context = context, .part = part, .raw_max = raw_max, .place = place};
-    chunks->raw = HATCH_NEW(scratch, uint8_t, raw_max, err);
-    chunks->filtered = HATCH_NEW(scratch, uint8_t, raw_max, err);
+    chunks->raw = HATCH_NEW(scratch, uint8_t, chunks->raw_max, err);
+    chunks->filtered = HATCH_NEW(scratch, uint8_t, chunks->raw_max, err);
     if (!chunks->raw || !chunks->filtered)
         return HATCH_LIMIT;
     chunks->decompressor = libdeflate_alloc_decompressor();
-    return chunks->decompressor ? HATCH_OK : hatch_fail(err, HATCH_LIMIT, "out of memory for unpacking");
+    return chunks->decompressor ? HATCH_OK : hatch_fail(err, HATCH_LIMIT, "out of memory for decompression");
 }
 
 void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks)
@@ -28,7 +25,7 @@ void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks)
         exr_decoding_destroy(chunks->context, &chunks->pipeline);
 }
 
-/* RLE and PIZ: the core reads and unpacks, and leaves the bytes of the chunk in its own buffer. */
+/* RLE and PIZ: OpenEXR's core reads and decompresses; *raw points into its own buffer. */
 static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
                                         const uint8_t **raw, struct hatch_err *err)
 {
@@ -50,13 +47,13 @@ static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks, const e
     return HATCH_OK;
 }
 
-/* The chunk's bytes as they were before packing, size of them, aligned for halves. */
+/* Sets *raw to the chunk's size decompressed bytes, aligned for halves. */
 static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info, size_t size,
                                 const uint8_t **raw, struct hatch_err *err)
 {
     size_t file_size = chunks->stream->file.size;
     if (info->data_offset > file_size || info->packed_size > file_size - info->data_offset)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut: the chunk at byte %llu has %llu bytes, file %zu",
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the chunk at byte %llu has %llu bytes, the file %zu",
                           (unsigned long long)info->data_offset, (unsigned long long)info->packed_size, file_size);
     const uint8_t *packed = chunks->stream->file.data + info->data_offset;
     *raw = chunks->raw;
@@ -77,7 +74,7 @@ static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk
     return unpack_by_core(chunks, info, raw, err);
 }
 
-static void take_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t count, float *values, size_t stride)
+static void convert_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t count, float *values, size_t stride)
 {
     if (type == HATCH_HALF) {
         hatch_floats_from_halves((const uint16_t *)(const void *)raw, count, values, stride);
@@ -94,21 +91,21 @@ static void take_row(const uint8_t *raw, enum hatch_channel_type type, uint32_t 
 }
 
 enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
-                                       struct hatch_image *image, uint32_t left, uint32_t top, uint32_t width,
-                                       uint32_t height, struct hatch_err *err)
+                                       const struct hatch_exr_area *area, struct hatch_image *image,
+                                       struct hatch_err *err)
 {
-    size_t texel = 0, stride = image->channel_count;
+    size_t texel_bytes = 0, stride = image->channel_count;
     for (uint32_t c = 0; c < image->channel_count; c++)
-        texel += hatch_exr_channel_bytes(image->channels[c].type);
-    assert(texel * width * height <= chunks->raw_max);
+        texel_bytes += hatch_exr_channel_bytes(image->channels[c].type);
+    assert(texel_bytes * area->width * area->height <= chunks->raw_max);
     const uint8_t *raw = NULL;
-    HATCH_TRY(unpack(chunks, info, texel * width * height, &raw, err));
-    for (uint32_t row = 0; row < height; row++) {
-        float *first = image->pixels + ((size_t)(top + row) * image->width + left) * stride;
+    HATCH_TRY(unpack(chunks, info, texel_bytes * area->width * area->height, &raw, err));
+    for (uint32_t row = 0; row < area->height; row++) {
+        float *first = image->pixels + ((size_t)(area->top + row) * image->width + area->left) * stride;
         for (uint32_t i = 0; i < image->channel_count; i++) {
-            uint32_t c = chunks->place[i];
-            take_row(raw, image->channels[c].type, width, first + c, stride);
-            raw += hatch_exr_channel_bytes(image->channels[c].type) * width;
+            uint32_t c = chunks->image_channel[i];
+            convert_row(raw, image->channels[c].type, area->width, first + c, stride);
+            raw += hatch_exr_channel_bytes(image->channels[c].type) * area->width;
         }
     }
     return HATCH_OK;

@@ -1,53 +1,63 @@
-/* OpenEXR files: several named parts, each tiled and mip-mapped (or flat scanlines, when reading),
- * on OpenEXR's C core. Everything is encoded in and decoded from memory. */
-#ifndef HATCH_IO_EXR_H
-#define HATCH_IO_EXR_H
+/* OpenEXR files of several named parts, mip-mapped, by OpenEXR's C core. Files are read from and
+ * written to memory. */
+#ifndef HATCH_IO_EXR_EXR_H
+#define HATCH_IO_EXR_EXR_H
 
 #include "base/bytes.h"
 #include "base/parallel.h"
 #include "image/image.h"
 
-/* Reads every part: scanline or tiled, one level or mip-mapped, HALF, FLOAT or UINT channels (at
- * most 8: R, G, B, Y and A come first, then the others as in the file), any lossless compression;
- * float, int and string attributes that the format itself does not need, the first 16 of them. Deep
- * data, rip-maps, sub-sampled channels and cut or damaged files are HATCH_BAD_INPUT; so is a header
- * that claims more than its compression can have packed into the file. Sizes are checked against
- * the arena's limit before anything is allocated: HATCH_LIMIT. Pixels that are not finite are kept;
- * the caller decides. arena and scratch may be one. Parts are decoded on pool's threads, NULL: on one;
- * what comes out is the same. */
+/* Reads every part: scanlines or tiles, one level or mip-mapped; uncompressed or compressed by RLE,
+ * ZIPS, ZIP or PIZ; 1 to 8 channels of type HALF, FLOAT or UINT, ordered R, G, B, Y, A, then the others
+ * in file order; the first 16 attributes of type float, int or string that the format itself does not require.
+ * Values that are not finite are kept. The result is the same for any number of threads.
+ *   pool        decodes parts in parallel; NULL: on the caller's thread
+ *   scratch     may be arena
+ *   parts       out: part_count images, in arena
+ * HATCH_BAD_INPUT for deep data, rip-maps, sub-sampled channels, lossy compression, a truncated or damaged
+ * file, and a header that claims more pixels than the file's bytes can hold; HATCH_LIMIT, before any allocation,
+ * when the pixels exceed the arena's limit. */
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts, uint32_t *part_count,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_exr_writer;
 
-/* Begins a file of part_count parts, all of base's size, levels and channels (its pixels are not
- * looked at). More than one level makes tiled mip-maps, ZIP compressed; one level makes scanlines.
- */
+/* Begins a file whose parts all have base's size, levels and channels. Several levels are written as
+ * ZIP-compressed mip-mapped tiles, a single level as ZIP-compressed scanlines.
+ *   base        its pixels are not read; one level, or the full chain down to 1x1
+ *   part_count  at least 1
+ *   arena       holds the writer; its remaining limit bounds the compressed parts */
 enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count, struct hatch_arena *arena,
                                   struct hatch_exr_writer **writer, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Converts and compresses one part and keeps the compressed bytes, not the pixels. Different parts
- * may be added from different threads at once; each part once. */
+/* Compresses one part; the writer keeps the compressed bytes and copies of name and attributes. Safe to
+ * call from several threads at once for different parts.
+ *   part    index, 0 .. part_count - 1; each is added once
+ *   mipmap  UINT channels: integers 0 .. 2^24 */
 enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t part, const struct hatch_mipmap *mipmap,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Writes the file's bytes into an empty buffer; whatever happens, the writer is done then. The
- * bytes depend on the parts alone. */
+/* Joins the parts into one file and frees the writer, even on failure. The bytes depend on the parts
+ * alone, not on threads or the order in which they were added.
+ *   file  out: empty buffer; stays empty on failure
+ * HATCH_IO when the header cannot be written. */
 enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same bytes where they lie, for a file that is too large to be laid out once more: what comes first goes into an
- * empty head, and pieces[part_count] are what follows, in this order. They live until hatch_exr_abandon, which the
- * caller owes in any case. */
+/* Gives the bytes of hatch_exr_end without joining them, for files too large to copy. The caller must
+ * then call hatch_exr_abandon, even on failure; the pieces are valid until then.
+ *   head    out: empty buffer; the file's first bytes
+ *   pieces  out: part_count byte strings that follow head, in this order
+ * HATCH_IO when the header cannot be written. */
 enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch_buffer *head,
                                    struct hatch_bytes *pieces, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees what the writer holds outside its arena: after hatch_exr_pieces, or on the way out after a failure. NULL is
- * allowed. */
+/* Frees the writer's memory outside its arena: after hatch_exr_pieces, or instead of hatch_exr_end
+ * after a failure. NULL is allowed. */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
-/* A whole file of one part. */
+/* Writes a file of one part, as hatch_exr_begin, _add_part and _end do. */
 enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,
                                   struct hatch_buffer *file, struct hatch_err *err) HATCH_MUST_USE;
 

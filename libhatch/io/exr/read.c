@@ -7,8 +7,8 @@
 #include "io/exr/chunk.h"
 #include "io/exr/zip.h"
 
-#define CHUNK_TABLE_ENTRY 8u
-#define WHOLE_MAX 0x1p24f
+#define CHUNK_OFFSET_BYTES 8u
+#define UINT_MAX_EXACT 0x1p24f /* floats hold every integer up to this one */
 
 struct reading {
     struct hatch_exr_stream stream;
@@ -17,16 +17,16 @@ struct reading {
     struct hatch_err *err;
 };
 
-/* What a part says of itself, checked. */
+/* A part's size and format, from its header; validated. */
 struct layout {
     const char *name;
     bool tiled;
     uint32_t width, height, level_count, channel_count;
-    uint32_t pack_ratio;                /* its compression shrinks bytes at most to one in so many */
-    uint32_t chunk_width, chunk_height; /* of a tile, or of rows that are packed together */
-    int32_t top;                        /* scanlines count from the data window's top */
-    struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in the order of the image */
-    uint32_t place[HATCH_IMAGE_CHANNELS_MAX];                /* where the n-th channel of the file stands in it */
+    uint32_t pack_ratio;                                     /* upper bound of unpacked / packed bytes */
+    uint32_t chunk_width, chunk_height;                      /* of a tile, or of the rows compressed together */
+    int32_t top;                                             /* y of the data window's first scanline */
+    struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in image order */
+    uint32_t image_channel[HATCH_IMAGE_CHANNELS_MAX];        /* [n]: image index of the file's n-th channel */
 };
 
 struct part {
@@ -47,20 +47,20 @@ static enum hatch_status bad(const struct reading *r, exr_result_t result)
             return bad((r), try_result_);                                                                              \
     } while (0)
 
-/* A file has its channels by name: B before G before R. Images have colours first, as people say
- * them, and the others after, as the file has them. */
-static void place_channels(const exr_attr_chlist_t *list, struct layout *layout)
+/* Files store channels sorted by name (B, G, R). Images list R, G, B, Y, A first, then the others in
+ * file order. */
+static void order_channels(const exr_attr_chlist_t *list, struct layout *layout)
 {
     static const char *const colors[] = {"R", "G", "B", "Y", "A"};
     const uint32_t color_count = sizeof colors / sizeof *colors;
     uint32_t next = 0;
     for (uint32_t rank = 0; rank <= color_count; rank++)
         for (uint32_t i = 0; i < layout->channel_count; i++) {
-            uint32_t own = 0;
-            while (own < color_count && strcmp(list->entries[i].name.str, colors[own]) != 0)
-                own++;
-            if (own == rank)
-                layout->place[i] = next++;
+            uint32_t color = 0;
+            while (color < color_count && strcmp(list->entries[i].name.str, colors[color]) != 0)
+                color++;
+            if (color == rank)
+                layout->image_channel[i] = next++;
         }
 }
 
@@ -72,19 +72,21 @@ static enum hatch_status read_channels(const struct reading *r, int part, struct
         return hatch_fail(r->err, HATCH_BAD_INPUT, "%d channels, want 1 to %u", list->num_channels,
                           HATCH_IMAGE_CHANNELS_MAX);
     layout->channel_count = (uint32_t)list->num_channels;
-    place_channels(list, layout);
+    order_channels(list, layout);
     for (uint32_t c = 0; c < layout->channel_count; c++) {
         const exr_attr_chlist_entry_t *entry = &list->entries[c];
-        struct hatch_channel *channel = &layout->channels[layout->place[c]];
+        struct hatch_channel *channel = &layout->channels[layout->image_channel[c]];
         size_t length = strlen(entry->name.str);
         if (length == 0 || length >= HATCH_NAME_MAX)
-            return hatch_fail(r->err, HATCH_BAD_INPUT, "a channel's name has %zu bytes", length);
+            return hatch_fail(r->err, HATCH_BAD_INPUT, "channel name of %zu bytes, want 1 to %u", length,
+                              HATCH_NAME_MAX - 1);
         memcpy(channel->name, entry->name.str, length + 1);
         channel->type = entry->pixel_type == EXR_PIXEL_HALF    ? HATCH_HALF
                         : entry->pixel_type == EXR_PIXEL_FLOAT ? HATCH_FLOAT
                                                                : HATCH_UINT;
         if (entry->x_sampling != 1 || entry->y_sampling != 1)
-            return hatch_fail(r->err, HATCH_BAD_INPUT, "channel %s is sub-sampled", channel->name);
+            return hatch_fail(r->err, HATCH_BAD_INPUT, "channel %s is sub-sampled, which is not supported",
+                              channel->name);
     }
     return HATCH_OK;
 }
@@ -97,11 +99,11 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
     TRY_EXR(r,
             exr_get_tile_descriptor(r->context, part, &layout->chunk_width, &layout->chunk_height, &mode, &rounding));
     if (layout->chunk_width == 0 || layout->chunk_height == 0)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "tiles without texels");
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "tile size is zero");
     if (mode == EXR_TILE_ONE_LEVEL)
         return HATCH_OK;
     if (mode != EXR_TILE_MIPMAP_LEVELS)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "rip-maps are not read");
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "rip-maps are not supported");
     int32_t across = 0, down = 0;
     TRY_EXR(r, exr_get_tile_levels(r->context, part, &across, &down));
     for (int32_t level = 0; level < across; level++) {
@@ -109,16 +111,17 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
         TRY_EXR(r, exr_get_level_sizes(r->context, part, level, level, &width, &height));
         if ((uint32_t)width != hatch_mip_size(layout->width, (uint32_t)level) ||
             (uint32_t)height != hatch_mip_size(layout->height, (uint32_t)level))
-            return hatch_fail(r->err, HATCH_BAD_INPUT, "mip level %d is %dx%d: rounded up", level, width, height);
+            return hatch_fail(r->err, HATCH_BAD_INPUT, "mip level %d is %dx%d: sizes must be rounded down", level,
+                              width, height);
     }
     if (across < 1 || across > (int32_t)HATCH_MIP_LEVELS_MAX)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels", across);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d mip levels, want 1 to %u", across, HATCH_MIP_LEVELS_MAX);
     layout->level_count = (uint32_t)across;
     return HATCH_OK;
 }
 
-/* A header that claims more pixels than a compression can hold in the file's bytes lies. A run of
- * RLE is 128 bytes in two, a match of deflate 258 in two bits; PIZ stays below that. */
+/* The ratio bounds the pixels that a header may claim. RLE: a run packs 128 bytes into 2; deflate: a
+ * match packs 258 bytes into 2 bits; PIZ stays below deflate. */
 static enum hatch_status read_compression(const struct reading *r, int part, struct layout *layout)
 {
     exr_compression_t compression = EXR_COMPRESSION_NONE;
@@ -136,23 +139,24 @@ static enum hatch_status read_compression(const struct reading *r, int part, str
         layout->pack_ratio = 1032;
         return HATCH_OK;
     default:
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "compression %d is not lossless, or unknown", (int)compression);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "compression %d is lossy or unknown; use none, RLE, ZIP or PIZ",
+                          (int)compression);
     }
 }
 
-/* Nothing is allocated for a part before its layout has passed. */
+/* Allocates nothing: sizes are checked before the first allocation. */
 static enum hatch_status read_layout(const struct reading *r, int part, struct layout *layout)
 {
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
     exr_attr_box2i_t window;
     TRY_EXR(r, exr_get_storage(r->context, part, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "deep data is not read");
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "deep data is not supported");
     layout->tiled = storage == EXR_STORAGE_TILED;
     if (exr_get_name(r->context, part, &layout->name) != EXR_ERR_SUCCESS || !layout->name)
         layout->name = "";
     if (strlen(layout->name) >= HATCH_NAME_MAX)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "the name has more than %u bytes", HATCH_NAME_MAX - 1);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "its name is longer than %u bytes", HATCH_NAME_MAX - 1);
     TRY_EXR(r, exr_get_data_window(r->context, part, &window));
     layout->top = window.min.y;
     layout->width = (uint32_t)((int64_t)window.max.x - window.min.x + 1);
@@ -164,15 +168,15 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
     int32_t rows = 0;
     TRY_EXR(r, exr_get_scanlines_per_chunk(r->context, part, &rows));
     if (rows < 1)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d rows in a chunk", rows);
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "%d rows in a chunk, want at least 1", rows);
     layout->level_count = 1;
     layout->chunk_width = layout->width;
     layout->chunk_height = (uint32_t)rows;
     return HATCH_OK;
 }
 
-/* The bytes that a part's floats take; grows *total, which must stay within the arena and what the
- * file can hold. */
+/* Adds the bytes of the part's floats to *total and checks them against the arena's limit and the
+ * file's size. */
 static enum hatch_status check_size(const struct reading *r, int part, const struct layout *layout, uint64_t *total)
 {
     uint64_t texels = 0, texel_bytes = 0;
@@ -183,9 +187,10 @@ static enum hatch_status check_size(const struct reading *r, int part, const str
     int32_t chunks = 0;
     TRY_EXR(r, exr_get_chunk_count(r->context, part, &chunks));
     if (texels * texel_bytes / layout->pack_ratio > r->stream.file.size ||
-        (uint64_t)chunks * CHUNK_TABLE_ENTRY > r->stream.file.size)
-        return hatch_fail(r->err, HATCH_BAD_INPUT, "%ux%u pixels in a file of %zu bytes: cut, or not true",
-                          layout->width, layout->height, r->stream.file.size);
+        (uint64_t)chunks * CHUNK_OFFSET_BYTES > r->stream.file.size)
+        return hatch_fail(r->err, HATCH_BAD_INPUT,
+                          "%ux%u pixels in a file of %zu bytes: truncated, or the header is wrong", layout->width,
+                          layout->height, r->stream.file.size);
     *total += texels * layout->channel_count * sizeof(float);
     size_t left = r->arena->limit_bytes - r->arena->used_bytes;
     if (*total > left)
@@ -194,13 +199,13 @@ static enum hatch_status check_size(const struct reading *r, int part, const str
     return HATCH_OK;
 }
 
-/* Attributes beyond those that the format itself needs, which the layout tells already. */
+/* Excludes the attributes that the format itself requires. */
 static bool is_wanted(const exr_attribute_t *attribute)
 {
-    static const char *const own[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",
-                                      "version",    "view"};
-    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-        if (strcmp(attribute->name, own[i]) == 0)
+    static const char *const required[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",
+                                           "version",    "view"};
+    for (size_t i = 0; i < sizeof required / sizeof *required; i++)
+        if (strcmp(attribute->name, required[i]) == 0)
             return false;
     return strlen(attribute->name) < HATCH_NAME_MAX &&
            (attribute->type == EXR_ATTR_FLOAT || attribute->type == EXR_ATTR_INT || attribute->type == EXR_ATTR_STRING);
@@ -267,8 +272,9 @@ static enum hatch_status read_tiles(const struct reading *r, const struct layout
                 exr_chunk_info_t info;
                 TRY_EXR(r, exr_read_tile_chunk_info(r->context, chunks->part, (int)(left / width), (int)(top / height),
                                                     (int)l, (int)l, &info));
-                HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, left, top, smaller(width, image->width - left),
-                                               smaller(height, image->height - top), r->err));
+                const struct hatch_exr_area area = {left, top, smaller(width, image->width - left),
+                                                    smaller(height, image->height - top)};
+                HATCH_TRY(hatch_exr_chunk_read(chunks, &info, &area, image, r->err));
             }
     }
     return HATCH_OK;
@@ -282,28 +288,28 @@ static enum hatch_status read_scanlines(const struct reading *r, const struct la
         exr_chunk_info_t info;
         int y = (int)((int64_t)layout->top + top);
         TRY_EXR(r, exr_read_scanline_chunk_info(r->context, chunks->part, y, &info));
-        HATCH_TRY(hatch_exr_chunk_read(chunks, &info, image, 0, top, image->width, smaller(height, image->height - top),
-                                       r->err));
+        const struct hatch_exr_area area = {0, top, image->width, smaller(height, image->height - top)};
+        HATCH_TRY(hatch_exr_chunk_read(chunks, &info, &area, image, r->err));
     }
     return HATCH_OK;
 }
 
-/* Whole numbers are floats in memory, which hold them exactly up to 2^24. */
-static enum hatch_status check_whole(const struct reading *r, const struct hatch_mipmap *mipmap)
+/* UINT channels are floats in memory. */
+static enum hatch_status check_integers(const struct reading *r, const struct hatch_mipmap *mipmap)
 {
     for (uint32_t l = 0; l < mipmap->level_count; l++) {
         const struct hatch_image *image = &mipmap->levels[l];
         size_t texels = (size_t)image->width * image->height;
         for (uint32_t c = 0; c < image->channel_count; c++)
             for (size_t i = 0; image->channels[c].type == HATCH_UINT && i < texels; i++)
-                if (image->pixels[i * image->channel_count + c] > WHOLE_MAX)
-                    return hatch_fail(r->err, HATCH_BAD_INPUT, "channel %s holds a number over 2^24",
+                if (image->pixels[i * image->channel_count + c] > UINT_MAX_EXACT)
+                    return hatch_fail(r->err, HATCH_BAD_INPUT, "channel %s has a value above 2^24",
                                       image->channels[c].name);
     }
     return HATCH_OK;
 }
 
-static enum hatch_status begin_part(const struct reading *r, struct part *part)
+static enum hatch_status prepare_part(const struct reading *r, struct part *part)
 {
     HATCH_TRY(read_layout(r, part->number, &part->layout));
     HATCH_TRY(read_attributes(r, part->number, part->mipmap));
@@ -320,15 +326,18 @@ static enum hatch_status decode_part(const struct reading *r, const struct part 
 {
     const struct layout *layout = &part->layout;
     struct hatch_arena_mark mark = hatch_arena_mark(r->scratch);
-    struct hatch_exr_chunks chunks;
-    enum hatch_status status = hatch_exr_chunks_begin(&r->stream, r->context, part->number, raw_bytes(layout),
-                                                      layout->place, r->scratch, &chunks, r->err);
+    struct hatch_exr_chunks chunks = {.stream = &r->stream,
+                                      .context = r->context,
+                                      .part = part->number,
+                                      .raw_max = raw_bytes(layout),
+                                      .image_channel = layout->image_channel};
+    enum hatch_status status = hatch_exr_chunks_begin(&chunks, r->scratch, r->err);
     if (status == HATCH_OK)
         status = layout->tiled ? read_tiles(r, layout, part->mipmap, &chunks)
                                : read_scanlines(r, layout, &part->mipmap->levels[0], &chunks);
     hatch_exr_chunks_end(&chunks);
     hatch_arena_rewind(r->scratch, mark);
-    return status == HATCH_OK ? check_whole(r, part->mipmap) : status;
+    return status == HATCH_OK ? check_integers(r, part->mipmap) : status;
 }
 
 static enum hatch_status check_parts(const struct reading *r, int count)
@@ -345,46 +354,46 @@ static enum hatch_status check_parts(const struct reading *r, int count)
     return HATCH_OK;
 }
 
-/* Threads take the next part that nobody has. Each has a context of its own, whose messages nobody else
- * sees, and its own memory; r.scratch is not to be shared. */
-struct crew {
+/* Parts shared out among threads. Each thread opens its own context, which stores the messages, and has
+ * its own scratch arena. */
+struct decoding {
     const struct reading *r;
     const struct part *parts;
     uint32_t count;
-    atomic_uint next;
+    atomic_uint next; /* index of the next part to decode */
     atomic_bool failed;
 };
 
-static void decode_some(void *context, uint32_t worker)
+static void decode_on_thread(void *context, uint32_t thread)
 {
-    (void)worker;
-    struct crew *crew = context;
+    (void)thread;
+    struct decoding *all = context;
     struct hatch_arena scratch;
     struct hatch_err err;
     struct reading own = {
-        .stream = {.file = crew->r->stream.file}, .arena = crew->r->arena, .scratch = &scratch, .err = &err};
+        .stream = {.file = all->r->stream.file}, .arena = all->r->arena, .scratch = &scratch, .err = &err};
     if (hatch_exr_open_read(&own.stream, &own.context) != EXR_ERR_SUCCESS) {
-        atomic_store(&crew->failed, true);
+        atomic_store(&all->failed, true);
         return;
     }
-    hatch_arena_init(&scratch, crew->r->scratch->limit_bytes);
-    for (uint32_t at = atomic_fetch_add(&crew->next, 1); at < crew->count && !atomic_load(&crew->failed);
-         at = atomic_fetch_add(&crew->next, 1))
-        if (decode_part(&own, &crew->parts[at]) != HATCH_OK)
-            atomic_store(&crew->failed, true);
+    hatch_arena_init(&scratch, all->r->scratch->limit_bytes);
+    for (uint32_t at = atomic_fetch_add(&all->next, 1); at < all->count && !atomic_load(&all->failed);
+         at = atomic_fetch_add(&all->next, 1))
+        if (decode_part(&own, &all->parts[at]) != HATCH_OK)
+            atomic_store(&all->failed, true);
     hatch_arena_free(&scratch);
     exr_finish(&own.context);
 }
 
-/* Where a thread fails, all is done once more in order, so that the first fault is told. */
+/* After a failure on any thread all parts are decoded again in order, so that the first error is reported. */
 static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool *pool, const struct part *parts,
                                       uint32_t count)
 {
     uint32_t threads = hatch_pool_threads(pool) < count ? hatch_pool_threads(pool) : count;
     if (threads > 1) {
-        struct crew crew = {.r = r, .parts = parts, .count = count};
-        hatch_parallel_for(pool, threads, decode_some, &crew);
-        if (!atomic_load(&crew.failed))
+        struct decoding all = {.r = r, .parts = parts, .count = count};
+        hatch_parallel_for(pool, threads, decode_on_thread, &all);
+        if (!atomic_load(&all.failed))
             return HATCH_OK;
     }
     for (uint32_t i = 0; i < count; i++)
@@ -406,7 +415,7 @@ static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *
     for (int part = 0; part < count; part++) {
         parts[part].number = part;
         parts[part].mipmap = &made[part];
-        if (begin_part(r, &parts[part]) != HATCH_OK)
+        if (prepare_part(r, &parts[part]) != HATCH_OK)
             return hatch_fail_at(r->err, "part %d: ", part);
     }
     HATCH_TRY(decode_parts(r, pool, parts, (uint32_t)count));

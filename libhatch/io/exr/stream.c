@@ -2,8 +2,7 @@
 
 #include <string.h>
 
-/* Larger than any picture that is worth opening, and small enough for 32-bit arithmetic on a side.
- */
+/* Limit of hatch_image's width and height; 32-bit arithmetic on a side cannot overflow. */
 #define SIDE_MAX (1 << 24)
 
 static void keep_message(exr_const_context_t context, exr_result_t result, const char *message)
@@ -32,8 +31,8 @@ static int64_t read_at(exr_const_context_t context, void *data, void *out, uint6
     const struct hatch_exr_stream *stream = data;
     if (offset >= stream->file.size)
         return 0;
-    size_t left = stream->file.size - (size_t)offset;
-    size_t count = size < left ? (size_t)size : left;
+    size_t available = stream->file.size - (size_t)offset;
+    size_t count = size < available ? (size_t)size : available;
     memcpy(out, stream->file.data + offset, count);
     return (int64_t)count;
 }

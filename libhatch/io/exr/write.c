@@ -9,26 +9,26 @@
 #include "io/exr/stream.h"
 #include "io/exr/zip.h"
 
-/* Measured on hatching: larger tiles pack little better, smaller ones cost more time. */
+/* Measured on tonal art maps: larger tiles compress hardly better, smaller tiles take longer. */
 #define TILE_SIDE 256u
-#define SCANLINES_PER_CHUNK 16u /* the format's for ZIP */
+#define SCANLINES_PER_CHUNK 16u /* fixed by the format for ZIP */
 #define ZIP_LEVEL 1
 #define SHORT_NAME_MAX 31u
 
-/* What packing a part needs, kept for the next one: taken anew each time, it costs as much as a tenth of it all. */
+/* Buffers for compressing a part. Reused, since allocating them per part takes a tenth of the whole time. */
 struct workspace {
-    struct hatch_arena arena; /* holds the workspace, too */
+    struct hatch_arena arena; /* holds the workspace itself, too */
     struct libdeflate_compressor *compressor;
     uint8_t *raw; /* room for three chunks */
     struct hatch_buffer packed;
 };
-#define IDLE_MOST 16u
+#define IDLE_MAX 16u
 
 struct part {
-    struct hatch_arena arena;  /* what follows lives in it: threads add parts side by side */
-    struct hatch_mipmap label; /* name and attributes; its levels are not used */
-    uint32_t *chunk_sizes;     /* with what stands before each chunk in the file */
-    struct hatch_bytes packed; /* the chunks as they stand in the file */
+    struct hatch_arena arena;  /* of the members below; one per part, since threads add parts in parallel */
+    struct hatch_mipmap label; /* name and attributes; levels is NULL */
+    uint32_t *chunk_sizes;     /* in bytes, headers included */
+    struct hatch_bytes packed; /* the chunks with their headers, as in the file */
 };
 
 /* The texels of one chunk: a tile, or a few whole rows. */
@@ -41,11 +41,11 @@ struct hatch_exr_writer {
     uint32_t width, height, level_count, channel_count, chunk_count, part_count;
     uint32_t chunk_width, chunk_height;
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX];
-    uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* the file's order of channels is by name */
+    uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* [n]: image index of the file's n-th channel; sorted by name */
     struct part *parts;
     size_t limit_bytes;
-    atomic_size_t packed_bytes;                /* of all parts; the limit holds for all together */
-    struct workspace *_Atomic idle[IDLE_MOST]; /* workspaces that no thread uses just now, or NULL */
+    atomic_size_t packed_bytes;               /* of all parts together; at most limit_bytes */
+    struct workspace *_Atomic idle[IDLE_MAX]; /* workspaces not in use, or NULL */
 };
 
 static uint32_t chunks_across(uint32_t size, uint32_t chunk)
@@ -67,7 +67,7 @@ static void sort_channels(struct hatch_exr_writer *writer)
     }
 }
 
-static void measure(struct hatch_exr_writer *writer)
+static void choose_chunks(struct hatch_exr_writer *writer)
 {
     bool tiled = writer->level_count > 1;
     uint32_t width = writer->width, height = writer->height;
@@ -97,9 +97,9 @@ enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part
     made->part_count = part_count;
     memcpy(made->channels, finest->channels, sizeof made->channels);
     sort_channels(made);
-    measure(made);
-    size_t left = arena->limit_bytes - arena->used_bytes;
-    made->limit_bytes = left ? left : 1;
+    choose_chunks(made);
+    size_t available = arena->limit_bytes - arena->used_bytes;
+    made->limit_bytes = available ? available : 1;
     atomic_init(&made->packed_bytes, 0);
     for (uint32_t i = 0; i < part_count; i++)
         hatch_arena_init(&made->parts[i].arena, made->limit_bytes);
@@ -107,7 +107,7 @@ enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part
     return HATCH_OK;
 }
 
-/* The chunks of a level, row by row, are the order of the file. Returns false after the last. */
+/* Advances to the next chunk in file order: by level, then row by row. Returns false after the last. */
 static bool next_area(const struct hatch_exr_writer *writer, struct area *area)
 {
     uint32_t width = hatch_mip_size(writer->width, area->level);
@@ -130,9 +130,9 @@ static bool next_area(const struct hatch_exr_writer *writer, struct area *area)
     return true;
 }
 
+/* Files are little-endian; so must be the machine. */
 static void put_row(const float *values, size_t stride, enum hatch_channel_type type, uint32_t count, uint8_t *out)
 {
-    /* the file is little-endian, as are the machines that this is built for */
     if (type == HATCH_HALF) {
         hatch_halves_from_floats(values, stride, (uint16_t *)(void *)out, count);
         return;
@@ -150,7 +150,7 @@ static void put_row(const float *values, size_t stride, enum hatch_channel_type 
     }
 }
 
-/* Lays an area out as the format wants it: row by row, in each row channel by channel. */
+/* Writes an area in the format's order: row by row, within a row channel by channel. */
 static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_image *image, const struct area *area,
                       uint8_t *raw)
 {
@@ -178,7 +178,7 @@ static void free_workspace(struct workspace *work)
 
 static void free_workspaces(struct hatch_exr_writer *writer)
 {
-    for (uint32_t i = 0; writer && i < IDLE_MOST; i++)
+    for (uint32_t i = 0; writer && i < IDLE_MAX; i++)
         free_workspace(atomic_exchange(&writer->idle[i], NULL));
 }
 
@@ -211,7 +211,7 @@ static enum hatch_status make_workspace(const struct hatch_exr_writer *writer, s
 
 static enum hatch_status take_workspace(struct hatch_exr_writer *writer, struct workspace **work, struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < IDLE_MOST; i++)
+    for (uint32_t i = 0; i < IDLE_MAX; i++)
         if ((*work = atomic_exchange(&writer->idle[i], NULL)))
             return HATCH_OK;
     return make_workspace(writer, work, err);
@@ -220,21 +220,21 @@ static enum hatch_status take_workspace(struct hatch_exr_writer *writer, struct 
 static void give_workspace_back(struct hatch_exr_writer *writer, struct workspace *work)
 {
     work->packed.size = 0;
-    for (uint32_t i = 0; work && i < IDLE_MOST; i++)
+    for (uint32_t i = 0; work && i < IDLE_MAX; i++)
         work = atomic_exchange(&writer->idle[i], work);
     free_workspace(work);
 }
 
-/* What stands before a chunk in the file ("OpenEXR File Layout", Chunk Layout): where it belongs, and its bytes. */
-static enum hatch_status add_chunk_head(const struct hatch_exr_writer *writer, uint32_t part, const struct area *area,
-                                        size_t size, struct hatch_buffer *out, struct hatch_err *err)
+/* "OpenEXR File Layout", Chunk Layout: part, coordinates and size in bytes come before the chunk's data. */
+static enum hatch_status add_chunk_header(const struct hatch_exr_writer *writer, uint32_t part, const struct area *area,
+                                          size_t size, struct hatch_buffer *out, struct hatch_err *err)
 {
     if (writer->part_count > 1)
         HATCH_TRY(hatch_buffer_add_u32le(out, part, err));
     if (writer->level_count > 1) {
-        const uint32_t place[] = {area->x, area->y, area->level, area->level};
+        const uint32_t coordinates[] = {area->x, area->y, area->level, area->level};
         for (uint32_t i = 0; i < 4; i++)
-            HATCH_TRY(hatch_buffer_add_u32le(out, place[i], err));
+            HATCH_TRY(hatch_buffer_add_u32le(out, coordinates[i], err));
     } else {
         HATCH_TRY(hatch_buffer_add_u32le(out, area->top, err));
     }
@@ -250,7 +250,7 @@ static enum hatch_status pack_chunks(struct hatch_exr_writer *writer, uint32_t p
     for (uint32_t chunk = 0; next_area(writer, &area); chunk++) {
         size_t size = lay_out(writer, &mipmap->levels[area.level], &area, work->raw), before = work->packed.size;
         size = hatch_exr_zip(work->compressor, work->raw, size, filtered, zipped);
-        HATCH_TRY(add_chunk_head(writer, part, &area, size, &work->packed, err));
+        HATCH_TRY(add_chunk_header(writer, part, &area, size, &work->packed, err));
         HATCH_TRY(hatch_buffer_add(&work->packed, zipped, size, err));
         writer->parts[part].chunk_sizes[chunk] = (uint32_t)(work->packed.size - before);
     }
@@ -283,7 +283,8 @@ static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t inde
     HATCH_TRY(pack_chunks(writer, index, mipmap, work, err));
     size_t size = work->packed.size;
     if (atomic_fetch_add(&writer->packed_bytes, size) + size > writer->limit_bytes)
-        return hatch_fail(err, HATCH_LIMIT, "out of memory: packed images over the limit of %zu", writer->limit_bytes);
+        return hatch_fail(err, HATCH_LIMIT, "compressed images exceed the memory limit of %zu bytes",
+                          writer->limit_bytes);
     uint8_t *packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
     if (!packed)
         return HATCH_LIMIT;
@@ -364,7 +365,7 @@ static exr_result_t write_header(struct hatch_exr_writer *writer, exr_context_t 
     return result == EXR_ERR_SUCCESS ? exr_write_header(context) : result;
 }
 
-/* Where each chunk begins. */
+/* The file's table of chunk offsets. */
 static enum hatch_status add_offsets(const struct hatch_exr_writer *writer, struct hatch_buffer *head,
                                      struct hatch_err *err)
 {
@@ -385,7 +386,7 @@ static enum hatch_status make_head(struct hatch_exr_writer *writer, struct hatch
     if (result == EXR_ERR_SUCCESS) {
         result = write_header(writer, context);
         size_t size = head->size;
-        exr_finish(&context); /* it has seen no chunk, and what it thinks of that does not matter */
+        exr_finish(&context); /* fails, since no chunk was written; bytes that it adds are dropped */
         head->size = size;
     }
     if (result != EXR_ERR_SUCCESS)

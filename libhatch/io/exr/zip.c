@@ -5,20 +5,19 @@
 
 #define BLOCK 64u
 
-static inline uint8_t step(uint8_t now, uint8_t before)
+static inline uint8_t step(uint8_t value, uint8_t previous)
 {
-    return (uint8_t)(now - before + 128);
+    return (uint8_t)(value - previous + 128);
 }
 
-/* out[i] = in[2 i] - in[2 i - 2] + 128; a fixed length, so that compilers make vector code of it.
- */
+/* out[i] = in[2 i] - in[2 i - 2] + 128. The length is fixed so that compilers vectorise the loop. */
 static void step_block(const uint8_t *restrict in, uint8_t *restrict out)
 {
     for (size_t i = 0; i < BLOCK; i++)
         out[i] = step(in[2 * i], in[2 * i - 2]);
 }
 
-/* Steps from each second byte to the next, count of them; in[0] is the one before the first. */
+/* Differences of every second byte from in[2] on, count of them; in[0] precedes the first. */
 static void step_alternate(const uint8_t *in, size_t count, uint8_t *out)
 {
     in += 2;
@@ -28,8 +27,8 @@ static void step_alternate(const uint8_t *in, size_t count, uint8_t *out)
         out[i] = step(in[2 * i], in[2 * i - 2]);
 }
 
-/* The filter ("OpenEXR File Layout", ZIP): the even bytes, then the odd ones, so that the high
- * bytes of the numbers come together; then each byte becomes its difference from the one before. */
+/* "OpenEXR File Layout", ZIP: the bytes at even places, then those at odd places, which brings the high
+ * bytes of the numbers together; then each byte is replaced by its difference from the previous one. */
 static void filter(const uint8_t *raw, size_t size, uint8_t *filtered)
 {
     size_t even = (size + 1) / 2;

@@ -10,15 +10,15 @@
 #include "io/png/png.h"
 
 #define SIDE_MAX (1u << 24)
-#define CODES 65536u
+#define SRGB_CODES 65536u
 
 static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width, uint64_t height, uint64_t channels,
                                     struct hatch_err *err)
 {
-    size_t left = arena->limit_bytes - arena->used_bytes;
-    if (width > SIDE_MAX || height > SIDE_MAX || width * height > left / sizeof(float) / channels)
+    size_t available = arena->limit_bytes - arena->used_bytes;
+    if (width > SIDE_MAX || height > SIDE_MAX || width * height > available / sizeof(float) / channels)
         return hatch_fail(err, HATCH_LIMIT, "%llux%llu pixels need more than the %zu bytes allowed",
-                          (unsigned long long)width, (unsigned long long)height, left);
+                          (unsigned long long)width, (unsigned long long)height, available);
     return HATCH_OK;
 }
 
@@ -26,32 +26,32 @@ static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_p
 {
     void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!object)
-        return hatch_fail(err, HATCH_BAD_INPUT, "not PNG or EXR, and the plugin for other formats does not open: %s",
-                          dlerror());
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "neither PNG nor OpenEXR, and the plugin for other formats cannot be loaded: %s", dlerror());
     const struct hatch_oiio_plugin *(*table)(void) = NULL;
     void *symbol = dlsym(object, HATCH_OIIO_PLUGIN_TABLE);
     memcpy(&table, &symbol, sizeof table); /* ISO C has no cast from object to function pointers */
     if (!table || table()->version != HATCH_OIIO_VERSION)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s is the plugin of another version", path);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s belongs to another version of hatch; install both together", path);
     *plugin = table();
     return HATCH_OK;
 }
 
-/* The numbers have 8 or 16 bits: a table of 65536 holds every one of them. */
+/* Values have 8 or 16 bits; each of them is a multiple of 1 / 65535. */
 static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    float *linear = HATCH_NEW(scratch, float, CODES, err);
+    float *linear = HATCH_NEW(scratch, float, SRGB_CODES, err);
     if (!linear)
         return HATCH_LIMIT;
-    for (uint32_t code = 0; code < CODES; code++)
-        linear[code] = hatch_srgb_to_linear((float)code / (CODES - 1));
+    for (uint32_t code = 0; code < SRGB_CODES; code++)
+        linear[code] = hatch_srgb_to_linear((float)code / (SRGB_CODES - 1));
     size_t texels = (size_t)image->width * image->height;
     uint32_t channels = image->channel_count, colors = channels - (channels % 2 == 0);
     for (size_t i = 0; i < texels; i++)
         for (uint32_t c = 0; c < colors; c++) {
             float *value = &image->pixels[i * channels + c];
-            *value = linear[(uint32_t)(*value * (CODES - 1) + 0.5f)];
+            *value = linear[(uint32_t)(*value * (SRGB_CODES - 1) + 0.5f)];
         }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
@@ -83,9 +83,9 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     struct hatch_foreign_header header = {0};
     if (hatch_foreign_header_read(file, &header)) {
         HATCH_TRY(check_size(arena, header.width, header.height, 1, err));
-        if (!header.whole)
-            return hatch_fail(err, HATCH_BAD_INPUT, "cut: the image has no end");
-        name = header.ending; /* the content knows better than the name */
+        if (header.truncated)
+            return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the image has no end marker");
+        name = header.extension; /* content takes precedence over the name */
     }
     const struct hatch_oiio_plugin *plugin = NULL;
     HATCH_TRY(open_plugin(path, &plugin, err));
@@ -99,8 +99,8 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     return status;
 }
 
-/* Colours alone: a picture for the eye has no ids. */
-static enum hatch_status take_colors(const struct hatch_image *from, struct hatch_arena *arena,
+/* Drops channels other than colour and alpha (ids of a map, for example). */
+static enum hatch_status copy_colors(const struct hatch_image *from, struct hatch_arena *arena,
                                      struct hatch_image *image, struct hatch_err *err)
 {
     char names[8] = "";
@@ -108,7 +108,7 @@ static enum hatch_status take_colors(const struct hatch_image *from, struct hatc
     bool has_alpha = hatch_image_channel(from, "A") >= 0;
     if (!is_gray && (hatch_image_channel(from, "R") < 0 || hatch_image_channel(from, "G") < 0 ||
                      hatch_image_channel(from, "B") < 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "no channel Y and no channels R G B");
+        return hatch_fail(err, HATCH_BAD_INPUT, "neither a channel Y nor channels R, G and B");
     strcat(names, is_gray ? "Y" : "RGB");
     strcat(names, has_alpha ? "A" : "");
     struct hatch_image made;
@@ -131,7 +131,7 @@ static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *a
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = hatch_exr_read(file, NULL, scratch, scratch, &parts, &count, err);
     if (status == HATCH_OK)
-        status = take_colors(&parts[0].levels[0], arena, image, err);
+        status = copy_colors(&parts[0].levels[0], arena, image, err);
     hatch_arena_rewind(scratch, mark);
     return status;
 }
@@ -142,7 +142,7 @@ enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name
 {
     static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, exr[] = {0x76, 0x2f, 0x31, 0x01};
     if (file.size < sizeof png)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%zu bytes are no image", file.size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%zu bytes: too short for an image", file.size);
     if (memcmp(file.data, png, sizeof png) == 0)
         return hatch_png_read(file, arena, scratch, image, err);
     if (memcmp(file.data, exr, sizeof exr) == 0)

@@ -8,12 +8,12 @@
 #define TIFF_HEIGHT 257
 #define TIFF_SHORT 3
 
-static bool begins(struct hatch_bytes file, const void *magic, size_t size)
+static bool has_magic(struct hatch_bytes file, const void *magic, size_t size)
 {
     return file.size >= size && memcmp(file.data, magic, size) == 0;
 }
 
-/* C0 to CF hold the size, but for the tables C4, C8 and CC. */
+/* Frame headers, which hold the size: C0 .. CF except C4, C8 and CC. */
 static bool is_frame(uint8_t marker)
 {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
@@ -47,13 +47,13 @@ static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *head
             header->width = hatch_read_u16(&reader);
         }
         if (marker == JPEG_START_OF_SCAN) {
-            header->whole = has_jpeg_end(file, reader.at);
+            header->truncated = !has_jpeg_end(file, reader.at);
             return header->width > 0;
         }
         reader.at = body;
         hatch_read_bytes(&reader, length < 2 ? 2 : length);
     }
-    header->whole = false;
+    header->truncated = true;
     return header->width > 0;
 }
 
@@ -96,26 +96,26 @@ static bool read_bmp(struct hatch_bytes file, struct hatch_foreign_header *heade
     struct hatch_reader reader = hatch_reader_of(file);
     hatch_read_bytes(&reader, 14);
     if (hatch_read_u32(&reader) < 40)
-        return false; /* OS/2's short header */
+        return false; /* the short OS/2 header */
     header->width = hatch_read_u32(&reader);
     uint32_t height = hatch_read_u32(&reader);
-    header->height = height > INT32_MAX ? 0u - height : height; /* negative: from the top down */
+    header->height = height > INT32_MAX ? 0u - height : height; /* negative when rows run from the top down */
     return !reader.cut;
 }
 
 bool hatch_foreign_header_read(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     static const struct {
-        const char *ending, *magic;
-        size_t size;
+        const char *extension, *magic;
+        size_t size; /* of magic */
         bool (*read)(struct hatch_bytes file, struct hatch_foreign_header *header);
     } formats[] = {
         {".jpeg", "\xff\xd8\xff", 3, read_jpeg}, {".tiff", "II*\0", 4, read_tiff}, {".tiff", "MM\0*", 4, read_tiff},
         {".gif", "GIF8", 4, read_gif},           {".bmp", "BM", 2, read_bmp},
     };
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (begins(file, formats[i].magic, formats[i].size)) {
-            *header = (struct hatch_foreign_header){.ending = formats[i].ending, .whole = true};
+        if (has_magic(file, formats[i].magic, formats[i].size)) {
+            *header = (struct hatch_foreign_header){.extension = formats[i].extension};
             return formats[i].read(file, header);
         }
     return false;

@@ -11,7 +11,7 @@
 namespace
 {
 
-/* The reader refers to the memory that it reads, and goes first. */
+/* reader refers to memory and so must be destroyed first: members are destroyed in reverse order. */
 struct Image {
     Image(const uint8_t *data, size_t size) : memory(data, size)
     {
@@ -20,19 +20,19 @@ struct Image {
     std::unique_ptr<OIIO::ImageInput> reader;
 };
 
-void say(const std::string &text, char *message, size_t size)
+void set_message(const std::string &text, char *message, size_t size)
 {
     std::string line = text.substr(0, text.find('\n'));
     std::snprintf(message, size, "%s", line.empty() ? "the image cannot be decoded" : line.c_str());
 }
 
-/* What stands behind the last dot: the name of a format. */
-std::string ending(const char *name)
+/* The extension without its dot, in lower case, or "". */
+std::string extension_of(const char *name)
 {
-    std::string whole = name ? name : "";
-    size_t dot = whole.find_last_of("./");
-    bool has_ending = dot != std::string::npos && whole[dot] == '.';
-    return has_ending ? OIIO::Strutil::lower(whole.substr(dot + 1)) : std::string();
+    std::string path = name ? name : "";
+    size_t dot = path.find_last_of("./");
+    bool has_extension = dot != std::string::npos && path[dot] == '.';
+    return has_extension ? OIIO::Strutil::lower(path.substr(dot + 1)) : std::string();
 }
 
 bool is_encoded(const OIIO::ImageSpec &spec)
@@ -51,15 +51,16 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         auto image = std::make_unique<Image>(data, data_size);
-        std::string format = ending(name);
+        std::string format = extension_of(name);
         image->reader = format.empty() ? nullptr : OIIO::ImageInput::create(format);
         if (!image->reader) {
-            OIIO::geterror(); /* it speaks of files that this has nothing to do with */
-            say("not an image of a known format, by its content and its name", message, size);
+            OIIO::geterror(); /* discarded: its text names files that do not matter here */
+            set_message("not an image of a known format, neither by content nor by extension", message, size);
             return nullptr;
         }
         if (!image->reader->supports("ioproxy")) {
-            say(std::string(image->reader->format_name()) + " files are not read; convert to PNG", message, size);
+            set_message(std::string(image->reader->format_name()) + " files are not supported; convert to PNG", message,
+                        size);
             return nullptr;
         }
         OIIO::Filesystem::IOProxy *proxy = &image->memory;
@@ -67,21 +68,21 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
         image->reader->set_ioproxy(proxy);
         OIIO::ImageSpec opened;
         if (!image->reader->open("memory." + format, opened, config)) {
-            say(image->reader->geterror(), message, size);
+            set_message(image->reader->geterror(), message, size);
             return nullptr;
         }
         const OIIO::ImageSpec &spec = image->reader->spec();
         if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
-            say("not a picture of two dimensions", message, size);
+            set_message("not a two-dimensional image", message, size);
             return nullptr;
         }
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
                  static_cast<uint32_t>(spec.nchannels), is_encoded(spec)};
         return image.release();
-    } catch (const std::exception &fault) {
-        say(fault.what(), message, size);
+    } catch (const std::exception &error) {
+        set_message(error.what(), message, size);
     } catch (...) {
-        say("an unknown fault", message, size);
+        set_message("unknown error", message, size);
     }
     return nullptr;
 }
@@ -92,14 +93,14 @@ int read_image(void *opened, float *pixels, char *message, size_t size)
         OIIO::ImageInput &reader = *static_cast<Image *>(opened)->reader;
         int channels = reader.spec().nchannels;
         bool done = reader.read_image(0, 0, 0, channels, OIIO::TypeFloat, pixels);
-        std::string complaint = reader.geterror();
-        if (done && complaint.empty())
+        std::string error = reader.geterror();
+        if (done && error.empty())
             return 1;
-        say(complaint, message, size);
-    } catch (const std::exception &fault) {
-        say(fault.what(), message, size);
+        set_message(error, message, size);
+    } catch (const std::exception &error) {
+        set_message(error.what(), message, size);
     } catch (...) {
-        say("an unknown fault", message, size);
+        set_message("unknown error", message, size);
     }
     return 0;
 }
@@ -109,7 +110,7 @@ void close_image(void *opened)
     try {
         delete static_cast<Image *>(opened);
     } catch (...) {
-        return; /* nothing is left to be done with it */
+        return; /* no exception may leave the plugin */
     }
 }
 

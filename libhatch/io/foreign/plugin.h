@@ -1,5 +1,5 @@
-/* What the OpenImageIO plugin offers, as C functions and plain types: it is a shared object of C++
- * that is opened on demand. No exception leaves it. */
+/* Interface of the OpenImageIO plugin, a C++ shared object that is loaded on demand: C functions and plain
+ * types. No exception leaves it. */
 #ifndef HATCH_IO_FOREIGN_PLUGIN_H
 #define HATCH_IO_FOREIGN_PLUGIN_H
 
@@ -15,25 +15,27 @@ extern "C" {
 
 struct hatch_oiio_info {
     uint32_t width, height, channels;
-    int is_encoded; /* the numbers are sRGB and not linear light */
+    int is_encoded; /* sRGB, not linear light */
 };
 
-/* Every function writes a sentence into message, which holds size bytes, when it fails. */
+/* On failure the functions write a sentence into message, an array of size bytes. */
 struct hatch_oiio_plugin {
-    uint32_t version; /* HATCH_OIIO_VERSION, or the plugin is of another build */
+    uint32_t version; /* HATCH_OIIO_VERSION */
 
-    /* Reads the header of an image; data must live until close. name: its ending is a hint, no file
-     * of that name is opened. Returns NULL when no reader takes it. */
+    /* Reads the header of an image and returns its handle, or NULL on failure.
+     *   data  must live until close
+     *   name  its extension selects the format; no file is opened */
     void *(*open)(const uint8_t *data, size_t data_size, const char *name, struct hatch_oiio_info *info, char *message,
                   size_t size);
 
-    /* Decodes into width * height * channels floats; returns 0 when that fails. */
+    /* Decodes the pixels; returns 0 on failure.
+     *   pixels  out: width * height * channels floats */
     int (*read)(void *image, float *pixels, char *message, size_t size);
 
     void (*close)(void *image);
 };
 
-/* The one symbol of the plugin. */
+/* The plugin's only symbol, HATCH_OIIO_PLUGIN_TABLE. */
 const struct hatch_oiio_plugin *hatch_oiio_plugin_table(void);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 #include "io/glb/parts.h"
 
-enum hatch_status hatch_glb_next(struct hatch_glb *glb)
+enum hatch_status hatch_glb_comma(struct hatch_glb *glb)
 {
     uint8_t last = glb->json.size ? glb->json.data[glb->json.size - 1] : '{';
     if (last == '{' || last == '[')
@@ -10,7 +10,7 @@ enum hatch_status hatch_glb_next(struct hatch_glb *glb)
 
 enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key)
 {
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     return hatch_buffer_print(&glb->json, glb->err, "\"%s\":", key);
 }
 
@@ -19,13 +19,13 @@ enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json)
     return hatch_buffer_print(&glb->json, glb->err, "%s", json);
 }
 
-enum hatch_status hatch_glb_open(struct hatch_glb *glb, const char *key)
+enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
     return hatch_glb_put(glb, "[");
 }
 
-enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text)
+enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *text)
 {
     struct hatch_buffer *json = &glb->json;
     HATCH_TRY(hatch_buffer_add(json, "\"", 1, glb->err));
@@ -37,20 +37,20 @@ enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text)
     return hatch_buffer_add(json, "\"", 1, glb->err);
 }
 
-enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name)
+enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key)
 {
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     HATCH_TRY(hatch_glb_put(glb, "\""));
-    for (; *name; name++)
-        if ((unsigned char)*name < 0x20 || *name == '"' || *name == '\\')
-            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\\u%04x", (unsigned)*name));
+    for (; *key; key++)
+        if ((unsigned char)*key < 0x20 || *key == '"' || *key == '\\')
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\\u%04x", (unsigned)*key));
         else
-            HATCH_TRY(hatch_buffer_add(&glb->json, name, 1, glb->err));
+            HATCH_TRY(hatch_buffer_add(&glb->json, key, 1, glb->err));
     return hatch_glb_put(glb, "\":");
 }
 
-/* JSON readers take -0 for the whole number 0: it is written as one, so that copies of a copy are alike. */
-static double plain(float value)
+/* JSON readers read -0 as the integer 0. Writing 0 keeps copies of a copy identical. */
+static double without_minus_zero(float value)
 {
     return value == 0 ? 0 : (double)value;
 }
@@ -58,10 +58,10 @@ static double plain(float value)
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
-    return hatch_buffer_print(&glb->json, glb->err, "%.9g", plain(value));
+    return hatch_buffer_print(&glb->json, glb->err, "%.9g", without_minus_zero(value));
 }
 
-enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32_t value)
+enum hatch_status hatch_glb_integer(struct hatch_glb *glb, const char *key, uint32_t value)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
     return hatch_buffer_print(&glb->json, glb->err, "%u", value);
@@ -71,6 +71,6 @@ enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, cons
 {
     HATCH_TRY(hatch_glb_key(glb, key));
     for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%c%.9g", i ? ',' : '[', plain(values[i])));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%c%.9g", i ? ',' : '[', without_minus_zero(values[i])));
     return hatch_buffer_add(&glb->json, "]", 1, glb->err);
 }

@@ -3,7 +3,7 @@
 
 #include "io/glb/parts.h"
 
-static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_texture_use *use)
+static enum hatch_status print_transform(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{\"KHR_texture_transform\":{"));
     HATCH_TRY(hatch_glb_number(glb, "rotation", use->turn_rad));
@@ -12,19 +12,19 @@ static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_t
     return hatch_glb_put(glb, "}}");
 }
 
-/* A texture under its key, left open. */
+/* A texture under its key; the object is left open. */
 static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
     HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u", *hatch_glb_texture(glb, use),
                                  use->texcoord));
-    return use->placed ? print_place(glb, use) : HATCH_OK;
+    return use->placed ? print_transform(glb, use) : HATCH_OK;
 }
 
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
 {
     static const float white[4] = {1, 1, 1, 1};
-    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 0);
+    const struct hatch_texture_use *use = hatch_glb_slot(glb, material, 0);
     HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
     HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
     if (memcmp(material->base_color, white, sizeof white) != 0)
@@ -37,7 +37,7 @@ static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_ma
 
 static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch_material *material)
 {
-    const struct hatch_texture_use *use = hatch_glb_use(glb, material, 1);
+    const struct hatch_texture_use *use = hatch_glb_slot(glb, material, 1);
     if (!use)
         return HATCH_OK;
     HATCH_TRY(print_use(glb, "normalTexture", use));
@@ -47,7 +47,7 @@ static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch
 
 static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
 {
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     HATCH_TRY(print_base(glb, material));
     HATCH_TRY(print_normals(glb, material));
@@ -77,7 +77,7 @@ static enum hatch_status print_images(struct hatch_glb *glb)
     return hatch_glb_put(glb, images ? "]" : "");
 }
 
-/* Filters: linear, and with mip maps. */
+/* Filters: linear, and linear mip-map linear. */
 static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     static const int modes[] = {[HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
@@ -91,21 +91,20 @@ static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch
                               glb->image[use->texture]);
 }
 
-/* One of the lists that hold an entry per texture, in the order of their numbers, which the
- * materials' order made. */
+/* An array with one entry per numbered texture; textures are numbered in the order of the materials. */
 static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
                                     enum hatch_status (*print)(struct hatch_glb *, const struct hatch_texture_use *))
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t textures = 0;
-    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
-            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
         if (!use || *hatch_glb_texture(glb, use) != textures)
             continue;
         if (textures++ == 0)
-            HATCH_TRY(hatch_glb_open(glb, key));
-        HATCH_TRY(hatch_glb_next(glb));
+            HATCH_TRY(hatch_glb_open_array(glb, key));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(print(glb, use));
     }
     return hatch_glb_put(glb, textures ? "]" : "");
@@ -119,7 +118,7 @@ static enum hatch_status print_textures(struct hatch_glb *glb)
 
 static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)
 {
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     const char *type = camera->orthographic ? "orthographic" : "perspective";
     HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\",\"%s\":{", type, type));
     HATCH_TRY(hatch_glb_number(glb, "znear", camera->znear));
@@ -127,7 +126,7 @@ static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_
         HATCH_TRY(hatch_glb_number(glb, "zfar", camera->zfar));
     if (camera->orthographic) {
         HATCH_TRY(hatch_glb_number(glb, "ymag", camera->ymag));
-        /* In doubles, so that dividing gives the aspect again. */
+        /* A double, so that the reader's division gives the same aspect. */
         double xmag = (double)camera->ymag * (camera->aspect > 0 ? (double)camera->aspect : 1);
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.9g", xmag));
     } else {
@@ -141,7 +140,7 @@ static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_
 static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_light *light)
 {
     static const char *const types[] = {"directional", "point", "spot"};
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\"", types[light->type]));
     HATCH_TRY(hatch_glb_numbers(glb, "color", light->color, 3));
     HATCH_TRY(hatch_glb_number(glb, "intensity", light->intensity));
@@ -160,9 +159,9 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     bool placed = false;
-    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
-            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
         placed = placed || (use && use->placed);
     }
     if (!placed && scene->light_count == 0)

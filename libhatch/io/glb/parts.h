@@ -1,4 +1,4 @@
-/* What the files of the GLB writer share. */
+/* Private to the GLB writer: types and functions that its files share. */
 #ifndef HATCH_IO_GLB_PARTS_H
 #define HATCH_IO_GLB_PARTS_H
 
@@ -7,18 +7,18 @@
 enum hatch_glb_component { HATCH_GLB_U8 = 5121, HATCH_GLB_U16 = 5123, HATCH_GLB_U32 = 5125, HATCH_GLB_F32 = 5126 };
 enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_GLB_INDICES = 34963 };
 
-/* A buffer view, and but for images the one accessor that reads it. */
+/* A buffer view and, except for images, its only accessor. */
 struct hatch_glb_view {
-    enum hatch_glb_component component; /* in the file */
+    enum hatch_glb_component component; /* type in the file */
     enum hatch_glb_target target;
     const void *data;    /* floats; uint32_t for indices; bytes for images */
-    size_t count;        /* of elements; of bytes for images */
-    uint32_t components; /* 1 .. 4, 16 for a matrix */
-    bool bounds;         /* the format wants the least and the largest of each component */
+    size_t count;        /* elements; bytes for images */
+    uint32_t components; /* per element: 1 .. 4, or 16 for a matrix */
+    bool bounds;         /* whether the format requires min and max */
     size_t offset, size; /* bytes in the buffer */
 };
 
-/* A file in the making. The accessors' numbers are those of their views; images' views come last. */
+/* State of writing one file. An accessor has its view's number; the views of images come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
     const char *name; /* of the first node and mesh; may be NULL */
@@ -27,57 +27,58 @@ struct hatch_glb {
     struct hatch_buffer json;
     struct hatch_glb_view *views;
     uint32_t view_count, accessor_count;
-    size_t size;            /* of the buffer */
-    uint32_t *group_size;   /* per scene mesh: how many make one mesh of the file from here; 0 inside of one */
-    uint32_t *group;        /* per scene mesh: the file's mesh that begins there, or HATCH_NONE */
-    uint32_t *mesh_first;   /* per scene mesh: the accessor of its POSITION, or HATCH_NONE: it has no faces */
-    uint32_t *skin;         /* per skin: its number in the file, or HATCH_NONE: it has no joints */
-    uint32_t skin_first;    /* the accessor of the first one's matrices */
-    uint32_t channel_first; /* the accessor of the first animation's first times */
-    uint32_t *image;        /* per texture: the file's image, or HATCH_NONE: no PNG and no JPEG */
-    uint32_t *texture;      /* HATCH_GLB_WRAPS per texture: the file's texture and sampler, or HATCH_NONE */
+    size_t size;            /* bytes of the buffer */
+    uint32_t *group_size;   /* per scene mesh: number of meshes in the glTF mesh that begins here; 0 inside one */
+    uint32_t *group;        /* per scene mesh: number of the glTF mesh that begins here; HATCH_NONE without faces */
+    uint32_t *mesh_first;   /* per scene mesh: accessor of its POSITION; HATCH_NONE without faces */
+    uint32_t *skin;         /* per skin: number in the file; HATCH_NONE without joints */
+    uint32_t skin_first;    /* accessor of the first skin's matrices */
+    uint32_t channel_first; /* accessor of the first animation channel's times */
+    uint32_t *image;        /* per texture: number of the file's image; HATCH_NONE unless PNG or JPEG */
+    uint32_t *texture;      /* HATCH_GLB_WRAPS per texture: number of texture and sampler, or HATCH_NONE */
 };
 
-#define HATCH_GLB_WRAPS 9u /* ways to wrap in u and in v */
+#define HATCH_GLB_WRAPS 9u /* combinations of wrap modes in u and v */
+#define HATCH_GLB_SLOTS 2u /* textures of a material: base colour, normals */
 
-#define HATCH_GLB_USES 2u /* a material's textures: of its colour, of its normals */
+/* Returns a material's texture in a slot, 0 .. HATCH_GLB_SLOTS - 1; NULL when there is none that can be
+ * written. */
+const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
+                                               uint32_t slot);
 
-/* What a material reads of its texture, below HATCH_GLB_USES, or NULL: it has none that can be written. */
-const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
-                                              uint32_t number);
-
-/* The number in the file of a texture that is used. */
+/* The number in the file of a texture with these wrap modes. */
 static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     return &glb->texture[HATCH_GLB_WRAPS * use->texture + 3u * use->wrap[0] + use->wrap[1]];
 }
 
-/* The order in which a mesh's attributes are written, and read: POSITION, the others by their names; so that
- * a copy has the bytes of what it copies. Morph targets are no attributes of the file. Returns how many are. */
+/* Lists a mesh's attributes in the order in which they are written and read, POSITION first, the others by
+ * name, so that a copy of a file is identical. Leaves out morph targets. Returns their number. */
 uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX]);
 
-/* JSON: a comma is written before all but the first of a list. */
-enum hatch_status hatch_glb_next(struct hatch_glb *glb);
-enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json); /* as it stands */
-enum hatch_status hatch_glb_open(struct hatch_glb *glb, const char *key); /* key and bracket */
-enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);
-/* A string; what is not plain ASCII becomes a question mark. */
-enum hatch_status hatch_glb_text(struct hatch_glb *glb, const char *text);
-/* A key that a file made up: UTF-8, escaped where JSON wants it, and a colon. */
-enum hatch_status hatch_glb_name(struct hatch_glb *glb, const char *name);
-/* Key and number; nine digits, which name a float exactly. */
+/* Append JSON. Functions with a key and hatch_glb_comma first write a comma, except at the start of an
+ * object or array. */
+enum hatch_status hatch_glb_comma(struct hatch_glb *glb);
+enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json);       /* unchanged */
+enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key); /* key and bracket */
+enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);        /* key and colon */
+/* A string; bytes other than printable ASCII become question marks. */
+enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *text);
+/* Key and colon; key is UTF-8 from a file and is escaped. */
+enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key);
+/* Key and value; floats have nine digits, which identify them exactly. */
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
-enum hatch_status hatch_glb_index(struct hatch_glb *glb, const char *key, uint32_t value);
+enum hatch_status hatch_glb_integer(struct hatch_glb *glb, const char *key, uint32_t value);
 enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count);
 
-/* Lays out the buffer and gives everything its number; needs scene, scratch and err. */
+/* Lays out the buffer and numbers everything; needs scene, scratch and err. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
-/* The JSON of the buffer, its views and accessors. */
+/* Writes the JSON of the buffer, its views and accessors. */
 enum hatch_status hatch_glb_print_views(struct hatch_glb *glb);
-/* Fills the buffer's bytes. */
+/* Fills the buffer's glb->size bytes. */
 void hatch_glb_put_views(const struct hatch_glb *glb, uint8_t *at);
 
-/* The JSON of all that stands in the scene. */
+/* Write the JSON of the scene. */
 enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb);
 enum hatch_status hatch_glb_print_meshes(struct hatch_glb *glb);
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb);  /* materials, textures, cameras, lights */

@@ -1,88 +1,90 @@
-/* The JSON of a scene's parts; what stands at its default is left out. */
+/* JSON of nodes, meshes, skins and animations; default values are left out. */
 #include <string.h>
 
 #include "io/glb/parts.h"
 
-/* A comma, where one belongs, and a brace. */
+/* A comma where needed, and a brace. */
 static enum hatch_status open_item(struct hatch_glb *glb)
 {
-    HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_comma(glb));
     return hatch_glb_put(glb, "{");
 }
 
 static enum hatch_status print_name(struct hatch_glb *glb)
 {
     HATCH_TRY(hatch_glb_key(glb, "name"));
-    return hatch_glb_text(glb, glb->name);
+    return hatch_glb_string(glb, glb->name);
 }
 
-/* Chains of the nodes under each parent, rising; the roots' begins at first[node_count]. */
-struct family {
+/* Lists of children by node, in ascending order: first child and next sibling, or HATCH_NONE. The list of
+ * roots begins at first[node_count]. */
+struct children {
     uint32_t *first, *next;
 };
 
-static enum hatch_status find_family(struct hatch_glb *glb, struct family *family)
+static enum hatch_status find_children(struct hatch_glb *glb, struct children *children)
 {
     uint32_t count = glb->scene->node_count;
-    family->first = HATCH_NEW(glb->scratch, uint32_t, (size_t)count + 1, glb->err);
-    family->next = family->first ? HATCH_NEW(glb->scratch, uint32_t, count, glb->err) : NULL;
-    if (!family->next)
+    children->first = HATCH_NEW(glb->scratch, uint32_t, (size_t)count + 1, glb->err);
+    children->next = children->first ? HATCH_NEW(glb->scratch, uint32_t, count, glb->err) : NULL;
+    if (!children->next)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i <= count; i++)
-        family->first[i] = HATCH_NONE;
+        children->first[i] = HATCH_NONE;
     for (uint32_t i = count; i-- > 0;) {
         uint32_t parent = glb->scene->nodes[i].parent;
-        uint32_t *first = &family->first[parent == HATCH_NONE ? count : parent];
-        family->next[i] = *first;
+        uint32_t *first = &children->first[parent == HATCH_NONE ? count : parent];
+        children->next[i] = *first;
         *first = i;
     }
     return HATCH_OK;
 }
 
-static enum hatch_status print_members(struct hatch_glb *glb, const char *key, const struct family *family, uint32_t of)
+static enum hatch_status print_children(struct hatch_glb *glb, const char *key, const struct children *children,
+                                        uint32_t parent)
 {
-    if (family->first[of] == HATCH_NONE)
+    if (children->first[parent] == HATCH_NONE)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_open(glb, key));
-    for (uint32_t i = family->first[of]; i != HATCH_NONE; i = family->next[i]) {
-        HATCH_TRY(hatch_glb_next(glb));
+    HATCH_TRY(hatch_glb_open_array(glb, key));
+    for (uint32_t i = children->first[parent]; i != HATCH_NONE; i = children->next[i]) {
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", i));
     }
     return hatch_glb_put(glb, "]");
 }
 
-static enum hatch_status print_place(struct hatch_glb *glb, const struct hatch_node *node)
+static enum hatch_status print_transform(struct hatch_glb *glb, const struct hatch_node *node)
 {
-    static const float nowhere[3], upright[4] = {0, 0, 0, 1}, plain[3] = {1, 1, 1};
+    static const float no_translation[3], no_rotation[4] = {0, 0, 0, 1}, no_scale[3] = {1, 1, 1};
     if (node->has_matrix)
         return hatch_glb_numbers(glb, "matrix", node->matrix, 16);
-    if (memcmp(node->translation, nowhere, sizeof nowhere) != 0)
+    if (memcmp(node->translation, no_translation, sizeof no_translation) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "translation", node->translation, 3));
-    if (memcmp(node->rotation, upright, sizeof upright) != 0)
+    if (memcmp(node->rotation, no_rotation, sizeof no_rotation) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "rotation", node->rotation, 4));
-    if (memcmp(node->scale, plain, sizeof plain) != 0)
+    if (memcmp(node->scale, no_scale, sizeof no_scale) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "scale", node->scale, 3));
     return HATCH_OK;
 }
 
-static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const struct family *family)
+static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const struct children *children)
 {
     const struct hatch_node *node = &glb->scene->nodes[index];
     HATCH_TRY(open_item(glb));
     if (glb->name && index == 0)
         HATCH_TRY(print_name(glb));
-    HATCH_TRY(print_members(glb, "children", family, index));
-    HATCH_TRY(print_place(glb, node));
+    HATCH_TRY(print_children(glb, "children", children, index));
+    HATCH_TRY(print_transform(glb, node));
     if (node->mesh_count > 0 && glb->group[node->first_mesh] != HATCH_NONE) {
-        HATCH_TRY(hatch_glb_index(glb, "mesh", glb->group[node->first_mesh]));
+        HATCH_TRY(hatch_glb_integer(glb, "mesh", glb->group[node->first_mesh]));
         if (node->skin != HATCH_NONE)
-            HATCH_TRY(hatch_glb_index(glb, "skin", glb->skin[node->skin]));
+            HATCH_TRY(hatch_glb_integer(glb, "skin", glb->skin[node->skin]));
         uint32_t targets = hatch_mesh_targets(&glb->scene->meshes[node->first_mesh].mesh);
         if (node->weights && targets > 0)
             HATCH_TRY(hatch_glb_numbers(glb, "weights", node->weights, targets));
     }
     if (node->camera != HATCH_NONE)
-        HATCH_TRY(hatch_glb_index(glb, "camera", node->camera));
+        HATCH_TRY(hatch_glb_integer(glb, "camera", node->camera));
     if (node->light != HATCH_NONE) {
         HATCH_TRY(hatch_glb_key(glb, "extensions"));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"KHR_lights_punctual\":{\"light\":%u}}", node->light));
@@ -92,32 +94,32 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
 
 enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb)
 {
-    struct family family;
+    struct children children;
     uint32_t count = glb->scene->node_count;
-    HATCH_TRY(find_family(glb, &family));
+    HATCH_TRY(find_children(glb, &children));
     HATCH_TRY(hatch_glb_put(glb, ",\"scene\":0,\"scenes\":[{"));
-    HATCH_TRY(print_members(glb, "nodes", &family, count));
+    HATCH_TRY(print_children(glb, "nodes", &children, count));
     HATCH_TRY(hatch_glb_put(glb, "}]"));
     if (count == 0)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_open(glb, "nodes"));
+    HATCH_TRY(hatch_glb_open_array(glb, "nodes"));
     for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(print_node(glb, i, &family));
+        HATCH_TRY(print_node(glb, i, &children));
     return hatch_glb_put(glb, "]");
 }
 
 static enum hatch_status print_targets(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t accessor)
 {
-    bool turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL) != NULL;
+    bool has_normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL) != NULL;
     uint32_t targets = hatch_mesh_targets(mesh);
     if (targets == 0)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_open(glb, "targets"));
+    HATCH_TRY(hatch_glb_open_array(glb, "targets"));
     for (uint32_t t = 0; t < targets; t++) {
         HATCH_TRY(open_item(glb));
-        HATCH_TRY(hatch_glb_index(glb, "POSITION", accessor++));
-        if (turns)
-            HATCH_TRY(hatch_glb_index(glb, "NORMAL", accessor++));
+        HATCH_TRY(hatch_glb_integer(glb, "POSITION", accessor++));
+        if (has_normals)
+            HATCH_TRY(hatch_glb_integer(glb, "NORMAL", accessor++));
         HATCH_TRY(hatch_glb_put(glb, "}"));
     }
     return hatch_glb_put(glb, "]");
@@ -132,14 +134,14 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     for (uint32_t i = 0; i < count; i++) {
-        HATCH_TRY(hatch_glb_name(glb, from->mesh.attributes[order[i]].name));
+        HATCH_TRY(hatch_glb_escaped_key(glb, from->mesh.attributes[order[i]].name));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", first + i));
     }
     HATCH_TRY(hatch_glb_put(glb, "}"));
-    HATCH_TRY(hatch_glb_index(glb, "indices", first + count));
+    HATCH_TRY(hatch_glb_integer(glb, "indices", first + count));
     HATCH_TRY(print_targets(glb, &from->mesh, first + count + 1));
     if (from->material != HATCH_NONE)
-        HATCH_TRY(hatch_glb_index(glb, "material", from->material));
+        HATCH_TRY(hatch_glb_integer(glb, "material", from->material));
     return hatch_glb_put(glb, "}");
 }
 
@@ -148,7 +150,7 @@ static enum hatch_status print_mesh(struct hatch_glb *glb, uint32_t first)
     HATCH_TRY(open_item(glb));
     if (glb->name && first == 0)
         HATCH_TRY(print_name(glb));
-    HATCH_TRY(hatch_glb_open(glb, "primitives"));
+    HATCH_TRY(hatch_glb_open_array(glb, "primitives"));
     for (uint32_t i = first; i < first + glb->group_size[first]; i++)
         if (glb->mesh_first[i] != HATCH_NONE)
             HATCH_TRY(print_primitive(glb, i));
@@ -162,7 +164,7 @@ enum hatch_status hatch_glb_print_meshes(struct hatch_glb *glb)
         if (glb->group[m] == HATCH_NONE)
             continue;
         if (!any)
-            HATCH_TRY(hatch_glb_open(glb, "meshes"));
+            HATCH_TRY(hatch_glb_open_array(glb, "meshes"));
         any = true;
         HATCH_TRY(print_mesh(glb, m));
     }
@@ -173,35 +175,35 @@ static enum hatch_status print_skin(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_skin *skin = &glb->scene->skins[index];
     HATCH_TRY(open_item(glb));
-    HATCH_TRY(hatch_glb_index(glb, "inverseBindMatrices", glb->skin_first + glb->skin[index]));
-    HATCH_TRY(hatch_glb_open(glb, "joints"));
+    HATCH_TRY(hatch_glb_integer(glb, "inverseBindMatrices", glb->skin_first + glb->skin[index]));
+    HATCH_TRY(hatch_glb_open_array(glb, "joints"));
     for (uint32_t j = 0; j < skin->joint_count; j++) {
-        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", skin->joints[j]));
     }
     return hatch_glb_put(glb, "]}");
 }
 
-/* Sampler c is channel c's. */
+/* Each channel has its own sampler, of the same number. */
 static enum hatch_status print_animation(struct hatch_glb *glb, const struct hatch_animation *animation,
                                          uint32_t accessor)
 {
     static const char *const paths[] = {"translation", "rotation", "scale", "weights"};
-    static const char *const ways[] = {"STEP", "LINEAR", "CUBICSPLINE"};
+    static const char *const interpolations[] = {"STEP", "LINEAR", "CUBICSPLINE"};
     HATCH_TRY(open_item(glb));
-    HATCH_TRY(hatch_glb_open(glb, "channels"));
+    HATCH_TRY(hatch_glb_open_array(glb, "channels"));
     for (uint32_t c = 0; c < animation->channel_count; c++) {
         const struct hatch_animation_channel *channel = &animation->channels[c];
-        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}",
                                      c, channel->node, paths[channel->path]));
     }
     HATCH_TRY(hatch_glb_put(glb, "]"));
-    HATCH_TRY(hatch_glb_open(glb, "samplers"));
+    HATCH_TRY(hatch_glb_open_array(glb, "samplers"));
     for (uint32_t c = 0; c < animation->channel_count; c++, accessor += 2) {
-        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"input\":%u,\"interpolation\":\"%s\",\"output\":%u}",
-                                     accessor, ways[animation->channels[c].interpolation], accessor + 1));
+                                     accessor, interpolations[animation->channels[c].interpolation], accessor + 1));
     }
     return hatch_glb_put(glb, "]}");
 }
@@ -214,7 +216,7 @@ enum hatch_status hatch_glb_print_motion(struct hatch_glb *glb)
         if (glb->skin[s] == HATCH_NONE)
             continue;
         if (!any)
-            HATCH_TRY(hatch_glb_open(glb, "skins"));
+            HATCH_TRY(hatch_glb_open_array(glb, "skins"));
         any = true;
         HATCH_TRY(print_skin(glb, s));
     }
@@ -225,7 +227,7 @@ enum hatch_status hatch_glb_print_motion(struct hatch_glb *glb)
         if (scene->animations[a].channel_count == 0)
             continue;
         if (!any)
-            HATCH_TRY(hatch_glb_open(glb, "animations"));
+            HATCH_TRY(hatch_glb_open_array(glb, "animations"));
         any = true;
         HATCH_TRY(print_animation(glb, &scene->animations[a], accessor));
         accessor += 2 * scene->animations[a].channel_count;

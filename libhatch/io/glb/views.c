@@ -1,5 +1,5 @@
-/* The binary half of a GLB: one buffer, a view for each attribute, list of indices, matrices, times
- * and values, and image. */
+/* The binary chunk of a GLB: one buffer with a view for each vertex attribute, index list, morph target,
+ * skin, animation input and output, and image. */
 #include <assert.h>
 #include <string.h>
 
@@ -40,15 +40,15 @@ uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MES
     return count;
 }
 
-/* What one target moves, which lies between what others do. */
+/* Copies one target's displacements out of the attribute, where the targets are interleaved. */
 static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_mesh *mesh,
-                                    const struct hatch_mesh_attribute *moves, uint32_t target, bool bounds)
+                                    const struct hatch_mesh_attribute *targets, uint32_t target, bool bounds)
 {
     float *data = HATCH_NEW(glb->scratch, float, (size_t)mesh->vertex_count * 3, glb->err);
     if (!data)
         return HATCH_LIMIT;
     for (size_t v = 0; v < mesh->vertex_count; v++)
-        memcpy(&data[3 * v], &moves->data[moves->components * v + 3 * target], 3 * sizeof *data);
+        memcpy(&data[3 * v], &targets->data[targets->components * v + 3 * target], 3 * sizeof *data);
     add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
                                           .target = HATCH_GLB_VERTICES,
                                           .data = data,
@@ -71,22 +71,22 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh
                                               .components = a->components,
                                               .bounds = i == 0});
     }
-    /* The largest value of a type means primitive restart and is no index. */
+    /* An index type's largest value means primitive restart. */
     add_view(glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
                                           .target = HATCH_GLB_INDICES,
                                           .data = mesh->indices,
                                           .count = (size_t)mesh->face_count * 3,
                                           .components = 1});
-    const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
+    const struct hatch_mesh_attribute *normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     for (uint32_t t = 0; t < hatch_mesh_targets(mesh); t++) {
         HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
-        if (turns)
-            HATCH_TRY(add_target(glb, mesh, turns, t, false));
+        if (normals)
+            HATCH_TRY(add_target(glb, mesh, normals, t, false));
     }
     return HATCH_OK;
 }
 
-/* Meshes that nodes draw together are one of the file's; one that no node draws stands alone. */
+/* The meshes of a node become one glTF mesh; a mesh that no node uses becomes a glTF mesh by itself. */
 static enum hatch_status plan_meshes(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
@@ -144,17 +144,17 @@ static void plan_motion(struct hatch_glb *glb)
         }
 }
 
-static bool is_image(const struct hatch_texture *texture)
+static bool is_png_or_jpeg(const struct hatch_texture *texture)
 {
     static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xff, 0xd8, 0xff};
     return texture->data && ((texture->size > 8 && memcmp(texture->data, png, sizeof png) == 0) ||
                              (texture->size > 8 && memcmp(texture->data, jpeg, sizeof jpeg) == 0));
 }
 
-const struct hatch_texture_use *hatch_glb_use(const struct hatch_glb *glb, const struct hatch_material *material,
-                                              uint32_t number)
+const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
+                                               uint32_t slot)
 {
-    const struct hatch_texture_use *use = number == 0              ? &material->base
+    const struct hatch_texture_use *use = slot == 0                ? &material->base
                                           : material->normals.used ? &material->normals.at
                                                                    : NULL;
     return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
@@ -165,7 +165,7 @@ static void plan_images(struct hatch_glb *glb)
     const struct hatch_scene *scene = glb->scene;
     uint32_t images = 0, textures = 0;
     for (uint32_t t = 0; t < scene->texture_count; t++) {
-        bool known = is_image(&scene->textures[t]);
+        bool known = is_png_or_jpeg(&scene->textures[t]);
         glb->image[t] = known ? images++ : HATCH_NONE;
         for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
             glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;
@@ -175,9 +175,9 @@ static void plan_images(struct hatch_glb *glb)
                                                   .count = scene->textures[t].size,
                                                   .components = 1});
     }
-    for (uint32_t m = 0; m < HATCH_GLB_USES * scene->material_count; m++) {
+    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
-            hatch_glb_use(glb, &scene->materials[m / HATCH_GLB_USES], m % HATCH_GLB_USES);
+            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
         uint32_t *texture = use ? hatch_glb_texture(glb, use) : NULL;
         if (use && *texture == HATCH_NONE)
             *texture = textures++;
@@ -234,10 +234,10 @@ static enum hatch_status print_bounds(struct hatch_glb *glb, const struct hatch_
 static enum hatch_status print_accessors(struct hatch_glb *glb)
 {
     static const char *const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-    HATCH_TRY(hatch_glb_open(glb, "accessors"));
+    HATCH_TRY(hatch_glb_open_array(glb, "accessors"));
     for (uint32_t i = 0; i < glb->accessor_count; i++) {
         const struct hatch_glb_view *view = &glb->views[i];
-        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(
             &glb->json, glb->err, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", i,
             (int)view->component, view->count, view->components == 16 ? "MAT4" : types[view->components - 1]));
@@ -254,10 +254,10 @@ enum hatch_status hatch_glb_print_views(struct hatch_glb *glb)
         HATCH_TRY(print_accessors(glb));
     if (glb->view_count == 0)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_open(glb, "bufferViews"));
+    HATCH_TRY(hatch_glb_open_array(glb, "bufferViews"));
     for (uint32_t i = 0; i < glb->view_count; i++) {
         const struct hatch_glb_view *view = &glb->views[i];
-        HATCH_TRY(hatch_glb_next(glb));
+        HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
                                      view->offset, view->size));
         if (view->target)

@@ -1,4 +1,4 @@
-/* Scenes as binary glTF 2.0 (Khronos, "glTF 2.0 Specification", §4.4). */
+/* The GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
 #include <assert.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@ static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
     HATCH_TRY(hatch_buffer_print(json, glb->err, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hatch\""));
     if (comment) {
         HATCH_TRY(hatch_buffer_print(json, glb->err, ",\"extras\":{\"hatch\":"));
-        HATCH_TRY(hatch_glb_text(glb, comment));
+        HATCH_TRY(hatch_glb_string(glb, comment));
         HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
     }
     HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
@@ -31,13 +31,13 @@ static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_
 {
     const struct hatch_buffer *json = &glb->json;
     size_t chunk = glb->size > 0 ? CHUNK_HEADER + glb->size : 0;
-    size_t whole = GLB_HEADER + CHUNK_HEADER + json->size + chunk;
-    if (whole > UINT32_MAX)
-        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", whole, UINT32_MAX);
-    HATCH_TRY(hatch_buffer_reserve(file, whole, glb->err));
+    size_t total = GLB_HEADER + CHUNK_HEADER + json->size + chunk;
+    if (total > UINT32_MAX)
+        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", total, UINT32_MAX);
+    HATCH_TRY(hatch_buffer_reserve(file, total, glb->err));
     HATCH_TRY(hatch_buffer_add(file, "glTF", 4, glb->err));
     HATCH_TRY(hatch_buffer_add_u32le(file, 2, glb->err));
-    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)whole, glb->err));
+    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)total, glb->err));
     HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)json->size, glb->err));
     HATCH_TRY(hatch_buffer_add(file, "JSON", 4, glb->err));
     HATCH_TRY(hatch_buffer_add(file, json->data, json->size, glb->err));

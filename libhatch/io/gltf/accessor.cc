@@ -9,7 +9,7 @@ namespace hatch
 namespace
 {
 
-/* count elements of components numbers each, stride bytes apart; data is NULL for all zeros. */
+/* An accessor's elements, stride bytes apart; data is NULL when all are zero. */
 struct Elements {
     const uint8_t *data;
     size_t stride;
@@ -35,8 +35,8 @@ size_t component_size(int type)
     }
 }
 
-/* Cuts count elements out of a view from offset on; every sum is one that cannot overflow. */
-enum hatch_status cut(Reader &r, int view, size_t offset, const std::string &where, Elements *e)
+/* Locates e's elements in a view, from offset on. The comparisons are ordered so that no sum overflows. */
+enum hatch_status find_in_view(Reader &r, int view, size_t offset, const std::string &where, Elements *e)
 {
     struct hatch_bytes bytes;
     size_t stride, element = component_size(e->component_type) * static_cast<size_t>(e->components);
@@ -48,7 +48,7 @@ enum hatch_status cut(Reader &r, int view, size_t offset, const std::string &whe
         e->count - 1 > (bytes.size - offset - element) / e->stride)
         return bad(r, where,
                    std::to_string(e->count) + " elements from byte " + std::to_string(offset) +
-                       " on pass the end of buffer view " + std::to_string(view));
+                       " on exceed buffer view " + std::to_string(view));
     e->data = bytes.data + offset;
     return HATCH_OK;
 }
@@ -57,7 +57,8 @@ enum hatch_status find_elements(Reader &r, int index, const std::string &where, 
 {
     if (index < 0 || static_cast<size_t>(index) >= r.model.accessors.size())
         return bad(r, where,
-                   "accessor " + std::to_string(index) + ", there are " + std::to_string(r.model.accessors.size()));
+                   "accessor " + std::to_string(index) + " does not exist, there are " +
+                       std::to_string(r.model.accessors.size()));
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(index)];
     e->component_type = a.componentType;
     e->components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(a.type));
@@ -70,7 +71,7 @@ enum hatch_status find_elements(Reader &r, int index, const std::string &where, 
     e->count = static_cast<uint32_t>(a.count);
     if (a.bufferView == -1)
         return HATCH_OK;
-    return cut(r, a.bufferView, a.byteOffset, where + ", accessor " + std::to_string(index), e);
+    return find_in_view(r, a.bufferView, a.byteOffset, where + ", accessor " + std::to_string(index), e);
 }
 
 template <typename T> T load_as(const uint8_t *at)
@@ -80,7 +81,7 @@ template <typename T> T load_as(const uint8_t *at)
     return value;
 }
 
-/* Integers of the file's formats are little-endian, as every machine is that we run on. */
+/* Files are little-endian; so must be the machine. */
 double load_number(const uint8_t *at, int type, bool normalized)
 {
     double value, range;
@@ -116,9 +117,9 @@ void load_element(const Elements &e, uint32_t i, float *out)
         out[c] = static_cast<float>(load_number(at + size * static_cast<size_t>(c), e.component_type, e.normalized));
 }
 
-/* Where the sparse elements of an accessor go, and what they are. */
+/* Locates the indices and values of a sparse accessor. */
 enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elements &base, const std::string &where,
-                              Elements *places, Elements *elements)
+                              Elements *sparse_indices, Elements *sparse_values)
 {
     Elements indices = base, values = base;
     if (a.sparse.count < 1 || static_cast<uint32_t>(a.sparse.count) > base.count)
@@ -129,10 +130,10 @@ enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elem
     indices.normalized = false;
     if (indices.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT || component_size(indices.component_type) == 0)
         return bad(r, where, "sparse indices of an unknown type");
-    HATCH_TRY(cut(r, a.sparse.indices.bufferView, static_cast<size_t>(a.sparse.indices.byteOffset),
-                  where + ", sparse indices", &indices));
-    HATCH_TRY(cut(r, a.sparse.values.bufferView, static_cast<size_t>(a.sparse.values.byteOffset),
-                  where + ", sparse values", &values));
+    HATCH_TRY(find_in_view(r, a.sparse.indices.bufferView, static_cast<size_t>(a.sparse.indices.byteOffset),
+                           where + ", sparse indices", &indices));
+    HATCH_TRY(find_in_view(r, a.sparse.values.bufferView, static_cast<size_t>(a.sparse.values.byteOffset),
+                           where + ", sparse values", &values));
     for (uint32_t i = 0; i < indices.count; i++) {
         double index = load_number(indices.data + i * indices.stride, indices.component_type, false);
         if (!(index >= 0 && index < base.count))
@@ -140,8 +141,8 @@ enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elem
                        "sparse index " + std::to_string(static_cast<int64_t>(index)) + " of " +
                            std::to_string(base.count));
     }
-    *places = indices;
-    *elements = values;
+    *sparse_indices = indices;
+    *sparse_values = values;
     return HATCH_OK;
 }
 
@@ -156,16 +157,18 @@ enum hatch_status find_view(Reader &r, int view, const std::string &where, struc
 {
     if (view < 0 || static_cast<size_t>(view) >= r.model.bufferViews.size())
         return bad(r, where,
-                   "buffer view " + std::to_string(view) + ", there are " + std::to_string(r.model.bufferViews.size()));
+                   "buffer view " + std::to_string(view) + " does not exist, there are " +
+                       std::to_string(r.model.bufferViews.size()));
     const tinygltf::BufferView &v = r.model.bufferViews[static_cast<size_t>(view)];
     if (v.buffer < 0 || static_cast<size_t>(v.buffer) >= r.model.buffers.size())
         return bad(r, where,
-                   "buffer " + std::to_string(v.buffer) + ", there are " + std::to_string(r.model.buffers.size()));
+                   "buffer " + std::to_string(v.buffer) + " does not exist, there are " +
+                       std::to_string(r.model.buffers.size()));
     const std::vector<unsigned char> &data = r.model.buffers[static_cast<size_t>(v.buffer)].data;
     if (v.byteOffset > data.size() || v.byteLength > data.size() - v.byteOffset)
         return bad(r, where,
-                   "buffer view " + std::to_string(view) + " passes the end of its buffer of " +
-                       std::to_string(data.size()) + " bytes");
+                   "buffer view " + std::to_string(view) + " exceeds its buffer of " + std::to_string(data.size()) +
+                       " bytes");
     bytes->data = data.data() + v.byteOffset;
     bytes->size = v.byteLength;
     *stride = v.byteStride;
@@ -179,20 +182,20 @@ enum hatch_status read_floats(Reader &r, int accessor, int components, const std
     HATCH_TRY(find_elements(r, accessor, where, &e));
     if (e.components != components)
         return bad(r, where, std::to_string(e.components) + " components, want " + std::to_string(components));
-    size_t all = static_cast<size_t>(e.count) * static_cast<size_t>(components);
-    float *floats = HATCH_NEW(r.arena, float, all, r.err);
+    size_t total = static_cast<size_t>(e.count) * static_cast<size_t>(components);
+    float *floats = HATCH_NEW(r.arena, float, total, r.err);
     if (!floats)
         return HATCH_LIMIT;
     for (uint32_t i = 0; e.data && i < e.count; i++)
         load_element(e, i, floats + i * static_cast<size_t>(components));
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(accessor)];
     if (a.sparse.isSparse) {
-        Elements places, elements;
-        HATCH_TRY(find_sparse(r, a, e, where, &places, &elements));
-        for (uint32_t i = 0; i < places.count; i++)
-            load_element(elements, i, floats + load_index(places, i) * static_cast<size_t>(components));
+        Elements indices, values;
+        HATCH_TRY(find_sparse(r, a, e, where, &indices, &values));
+        for (uint32_t i = 0; i < indices.count; i++)
+            load_element(values, i, floats + load_index(indices, i) * static_cast<size_t>(components));
     }
-    for (size_t i = 0; i < all; i++)
+    for (size_t i = 0; i < total; i++)
         if (!std::isfinite(floats[i]))
             return bad(r, where, place("element", i / static_cast<size_t>(components)) + " is not finite");
     *data = floats;
@@ -217,10 +220,10 @@ enum hatch_status read_indices(Reader &r, int accessor, const std::string &where
         indices[i] = load_index(e, i);
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(accessor)];
     if (a.sparse.isSparse) {
-        Elements places, elements;
-        HATCH_TRY(find_sparse(r, a, e, where, &places, &elements));
+        Elements places, values;
+        HATCH_TRY(find_sparse(r, a, e, where, &places, &values));
         for (uint32_t i = 0; i < places.count; i++)
-            indices[load_index(places, i)] = load_index(elements, i);
+            indices[load_index(places, i)] = load_index(values, i);
     }
     for (uint32_t i = 0; i < e.count; i++)
         if (indices[i] >= restart)

@@ -13,18 +13,18 @@ static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type,
     uint32_t length = hatch_read_u32(reader);
     *type = hatch_read_u32(reader);
     if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: cut in a chunk's header", start);
+        return hatch_fail(err, HATCH_BAD_INPUT, "byte %zu: truncated in a chunk header", start);
     if (length % 4 != 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, want a multiple of 4", start, length);
+        return hatch_fail(err, HATCH_BAD_INPUT, "byte %zu: chunk of %u bytes, want a multiple of 4", start, length);
     if (length > hatch_reader_left(reader))
-        return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: chunk of %u bytes, %zu are left", start, length,
+        return hatch_fail(err, HATCH_BAD_INPUT, "byte %zu: truncated: chunk of %u bytes, but %zu follow", start, length,
                           hatch_reader_left(reader));
     chunk->size = length;
     chunk->data = hatch_read_bytes(reader, length);
     return HATCH_OK;
 }
 
-/* Zeros that a program or a disk put behind the end. */
+/* Some programs and disks append zeros. */
 static bool is_padding(struct hatch_bytes file, size_t from)
 {
     while (from < file.size && file.data[from] == 0)
@@ -43,11 +43,11 @@ enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_pa
     hatch_read_u32(&reader);
     uint32_t version = hatch_read_u32(&reader), length = hatch_read_u32(&reader), type;
     if (reader.cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes", file.size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the header: %zu bytes", file.size);
     if (version != 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "glTF version %u, want 2", version);
     if (length > file.size || !is_padding(file, length))
-        return hatch_fail(err, HATCH_BAD_INPUT, "the header says %u bytes, the file has %zu", length, file.size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "the header claims %u bytes, the file has %zu", length, file.size);
     parts->file.size = reader.size = length;
     HATCH_TRY(read_chunk(&reader, &type, &parts->json, err));
     if (type != CHUNK_JSON)
@@ -56,7 +56,7 @@ enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_pa
         struct hatch_bytes chunk;
         HATCH_TRY(read_chunk(&reader, &type, &chunk, err));
         if (type == CHUNK_BIN && !first)
-            return hatch_fail(err, HATCH_BAD_INPUT, "the BIN chunk is not the second one");
+            return hatch_fail(err, HATCH_BAD_INPUT, "the BIN chunk is not the second chunk");
         if (type == CHUNK_BIN)
             parts->binary = chunk;
     }
@@ -68,20 +68,20 @@ struct text {
     size_t length;
 };
 
-/* One open object or array: the key that it is the value of, and its own current key. */
+/* An open object or array. */
 struct level {
-    bool object, key_next;
-    struct text name, key;
+    bool object, key_next; /* key_next: the next string is a key */
+    struct text name, key; /* name: key under which it stands; key: its current key */
 };
 
 struct scan {
     const char *text;
     size_t size, at;
     uint32_t depth;
-    struct level levels[HATCH_GLTF_DEPTH_MAX + 1]; /* [0] stands around the whole */
+    struct level levels[HATCH_GLTF_DEPTH_MAX + 1]; /* [0]: outside the root */
     struct hatch_gltf_lengths *lengths;
-    uint64_t buffer_length; /* of the buffer being read, and whether it has a file */
-    bool buffer_has_file;
+    uint64_t buffer_length; /* byteLength of the buffer being read */
+    bool buffer_has_file;   /* whether it is an external file */
 };
 
 static bool is(struct text text, const char *word)
@@ -99,7 +99,7 @@ static bool in_list(struct text text, const char *const *list)
 
 enum number_rule { RULE_NONE, RULE_INDEX, RULE_SIZE };
 
-static enum number_rule rule_here(const struct scan *s)
+static enum number_rule current_rule(const struct scan *s)
 {
     static const char *const indices[] = {
         "bufferView", "buffer",  "mesh",          "node",     "skin",    "camera", "scene",  "skeleton", "source",
@@ -121,7 +121,7 @@ static enum number_rule rule_here(const struct scan *s)
     return in_list(key, sizes) ? RULE_SIZE : RULE_NONE;
 }
 
-/* Leaves at behind the closing quote; the text of a key is compared as it is written. */
+/* Moves past the closing quote. Escapes are not decoded. */
 static struct text scan_string(struct scan *s)
 {
     size_t start = ++s->at;
@@ -135,7 +135,7 @@ static struct text scan_string(struct scan *s)
     return text;
 }
 
-/* A number or a word: everything up to the next mark. */
+/* A number, true, false or null: everything up to the next delimiter. */
 static struct text scan_word(struct scan *s)
 {
     size_t start = s->at;
@@ -146,7 +146,7 @@ static struct text scan_word(struct scan *s)
     return (struct text){s->text + start, s->at - start};
 }
 
-static bool is_whole_number(struct text text, uint64_t most, uint64_t *number)
+static bool is_integer(struct text text, uint64_t largest, uint64_t *number)
 {
     uint64_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
@@ -155,7 +155,7 @@ static bool is_whole_number(struct text text, uint64_t most, uint64_t *number)
         value = value * 10 + (uint64_t)(text.start[i] - '0');
     }
     *number = value;
-    return text.length > 0 && value <= most;
+    return text.length > 0 && value <= largest;
 }
 
 static bool in_buffer(const struct scan *s)
@@ -163,16 +163,16 @@ static bool in_buffer(const struct scan *s)
     return s->depth == 3 && s->levels[3].object && is(s->levels[2].name, "buffers");
 }
 
-/* What a file needs of its reader is asked first: without it the rest may not look like glTF. How a material shines
- * is nothing that strokes show. */
+/* Extensions are checked first: with one of them the rest may not look like glTF. Those of materials other
+ * than the base colour do not matter for strokes. */
 static enum hatch_status check_extension(struct text name, struct hatch_err *err)
 {
     static const char materials[] = "KHR_materials_";
     static const char *const known[] = {
         "EXT_mesh_gpu_instancing", "EXT_texture_avif",   "EXT_texture_webp",      "KHR_lights_punctual",
         "KHR_mesh_quantization",   "KHR_texture_basisu", "KHR_texture_transform", NULL};
-    size_t begins = sizeof materials - 1;
-    if (in_list(name, known) || (name.length > begins && memcmp(name.start, materials, begins) == 0))
+    size_t prefix = sizeof materials - 1;
+    if (in_list(name, known) || (name.length > prefix && memcmp(name.start, materials, prefix) == 0))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "extensionsRequired: %.*s is not supported",
                       (int)(name.length < 64 ? name.length : 64), name.start);
@@ -186,10 +186,10 @@ static bool in_required(const struct scan *s)
 static enum hatch_status check_value(struct scan *s, struct text word, struct hatch_err *err)
 {
     static const char data[] = "\"data:";
-    enum number_rule rule = rule_here(s);
-    uint64_t most = rule == RULE_SIZE ? (uint64_t)1 << 53 : INT32_MAX, number = 0;
+    enum number_rule rule = current_rule(s);
+    uint64_t largest = rule == RULE_SIZE ? (uint64_t)1 << 53 : INT32_MAX, number = 0;
     const struct level *level = &s->levels[s->depth];
-    bool good = rule == RULE_NONE || is_whole_number(word, most, &number);
+    bool good = rule == RULE_NONE || is_integer(word, largest, &number);
     if (in_required(s) && word.length > 1 && word.start[0] == '"')
         HATCH_TRY(check_extension((struct text){word.start + 1, word.length - 1}, err));
     if (in_buffer(s) && is(level->key, "uri"))
@@ -199,9 +199,9 @@ static enum hatch_status check_value(struct scan *s, struct text word, struct ha
     if (good)
         return HATCH_OK;
     struct text key = level->object ? level->key : level->name;
-    return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s, want a whole number, 0 .. %llu",
+    return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s, want an integer, 0 .. %llu",
                       (size_t)(word.start - s->text), (int)(key.length < 32 ? key.length : 32), key.start,
-                      (int)(word.length < 32 ? word.length : 32), word.start, (unsigned long long)most);
+                      (int)(word.length < 32 ? word.length : 32), word.start, (unsigned long long)largest);
 }
 
 static enum hatch_status open_level(struct scan *s, bool object, struct hatch_err *err)
@@ -254,7 +254,7 @@ static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
         return HATCH_OK;
     case '"': {
         struct text text = scan_string(s);
-        if (!level->key_next) /* with its quote, so that "3" is no number */
+        if (!level->key_next) /* with its quote, so that "3" is not a number */
             return check_value(s, (struct text){text.start - 1, text.length + 1}, err);
         level->key = text;
         return HATCH_OK;

@@ -1,4 +1,3 @@
-/* glTF scenes by tinygltf, which parses; what it hands over is believed only after our own checks. */
 #include "io/gltf/reader.h"
 
 #include <cstring>
@@ -27,24 +26,24 @@ enum hatch_status check_index(Reader &r, int index, size_t count, const std::str
 {
     if (index == -1 || (index >= 0 && static_cast<size_t>(index) < count))
         return HATCH_OK;
-    return bad(r, where, std::string(what) + " " + std::to_string(index) + ", there are " + std::to_string(count));
+    return bad(r, where,
+               std::string(what) + " " + std::to_string(index) + " does not exist, there are " + std::to_string(count));
 }
 
 namespace
 {
 
-/* What tinygltf's file callbacks need, and the first failure, whose sentence is better than its. */
+/* State of tinygltf's file callbacks. */
 struct Files {
-    hatch_gltf_resolve resolve;
-    void *context;
+    const struct hatch_gltf_resolver *resolver;
     struct hatch_arena *scratch;
-    struct hatch_gltf_lengths lengths; /* of the buffers' files, which are read first and in order */
-    size_t next;
-    struct hatch_err err;
+    struct hatch_gltf_lengths lengths; /* of the buffers' files; tinygltf reads these first, in order */
+    size_t next;                       /* byte in lengths of the next file's */
+    struct hatch_err err;              /* first failure; more precise than tinygltf's message */
     bool left_folder;
 };
 
-/* A file may be longer than its buffer, which the package does not know; a shorter one is cut. */
+/* Cuts a file to its buffer's length, since tinygltf refuses longer files. */
 enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
     uint64_t length;
@@ -53,22 +52,22 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
     std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
     files.next += sizeof length;
     if (bytes->size < length)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, byteLength is %llu", uri, bytes->size,
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, but its byteLength is %llu", uri, bytes->size,
                           static_cast<unsigned long long>(length));
     bytes->size = static_cast<size_t>(length);
     return HATCH_OK;
 }
 
-/* The package takes a plus for a blank, as forms do and URIs do not. */
+/* tinygltf decodes a plus to a space, as in forms; in URIs it is a plus. */
 enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
-    enum hatch_status status = files.resolve(files.context, uri.c_str(), files.scratch, bytes, err);
+    enum hatch_status status = files.resolver->read(files.resolver->context, uri.c_str(), files.scratch, bytes, err);
     std::string plus = uri;
     for (char &c : plus)
         c = c == ' ' ? '+' : c;
-    struct hatch_err again = {};
+    struct hatch_err ignored = {};
     if (status != HATCH_OK && plus != uri &&
-        files.resolve(files.context, plus.c_str(), files.scratch, bytes, &again) == HATCH_OK)
+        files.resolver->read(files.resolver->context, plus.c_str(), files.scratch, bytes, &ignored) == HATCH_OK)
         return HATCH_OK;
     return status;
 }
@@ -89,25 +88,25 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
     struct hatch_bytes bytes = {nullptr, 0};
     struct hatch_err err = {};
     if (uri.compare(0, 5, "data:") == 0) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: data of an unknown kind", uri.c_str());
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: unknown media type", uri.c_str());
     } else if (!hatch_gltf_uri_is_local(uri.c_str())) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s leaves the file's folder", uri.c_str());
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s is outside the file's folder", uri.c_str());
         files.left_folder = true;
-    } else if (!files.resolve) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: no folder to look in", uri.c_str());
+    } else if (!files.resolver) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: external files need a glTF read by its path", uri.c_str());
     } else if (find_file(files, uri, &bytes, &err) == HATCH_OK &&
                fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
         out->assign(bytes.data, bytes.data + bytes.size);
         return true;
     } else {
-        err.status = HATCH_BAD_INPUT; /* to the user a file without its companion is not whole */
+        err.status = HATCH_BAD_INPUT; /* a glTF without its companion is incomplete */
     }
     if (files.err.status == HATCH_OK || files.left_folder)
         files.err = err;
     return false;
 }
 
-/* Images stay encoded: those of a buffer view are found there later, others are kept here. */
+/* Images stay encoded. Those in a buffer view are read from there later, others are kept here. */
 bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int, const unsigned char *bytes,
                 int size, void *)
 {
@@ -128,17 +127,17 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
                  std::string *err)
 {
     std::string warnings;
-    if (parts.binary.size == 0) /* the package refuses a GLB whose binary part is empty */
+    if (parts.binary.size == 0) /* tinygltf refuses a GLB with an empty binary chunk */
         return parser.LoadASCIIFromString(model, err, &warnings, reinterpret_cast<const char *>(parts.json.data),
                                           static_cast<unsigned int>(parts.json.size), "");
     return parser.LoadBinaryFromMemory(model, err, &warnings, parts.file.data,
                                        static_cast<unsigned int>(parts.file.size), "");
 }
 
-/* JSON values in memory take up to this many times their text's size. */
+/* Upper bound of the bytes that a parsed JSON value takes per byte of text. */
 const size_t json_growth = 32;
 
-enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context, struct hatch_arena *scratch,
+enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver, struct hatch_arena *scratch,
                        tinygltf::Model *model, struct hatch_err *err)
 {
     struct hatch_gltf_parts parts;
@@ -146,8 +145,9 @@ enum hatch_status load(struct hatch_bytes file, hatch_gltf_resolve resolve, void
         return hatch_fail(err, HATCH_BAD_INPUT, "empty");
     HATCH_TRY(hatch_gltf_split(file, &parts, err));
     if (file.size > UINT32_MAX || parts.json.size > scratch->limit_bytes / json_growth)
-        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of JSON need more memory than the limit", parts.json.size);
-    Files files = {resolve, context, scratch, {}, 0, {}, false};
+        return hatch_fail(err, HATCH_LIMIT, "parsing %zu bytes of JSON needs more memory than the limit",
+                          parts.json.size);
+    Files files = {resolver, scratch, {}, 0, {}, false};
     files.lengths.bytes.arena = scratch;
     HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
     tinygltf::TinyGLTF parser;
@@ -165,7 +165,7 @@ enum hatch_status read_all(Reader &r)
     if (r.model.asset.version.compare(0, 2, "2.") != 0)
         return bad(r, "asset", "glTF version " + r.model.asset.version + ", want 2");
     if (!r.model.asset.minVersion.empty() && r.model.asset.minVersion != "2.0")
-        return bad(r, "asset", "needs a reader of glTF " + r.model.asset.minVersion + ", this one is of 2.0");
+        return bad(r, "asset", "needs glTF " + r.model.asset.minVersion + ", only 2.0 is supported");
     uint32_t *first_mesh;
     HATCH_TRY(read_nodes(r));
     HATCH_TRY(read_images(r));
@@ -174,30 +174,30 @@ enum hatch_status read_all(Reader &r)
     HATCH_TRY(read_lights(r));
     HATCH_TRY(read_skins(r));
     HATCH_TRY(read_meshes(r, &first_mesh));
-    HATCH_TRY(attach(r, first_mesh));
+    HATCH_TRY(attach_to_nodes(r, first_mesh));
     HATCH_TRY(add_instances(r));
     return read_animations(r);
 }
 
-enum hatch_status read_file_bytes(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+enum hatch_status read_file_bytes(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver,
                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,
                                   struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     tinygltf::Model model;
-    HATCH_TRY(load(file, resolve, context, scratch, &model, err));
+    HATCH_TRY(load(file, resolver, scratch, &model, err));
     struct hatch_scene made = {};
-    struct hatch_mesh_notes said = *notes;
-    Reader r = {model, arena, scratch, &made, &said, err};
+    struct hatch_mesh_notes noted = *notes;
+    Reader r = {model, arena, scratch, &made, &noted, err};
     HATCH_TRY(read_all(r));
     *scene = made;
-    *notes = said;
+    *notes = noted;
     return HATCH_OK;
 }
 
 } // namespace
 } // namespace hatch
 
-extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver,
                                              struct hatch_arena *arena, struct hatch_arena *scratch,
                                              struct hatch_scene *scene, struct hatch_mesh_notes *notes,
                                              struct hatch_err *err)
@@ -205,7 +205,7 @@ extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status;
     try {
-        status = hatch::read_file_bytes(file, resolve, context, arena, scratch, scene, notes, err);
+        status = hatch::read_file_bytes(file, resolver, arena, scratch, scene, notes, err);
     } catch (const std::bad_alloc &) {
         status = hatch_fail(err, HATCH_LIMIT, "out of memory while parsing glTF");
     } catch (const std::exception &e) {

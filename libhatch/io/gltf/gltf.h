@@ -1,28 +1,35 @@
-/* Reads scenes from glTF 2.0: tinygltf behind our own checks. */
-#ifndef HATCH_IO_GLTF_H
-#define HATCH_IO_GLTF_H
+/* Reads scenes from glTF 2.0. tinygltf parses; sizes, indices and numbers are checked before and after. */
+#ifndef HATCH_IO_GLTF_GLTF_H
+#define HATCH_IO_GLTF_GLTF_H
 
 #include "base/bytes.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 
-/* Reads a companion file of a glTF; uri is relative, decoded, checked not to leave the folder. Its
- * failure is an error for a buffer and a note for an image. */
-typedef enum hatch_status (*hatch_gltf_resolve)(void *context, const char *uri, struct hatch_arena *arena,
-                                                struct hatch_bytes *bytes, struct hatch_err *err);
+/* Reads the companion files of a glTF (buffers, images). */
+struct hatch_gltf_resolver {
+    /* Reads one file. A failure is an error for a buffer, a note for an image.
+     *   uri    decoded, relative, inside the glTF's folder
+     *   bytes  out: the file's content, in arena */
+    enum hatch_status (*read)(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
+                              struct hatch_err *err);
+    void *context;
+};
 
-/* Reads GLB or JSON: nodes of the default scene (parents before children), triangles, strips and fans
- * as triangles, every accessor kind (sparse, interleaved, normalised), materials, embedded and outside
- * images (not decoded), cameras, KHR_lights_punctual, animations, skins. Missing normals are made flat
- * per the specification's rule. Morph targets count as they rest; where an animation or a node moves them
- * they are kept, with weights beside those at rest, and else noted. Points and lines are skipped.
- * Images that are not there are noted once where a material wants them, and it does without.
- * Known extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform,
- * EXT_mesh_gpu_instancing (a node for each instance), EXT_texture_webp and _avif, of KHR_texture_basisu
- * the image that it replaces, and of KHR_materials_* what changes the base colour.
- * HATCH_BAD_INPUT for what the format forbids and for a required extension that is not known, by
- * name. resolve: NULL where there is no folder. */
-enum hatch_status hatch_gltf_read(struct hatch_bytes file, hatch_gltf_resolve resolve, void *context,
+/* Reads GLB or JSON: the nodes of the default scene, parents before children; triangles, strips and fans
+ * as triangles; accessors of every kind (sparse, interleaved, normalised); materials, images (not
+ * decoded), cameras, lights, animations and skins. Missing normals become flat normals, as the format
+ * demands. Morph targets are applied with their weights at rest; they are kept only where a node or an
+ * animation gives other weights, which are then relative to those at rest. Points, lines, morph targets
+ * that are not kept and images that a material refers to but that cannot be read are counted in notes.
+ * Extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform, EXT_mesh_gpu_instancing
+ * (one node per instance), EXT_texture_webp, EXT_texture_avif, KHR_texture_basisu (its fallback image),
+ * KHR_materials_* (the base colour).
+ *   resolver  NULL: no companion file can be read
+ *   scene     out: in arena; unchanged on failure
+ *   notes     counted up
+ * HATCH_BAD_INPUT for violations of the format and for other required extensions, which err names. */
+enum hatch_status hatch_gltf_read(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver,
                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,
                                   struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 

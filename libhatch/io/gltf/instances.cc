@@ -1,4 +1,4 @@
-/* EXT_mesh_gpu_instancing: a node's mesh many times over. Each becomes a node of its own below it. */
+/* EXT_mesh_gpu_instancing: each instance of a node's mesh becomes a child of the node. */
 #include "io/gltf/reader.h"
 
 #include <cstring>
@@ -9,8 +9,8 @@ namespace hatch
 namespace
 {
 
-/* The places of one node's instances; NULL where the file says nothing of it. */
-struct Places {
+/* Transforms of a node's instances; NULL where the file has none. */
+struct Transforms {
     float *translation, *rotation, *scale;
     uint32_t count;
 };
@@ -24,7 +24,8 @@ const tinygltf::Value *attributes_of(const tinygltf::Node &node)
     return &found->second.Get("attributes");
 }
 
-enum hatch_status read_places(Reader &r, const tinygltf::Value &attributes, const std::string &where, Places *to)
+enum hatch_status read_transforms(Reader &r, const tinygltf::Value &attributes, const std::string &where,
+                                  Transforms *to)
 {
     const struct {
         const char *name;
@@ -40,41 +41,41 @@ enum hatch_status read_places(Reader &r, const tinygltf::Value &attributes, cons
             continue;
         std::string at = where + ", instances' " + kind.name;
         HATCH_TRY(read_floats(r, accessor.GetNumberAsInt(), kind.components, at, kind.data, &count));
-        /* Zeros that no byte stands for: a small file would hold any number of instances. */
+        /* Without a view the values are zeros; a small file could then hold any number of instances. */
         if (r.model.accessors[static_cast<size_t>(accessor.GetNumberAsInt())].bufferView == -1)
             return bad(r, at, "its accessor has no buffer view");
         if (any && count != to->count)
-            return bad(r, at, std::to_string(count) + " of them, of others there are " + std::to_string(to->count));
+            return bad(r, at, std::to_string(count) + " elements, other attributes have " + std::to_string(to->count));
         to->count = count;
         any = true;
     }
     return HATCH_OK;
 }
 
-void fill(const Places &places, uint32_t instance, uint32_t parent, struct hatch_node *node)
+void fill(const Transforms &transforms, uint32_t instance, uint32_t parent, struct hatch_node *node)
 {
     *node = {};
     node->parent = parent;
     node->skin = node->camera = node->light = HATCH_NONE;
     node->rotation[3] = node->scale[0] = node->scale[1] = node->scale[2] = 1;
-    for (size_t k = 0; places.translation && k < 3; k++)
-        node->translation[k] = places.translation[3 * static_cast<size_t>(instance) + k];
-    for (size_t k = 0; places.rotation && k < 4; k++)
-        node->rotation[k] = places.rotation[4 * static_cast<size_t>(instance) + k];
-    for (size_t k = 0; places.scale && k < 3; k++)
-        node->scale[k] = places.scale[3 * static_cast<size_t>(instance) + k];
+    for (size_t k = 0; transforms.translation && k < 3; k++)
+        node->translation[k] = transforms.translation[3 * static_cast<size_t>(instance) + k];
+    for (size_t k = 0; transforms.rotation && k < 4; k++)
+        node->rotation[k] = transforms.rotation[4 * static_cast<size_t>(instance) + k];
+    for (size_t k = 0; transforms.scale && k < 3; k++)
+        node->scale[k] = transforms.scale[3 * static_cast<size_t>(instance) + k];
 }
 
-/* Room for more nodes, doubling. */
-enum hatch_status add_room(Reader &r, uint32_t more, size_t *room)
+/* Makes room for more nodes; at least doubles the capacity. */
+enum hatch_status reserve_nodes(Reader &r, uint32_t more, size_t *capacity)
 {
     size_t count = r.scene->node_count;
     if (more > INT32_MAX - count)
-        return hatch_fail(r.err, HATCH_LIMIT, "%zu instances and nodes", count + more);
-    if (count + more <= *room)
+        return hatch_fail(r.err, HATCH_LIMIT, "%zu instances and nodes exceed 2^31 - 1", count + more);
+    if (count + more <= *capacity)
         return HATCH_OK;
-    *room = 2 * count + more;
-    struct hatch_node *nodes = HATCH_NEW(r.arena, struct hatch_node, *room, r.err);
+    *capacity = 2 * count + more;
+    struct hatch_node *nodes = HATCH_NEW(r.arena, struct hatch_node, *capacity, r.err);
     if (!nodes)
         return HATCH_LIMIT;
     std::memcpy(nodes, r.scene->nodes, count * sizeof *nodes);
@@ -86,25 +87,25 @@ enum hatch_status add_room(Reader &r, uint32_t more, size_t *room)
 
 enum hatch_status add_instances(Reader &r)
 {
-    size_t room = r.scene->node_count;
+    size_t capacity = r.scene->node_count;
     for (size_t i = 0; i < r.model.nodes.size(); i++) {
         const tinygltf::Value *attributes = attributes_of(r.model.nodes[i]);
         uint32_t parent = r.node_of[i];
-        Places places;
+        Transforms transforms;
         if (!attributes || parent == HATCH_NONE)
             continue;
-        HATCH_TRY(read_places(r, *attributes, place("node", i), &places));
-        HATCH_TRY(add_room(r, places.count, &room));
-        struct hatch_node *of = &r.scene->nodes[parent];
-        for (uint32_t k = 0; k < places.count; k++) {
+        HATCH_TRY(read_transforms(r, *attributes, place("node", i), &transforms));
+        HATCH_TRY(reserve_nodes(r, transforms.count, &capacity));
+        struct hatch_node *instanced = &r.scene->nodes[parent];
+        for (uint32_t k = 0; k < transforms.count; k++) {
             struct hatch_node *node = &r.scene->nodes[r.scene->node_count++];
-            fill(places, k, parent, node);
-            HATCH_TRY(set_rotation(r, node, place("node", i)));
-            node->first_mesh = of->first_mesh;
-            node->mesh_count = of->mesh_count;
+            fill(transforms, k, parent, node);
+            HATCH_TRY(normalize_rotation(r, node, place("node", i)));
+            node->first_mesh = instanced->first_mesh;
+            node->mesh_count = instanced->mesh_count;
         }
-        if (places.count > 0)
-            of->mesh_count = 0;
+        if (transforms.count > 0)
+            instanced->mesh_count = 0;
     }
     return HATCH_OK;
 }

@@ -15,7 +15,7 @@ enum hatch_wrap wrap_of(int mode)
                                                            : HATCH_WRAP_REPEAT;
 }
 
-/* Numbers that stand in an extension, as copy_numbers takes them. */
+/* The array under a key of an extension; empty when absent. */
 std::vector<double> numbers_of(const tinygltf::Value &object, const char *key)
 {
     std::vector<double> numbers;
@@ -31,26 +31,26 @@ int index_of(const tinygltf::Value &object, const char *key, int absent)
     return value.IsInt() ? value.GetNumberAsInt() : absent;
 }
 
-/* KHR_texture_transform: where the texture lies, and which coordinates it is read at. */
-enum hatch_status place_texture(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where, int *set,
-                                struct hatch_texture_use *use)
+/* KHR_texture_transform: the transform of the texture coordinates, and the set they are taken from. */
+enum hatch_status read_transform(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where,
+                                 int *set, struct hatch_texture_use *use)
 {
     auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end() || !found->second.IsObject())
         return HATCH_OK;
-    const tinygltf::Value &said = found->second;
-    const tinygltf::Value &turn = said.Get("rotation");
-    *set = index_of(said, "texCoord", *set);
+    const tinygltf::Value &transform = found->second;
+    const tinygltf::Value &turn = transform.Get("rotation");
+    *set = index_of(transform, "texCoord", *set);
     use->placed = true;
     use->scale[0] = use->scale[1] = 1;
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "offset"), 2, where, "offset", use->offset));
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "scale"), 2, where, "scale", use->scale));
+    HATCH_TRY(copy_numbers(r, numbers_of(transform, "offset"), 2, where, "offset", use->offset));
+    HATCH_TRY(copy_numbers(r, numbers_of(transform, "scale"), 2, where, "scale", use->scale));
     if (turn.IsNumber())
         HATCH_TRY(copy_numbers(r, {turn.GetNumberAsDouble()}, 1, where, "rotation", &use->turn_rad));
     return HATCH_OK;
 }
 
-/* The image of a texture: the one that every reader knows before those of extensions. */
+/* The image of a texture. The core format's takes precedence over those of extensions. */
 int image_of(const tinygltf::Texture &texture)
 {
     static const char *const names[] = {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu"};
@@ -65,9 +65,9 @@ int image_of(const tinygltf::Texture &texture)
 
 void note_missing(Reader &r, size_t image)
 {
-    if (r.image_missed[image])
+    if (r.image_noted[image])
         return;
-    r.image_missed[image] = true;
+    r.image_noted[image] = true;
     if (r.notes->images_missing++ > 0)
         return;
     const tinygltf::Image &from = r.model.images[image];
@@ -76,7 +76,7 @@ void note_missing(Reader &r, size_t image)
     std::snprintf(r.notes->image_missing, sizeof r.notes->image_missing, "%s", name.c_str());
 }
 
-/* A texture whose image is not there is none, which is noted. */
+/* Leaves texture HATCH_NONE, and notes it, when the image is missing. */
 enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where,
                            struct hatch_texture_use *use)
 {
@@ -90,7 +90,7 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     int image = image_of(texture), set = info.texCoord;
     HATCH_TRY(check_index(r, image, r.model.images.size(), where, "image"));
     HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
-    HATCH_TRY(place_texture(r, info.extensions, where, &set, use));
+    HATCH_TRY(read_transform(r, info.extensions, where, &set, use));
     if (texture.sampler != -1) {
         const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
         use->wrap[0] = wrap_of(sampler.wrapS);
@@ -98,36 +98,35 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     }
     bool known = set >= 0 && set <= static_cast<int>(HATCH_TEXCOORD_MAX);
     use->texcoord = known ? static_cast<uint32_t>(set) : 0;
-    bool there = image != -1 && r.scene->textures[image].data;
-    if (image != -1 && !there)
+    bool available = image != -1 && r.scene->textures[image].data;
+    if (image != -1 && !available)
         note_missing(r, static_cast<size_t>(image));
-    if (known && there)
+    if (known && available)
         use->texture = static_cast<uint32_t>(image);
     else
         use->placed = false;
     return HATCH_OK;
 }
 
-/* Read as a base texture is. */
-enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &said, const std::string &where,
+enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &from, const std::string &where,
                                struct hatch_normal_map *normals)
 {
     tinygltf::TextureInfo info;
-    info.index = said.index;
-    info.texCoord = said.texCoord;
-    info.extensions = said.extensions;
+    info.index = from.index;
+    info.texCoord = from.texCoord;
+    info.extensions = from.extensions;
     HATCH_TRY(read_use(r, info, where, &normals->at));
     normals->used = normals->at.texture != HATCH_NONE;
-    return copy_numbers(r, {said.scale}, 1, where, "scale of the normals", &normals->strength);
+    return copy_numbers(r, {from.scale}, 1, where, "normalTexture scale", &normals->strength);
 }
 
-/* KHR_materials_pbrSpecularGlossiness, the older way to say what colour a surface has. */
-enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std::string &where,
+/* KHR_materials_pbrSpecularGlossiness, an older form of the base colour. */
+enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &from, const std::string &where,
                                struct hatch_material *material)
 {
     tinygltf::TextureInfo info;
-    const tinygltf::Value &texture = said.Get("diffuseTexture");
-    HATCH_TRY(copy_numbers(r, numbers_of(said, "diffuseFactor"), 4, where, "diffuseFactor", material->base_color));
+    const tinygltf::Value &texture = from.Get("diffuseTexture");
+    HATCH_TRY(copy_numbers(r, numbers_of(from, "diffuseFactor"), 4, where, "diffuseFactor", material->base_color));
     if (!texture.IsObject())
         return HATCH_OK;
     info.index = index_of(texture, "index", -1);
@@ -139,13 +138,13 @@ enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &said, const std
     return read_use(r, info, where, &material->base);
 }
 
-/* hatch_glb_write_scene's mark of a lapped parametrization. */
+/* hatch_glb_write_scene marks materials of lapped textures so. */
 bool is_outline(const tinygltf::Material &material)
 {
     if (!material.extras.IsObject() || !material.extras.Has("hatch"))
         return false;
-    const tinygltf::Value &said = material.extras.Get("hatch");
-    return said.IsString() && said.Get<std::string>() == "outline";
+    const tinygltf::Value &mark = material.extras.Get("hatch");
+    return mark.IsString() && mark.Get<std::string>() == "outline";
 }
 
 } // namespace

@@ -9,10 +9,10 @@ namespace hatch
 namespace
 {
 
-/* Normals of neighbours closer than this count as one: the facets of a flat face share vertices. */
+/* Faces whose normals differ by less share vertices when flat normals are added. */
 const float flat_rad = 1e-4f;
 
-/* Is name one of a numbered set ("COLOR_" and 0, 1, ...)? */
+/* Whether name is the prefix set and a number ("COLOR_0"). */
 bool is_set(const std::string &name, const char *set)
 {
     size_t length = std::strlen(set);
@@ -20,8 +20,8 @@ bool is_set(const std::string &name, const char *set)
            name.find_first_not_of("0123456789", length) == std::string::npos;
 }
 
-/* How many components an attribute of this name has, 0 for one that is not read. */
-int wanted_components(const std::string &name, int has)
+/* The components to read of an attribute whose accessor has so many; 0 for one that is not read. */
+int wanted_components(const std::string &name, int available)
 {
     if (name == "POSITION" || name == "NORMAL")
         return 3;
@@ -30,9 +30,9 @@ int wanted_components(const std::string &name, int has)
     if (is_set(name, "TEXCOORD_"))
         return 2;
     if (is_set(name, "COLOR_"))
-        return has == 3 ? 3 : 4;
-    bool own = name.size() > 1 && name[0] == '_' && name.size() < HATCH_MESH_NAME_MAX;
-    return own && has <= 4 ? has : 0;
+        return available == 3 ? 3 : 4;
+    bool custom = name.size() > 1 && name[0] == '_' && name.size() < HATCH_MESH_NAME_MAX;
+    return custom && available <= 4 ? available : 0;
 }
 
 int components_of(const Reader &r, int accessor)
@@ -43,7 +43,7 @@ int components_of(const Reader &r, int accessor)
         static_cast<uint32_t>(r.model.accessors[static_cast<size_t>(accessor)].type));
 }
 
-/* A colour always has four components in a mesh. */
+/* Colours have four components in a mesh. */
 enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
 {
     float *wide = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 4, r.err);
@@ -92,7 +92,7 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
     HATCH_TRY(read_attribute(r, "POSITION", position->second, where, mesh));
     bool normals = primitive.attributes.count("NORMAL") > 0;
     for (const auto &attribute : primitive.attributes) {
-        /* Tangents without normals are to be ignored (glTF 2.0, §3.7.2.1). */
+        /* Tangents without normals are ignored (glTF 2.0, §3.7.2.1). */
         if (attribute.first == "POSITION" || (attribute.first == "TANGENT" && !normals))
             continue;
         HATCH_TRY(read_attribute(r, attribute.first, attribute.second, where, mesh));
@@ -100,7 +100,7 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
     return HATCH_OK;
 }
 
-/* One more than the largest joint; they must be whole numbers that 16 bits hold. */
+/* One more than the largest joint index, which must be an integer of 16 bits. */
 enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where, uint32_t *count)
 {
     *count = 0;
@@ -109,16 +109,16 @@ enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const s
         const float *joints = mesh->attributes[a].data;
         for (size_t i = 0; is_set(name, "JOINTS_") && i < static_cast<size_t>(mesh->vertex_count) * 4; i++) {
             if (!(joints[i] >= 0 && joints[i] <= UINT16_MAX && std::floor(joints[i]) == joints[i]))
-                return bad(r, where, place((name + ": element").c_str(), i / 4) + " is no joint's number");
-            uint32_t after = static_cast<uint32_t>(joints[i]) + 1;
-            *count = after > *count ? after : *count;
+                return bad(r, where, place((name + ": element").c_str(), i / 4) + " is not a joint index");
+            uint32_t needed = static_cast<uint32_t>(joints[i]) + 1;
+            *count = needed > *count ? needed : *count;
         }
     }
     return HATCH_OK;
 }
 
-/* Some exporters leave normals of no length: those take a face's. */
-void mend_normals(struct hatch_mesh *mesh)
+/* Replaces zero normals, which some exporters write, by a face's normal. */
+void replace_zero_normals(struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     for (size_t i = 0; normals && i < static_cast<size_t>(mesh->face_count) * 3; i++) {
@@ -126,7 +126,7 @@ void mend_normals(struct hatch_mesh *mesh)
         if (n[0] != 0 || n[1] != 0 || n[2] != 0)
             continue;
         double p[3][3];
-        n[2] = 1; /* stays where the face has no area */
+        n[2] = 1; /* kept when the face has no area */
         if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
             continue;
         double length = 0, cross[3];
@@ -140,7 +140,7 @@ void mend_normals(struct hatch_mesh *mesh)
     }
 }
 
-/* Corner k of triangle i of a strip: every other one is turned, so that all face the same way. */
+/* Corner k of triangle i of a strip; odd triangles are reversed, so that all have the same orientation. */
 uint32_t strip_corner(uint32_t i, uint32_t k)
 {
     return i + (i % 2 == 1 && k > 0 ? 3 - k : k);
@@ -151,7 +151,7 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
 {
     bool separate = mode == TINYGLTF_MODE_TRIANGLES, fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
     if (count < 3 || (separate && count % 3 != 0))
-        return bad(r, where, std::to_string(count) + " corners make no triangles");
+        return bad(r, where, std::to_string(count) + " corners do not form triangles");
     uint32_t faces = separate ? count / 3 : count - 2;
     mesh->indices = HATCH_NEW(r.arena, uint32_t, static_cast<size_t>(faces) * 3, r.err);
     if (!mesh->indices)
@@ -164,10 +164,10 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
             face[k] = list ? list[corner] : corner;
             if (face[k] >= mesh->vertex_count)
                 return bad(r, where,
-                           "index " + std::to_string(face[k]) + " of " + std::to_string(mesh->vertex_count) +
-                               " vertices");
+                           "index " + std::to_string(face[k]) + " does not exist, there are " +
+                               std::to_string(mesh->vertex_count) + " vertices");
         }
-        /* Strips are joined by triangles without area, which are no part of the surface. */
+        /* Degenerate triangles join strips and are not part of the surface. */
         bool joint = face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
         mesh->face_count += separate || !joint;
     }
@@ -189,7 +189,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
-    mend_normals(&mesh);
+    replace_zero_normals(&mesh);
     out->file_vertices = mesh.vertex_count;
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
@@ -222,7 +222,8 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
         first[m] = r.scene->mesh_count;
         for (size_t p = 0; p < list.size(); p++) {
             if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
-                return bad(r, place("mesh", m, "primitive", p), "mode " + std::to_string(list[p].mode));
+                return bad(r, place("mesh", m, "primitive", p),
+                           "mode " + std::to_string(list[p].mode) + ", want 0 .. 6");
             if (!has_faces(list[p])) {
                 r.notes->primitives_skipped++;
                 continue;

@@ -1,4 +1,4 @@
-/* Morph targets: a mesh is read as it rests, and keeps its targets where something moves them from there. */
+/* Morph targets: applied with their weights at rest, and kept where a node or an animation changes these. */
 #include "io/gltf/reader.h"
 
 #include <cmath>
@@ -10,33 +10,34 @@ namespace hatch
 namespace
 {
 
-/* A target that neither a node nor the mesh speaks of counts nothing. */
+/* Targets without a weight have weight 0. */
 double weight_of(const std::vector<double> &weights, size_t target)
 {
     return target < weights.size() ? weights[target] : 0;
 }
 
-/* Do a node or an animation give the mesh other weights than it rests with? */
-bool is_moved(const Reader &r, size_t mesh, size_t targets)
+/* Whether a node or an animation gives the mesh other weights than those at rest. */
+bool has_other_weights(const Reader &r, size_t mesh, size_t targets)
 {
     const std::vector<double> &rest = rest_weights(r, mesh);
-    auto draws = [&](int node) {
+    auto uses = [&](int node) {
         return node >= 0 && static_cast<size_t>(node) < r.model.nodes.size() &&
                r.model.nodes[static_cast<size_t>(node)].mesh == static_cast<int>(mesh);
     };
     for (const tinygltf::Animation &animation : r.model.animations)
         for (const tinygltf::AnimationChannel &channel : animation.channels)
-            if (channel.target_path == "weights" && draws(channel.target_node))
+            if (channel.target_path == "weights" && uses(channel.target_node))
                 return true;
     for (size_t i = 0; i < r.model.nodes.size(); i++)
-        for (size_t t = 0; draws(static_cast<int>(i)) && t < targets; t++)
+        for (size_t t = 0; uses(static_cast<int>(i)) && t < targets; t++)
             if (weight_of(node_weights(r, i), t) < weight_of(rest, t) ||
                 weight_of(node_weights(r, i), t) > weight_of(rest, t))
                 return true;
     return false;
 }
 
-/* Calls use for each target that moves the attribute, with its moves. weights: those of 0 are passed over; or NULL. */
+/* Calls use with the displacements of each target that has the attribute.
+ *   weights  targets of weight 0 are skipped; NULL: none is */
 template <typename Use>
 enum hatch_status each_target(Reader &r, const tinygltf::Primitive &primitive, const char *name,
                               const std::vector<double> *weights, const std::string &where, uint32_t count, Use use)
@@ -47,46 +48,46 @@ enum hatch_status each_target(Reader &r, const tinygltf::Primitive &primitive, c
         if (target == primitive.targets[t].end() || (weights && static_cast<float>(weight_of(*weights, t)) == 0))
             continue;
         std::string at = where + ", " + place("target", t) + ", " + name;
-        float *moves;
-        uint32_t given;
-        HATCH_TRY(read_floats(r, target->second, 3, at, &moves, &given));
-        if (given != count)
-            return bad(r, at, std::to_string(given) + " elements, POSITION has " + std::to_string(count));
-        HATCH_TRY(use(t, moves, at));
+        float *displacements;
+        uint32_t read;
+        HATCH_TRY(read_floats(r, target->second, 3, at, &displacements, &read));
+        if (read != count)
+            return bad(r, at, std::to_string(read) + " elements, POSITION has " + std::to_string(count));
+        HATCH_TRY(use(t, displacements, at));
         hatch_arena_rewind(r.arena, mark);
     }
     return HATCH_OK;
 }
 
-enum hatch_status rest(Reader &r, const tinygltf::Primitive &primitive, const std::vector<double> &weights,
-                       const char *name, const std::string &where, struct hatch_mesh *mesh)
+enum hatch_status apply_at_rest(Reader &r, const tinygltf::Primitive &primitive, const std::vector<double> &weights,
+                                const char *name, const std::string &where, struct hatch_mesh *mesh)
 {
     float *values = hatch_mesh_find(mesh, name, 3);
     if (!values)
         return HATCH_OK;
     size_t numbers = static_cast<size_t>(mesh->vertex_count) * 3;
     return each_target(r, primitive, name, &weights, where, mesh->vertex_count,
-                       [&](size_t t, const float *moves, const std::string &at) {
+                       [&](size_t t, const float *displacements, const std::string &at) {
                            float weight = static_cast<float>(weight_of(weights, t));
                            for (size_t i = 0; i < numbers; i++) {
-                               values[i] += weight * moves[i];
+                               values[i] += weight * displacements[i];
                                if (!std::isfinite(values[i]))
-                                   return bad(r, at, place("element", i / 3) + " is moved too far");
+                                   return bad(r, at, place("element", i / 3) + " is not finite when morphed");
                            }
                            return HATCH_OK;
                        });
 }
 
-enum hatch_status keep_moves(Reader &r, const tinygltf::Primitive &primitive, const char *name, const char *kept,
-                             const std::string &where, struct hatch_mesh *mesh)
+enum hatch_status keep_targets(Reader &r, const tinygltf::Primitive &primitive, const char *name, const char *attribute,
+                               const std::string &where, struct hatch_mesh *mesh)
 {
     size_t width = 3 * primitive.targets.size();
     float *data;
-    HATCH_TRY(hatch_mesh_add(r.arena, mesh, kept, static_cast<uint32_t>(width), &data, r.err));
+    HATCH_TRY(hatch_mesh_add(r.arena, mesh, attribute, static_cast<uint32_t>(width), &data, r.err));
     return each_target(r, primitive, name, nullptr, where, mesh->vertex_count,
-                       [&](size_t t, const float *moves, const std::string &) {
+                       [&](size_t t, const float *displacements, const std::string &) {
                            for (size_t v = 0; v < mesh->vertex_count; v++)
-                               std::memcpy(data + width * v + 3 * t, moves + 3 * v, 3 * sizeof *data);
+                               std::memcpy(data + width * v + 3 * t, displacements + 3 * v, 3 * sizeof *data);
                            return HATCH_OK;
                        });
 }
@@ -115,21 +116,21 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
         most = other.mode >= TINYGLTF_MODE_TRIANGLES && other.targets.size() > most ? other.targets.size() : most;
     if (most == 0)
         return HATCH_OK;
-    HATCH_TRY(rest(r, primitive, rest_weights(r, index), "POSITION", where, mesh));
-    HATCH_TRY(rest(r, primitive, rest_weights(r, index), "NORMAL", where, mesh));
-    if (!is_moved(r, index, most)) {
+    HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "POSITION", where, mesh));
+    HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "NORMAL", where, mesh));
+    if (!has_other_weights(r, index, most)) {
         r.notes->morphs_ignored += targets > 0;
         return HATCH_OK;
     }
     if (targets != most)
         return bad(r, where, std::to_string(targets) + " morph targets, another primitive has " + std::to_string(most));
-    HATCH_TRY(keep_moves(r, primitive, "POSITION", HATCH_MORPH_POSITION, where, mesh));
-    bool turned = false;
+    HATCH_TRY(keep_targets(r, primitive, "POSITION", HATCH_MORPH_POSITION, where, mesh));
+    bool has_normals = false;
     for (const auto &target : primitive.targets)
-        turned = turned || target.count("NORMAL") > 0;
-    if (!turned || !hatch_mesh_find(mesh, "NORMAL", 3))
+        has_normals = has_normals || target.count("NORMAL") > 0;
+    if (!has_normals || !hatch_mesh_find(mesh, "NORMAL", 3))
         return HATCH_OK;
-    return keep_moves(r, primitive, "NORMAL", HATCH_MORPH_NORMAL, where, mesh);
+    return keep_targets(r, primitive, "NORMAL", HATCH_MORPH_NORMAL, where, mesh);
 }
 
 enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
@@ -139,16 +140,17 @@ enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
         return HATCH_OK;
     const std::vector<double> &own = node_weights(r, index);
     const std::vector<double> &rest = rest_weights(r, static_cast<size_t>(r.model.nodes[index].mesh));
-    std::vector<double> more;
+    std::vector<double> relative;
     bool any = false;
     for (size_t t = 0; t < targets; t++) {
-        more.push_back(weight_of(own, t) - weight_of(rest, t));
-        any = any || more[t] < 0 || more[t] > 0;
+        relative.push_back(weight_of(own, t) - weight_of(rest, t));
+        any = any || relative[t] < 0 || relative[t] > 0;
     }
     if (!any)
         return HATCH_OK;
     node->weights = HATCH_NEW(r.arena, float, targets, r.err);
-    return node->weights ? copy_numbers(r, more, targets, place("node", index), "weights", node->weights) : HATCH_LIMIT;
+    return node->weights ? copy_numbers(r, relative, targets, place("node", index), "weights", node->weights)
+                         : HATCH_LIMIT;
 }
 
 enum hatch_status shift_weights(Reader &r, size_t node, const std::string &where,

@@ -18,12 +18,12 @@ enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
     skin->joints = HATCH_NEW(r.arena, uint32_t, count, r.err);
     if (!skin->joints)
         return HATCH_LIMIT;
-    bool whole = true;
+    bool in_scene = true;
     for (uint32_t j = 0; j < count; j++) {
         if (from.joints[j] < 0 || static_cast<size_t>(from.joints[j]) >= r.model.nodes.size())
-            return bad(r, where, "joint " + std::to_string(j) + " is no node");
+            return bad(r, where, "joint " + std::to_string(j) + " is not a node");
         skin->joints[j] = r.node_of[from.joints[j]];
-        whole = whole && skin->joints[j] != HATCH_NONE;
+        in_scene = in_scene && skin->joints[j] != HATCH_NONE;
     }
     if (from.inverseBindMatrices != -1) {
         HATCH_TRY(read_floats(r, from.inverseBindMatrices, 16, where, &skin->inverse_bind, &matrices));
@@ -36,8 +36,8 @@ enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
         for (size_t i = 0; i < static_cast<size_t>(count) * 4; i++)
             skin->inverse_bind[i / 4 * 16 + i % 4 * 5] = 1;
     }
-    /* A skin with a joint outside the scene stays empty; using it is an error. */
-    skin->joint_count = whole ? count : 0;
+    /* A skin with a joint outside the scene stays empty; a mesh that uses it is an error. */
+    skin->joint_count = in_scene ? count : 0;
     return HATCH_OK;
 }
 
@@ -46,7 +46,7 @@ enum hatch_status read_times(Reader &r, int accessor, const std::string &where, 
     HATCH_TRY(read_floats(r, accessor, 1, where + ", input", &channel->times_s, &channel->key_count));
     for (uint32_t k = 0; k < channel->key_count; k++)
         if (channel->times_s[k] < 0 || (k > 0 && channel->times_s[k] < channel->times_s[k - 1]))
-            return bad(r, where, "time " + std::to_string(k) + " is negative or falls");
+            return bad(r, where, "time " + std::to_string(k) + " is negative or less than the previous one");
     return HATCH_OK;
 }
 
@@ -60,7 +60,8 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     else if (sampler.interpolation == "LINEAR")
         channel->interpolation = HATCH_LINEAR;
     else
-        return bad(r, where, "unknown interpolation");
+        return bad(r, where,
+                   "interpolation " + sampler.interpolation + " is unknown, want STEP, LINEAR or CUBICSPLINE");
     uint32_t count;
     bool weights = channel->path == HATCH_PATH_WEIGHTS;
     int components = weights ? 1 : static_cast<int>(hatch_channel_width(channel));
@@ -68,17 +69,19 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     uint64_t want = static_cast<uint64_t>(channel->key_count) * (channel->interpolation == HATCH_CUBIC ? 3 : 1) *
                     (weights ? channel->targets : 1);
     if (count != want)
-        return bad(r, where, std::to_string(count) + " values, the times want " + std::to_string(want));
+        return bad(r, where, std::to_string(count) + " values, want " + std::to_string(want));
     return HATCH_OK;
 }
 
-/* Fills channel, or leaves its key_count 0 where it moves nothing of the scene. */
+/* Fills channel; leaves key_count 0 when its target is not in the scene or has nothing to animate. */
 enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, size_t index, const std::string &where,
                                struct hatch_animation_channel *channel)
 {
     const tinygltf::AnimationChannel &from = animation.channels[index];
     if (from.sampler < 0 || static_cast<size_t>(from.sampler) >= animation.samplers.size())
-        return bad(r, where, "sampler " + std::to_string(from.sampler));
+        return bad(r, where,
+                   "sampler " + std::to_string(from.sampler) + " does not exist, there are " +
+                       std::to_string(animation.samplers.size()));
     HATCH_TRY(check_index(r, from.target_node, r.model.nodes.size(), where, "node"));
     const tinygltf::AnimationSampler &sampler = animation.samplers[static_cast<size_t>(from.sampler)];
     if (from.target_path == "translation")
@@ -90,7 +93,7 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
     else if (from.target_path == "weights")
         channel->path = HATCH_PATH_WEIGHTS;
     else
-        return HATCH_OK; /* what extensions move */
+        return HATCH_OK; /* paths of extensions */
     uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
     if (channel->path == HATCH_PATH_WEIGHTS && node != HATCH_NONE && r.scene->nodes[node].mesh_count > 0)
         channel->targets = hatch_mesh_targets(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);
@@ -103,7 +106,7 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
     else if (node == HATCH_NONE)
         channel->key_count = 0;
     else if (r.scene->nodes[node].has_matrix)
-        return bad(r, where, "node " + std::to_string(from.target_node) + " has a matrix");
+        return bad(r, where, "node " + std::to_string(from.target_node) + " has a matrix and cannot be animated");
     channel->node = node;
     return HATCH_OK;
 }

@@ -13,8 +13,7 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
         return HATCH_OK;
     if (from.size() != count)
         return bad(r, where,
-                   std::string(what) + " wants " + std::to_string(count) + " numbers, not " +
-                       std::to_string(from.size()));
+                   std::string(what) + ": " + std::to_string(from.size()) + " values, want " + std::to_string(count));
     for (size_t i = 0; i < count; i++) {
         to[i] = static_cast<float>(from[i]);
         if (!std::isfinite(to[i]))
@@ -26,8 +25,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
 namespace
 {
 
-/* parent[i]: the node whose child i is, or HATCH_NONE. A second parent is refused: with it a small
- * file could hold 2^39 instances. */
+/* Finds each node's parent, or HATCH_NONE. Fails for a second parent, with which a small file could hold
+ * 2^39 instances. */
 enum hatch_status find_parents(Reader &r, uint32_t *parent)
 {
     size_t count = r.model.nodes.size();
@@ -37,7 +36,7 @@ enum hatch_status find_parents(Reader &r, uint32_t *parent)
         for (int child : r.model.nodes[i].children) {
             if (child < 0 || static_cast<size_t>(child) >= count)
                 return bad(r, place("node", i),
-                           "child " + std::to_string(child) + ", there are " + std::to_string(count));
+                           "child " + std::to_string(child) + " does not exist, there are " + std::to_string(count));
             if (parent[child] != HATCH_NONE)
                 return bad(r, place("node", static_cast<size_t>(child)), "has two parents");
             parent[child] = static_cast<uint32_t>(i);
@@ -45,7 +44,7 @@ enum hatch_status find_parents(Reader &r, uint32_t *parent)
     return HATCH_OK;
 }
 
-/* The roots of the scene that is drawn, at the front of order; their number is count. */
+/* Lists the roots of the default scene, or of all nodes when there is no scene. */
 enum hatch_status list_roots(Reader &r, const uint32_t *parent, uint32_t *order, uint32_t *count)
 {
     const tinygltf::Model &model = r.model;
@@ -58,16 +57,16 @@ enum hatch_status list_roots(Reader &r, const uint32_t *parent, uint32_t *order,
     }
     size_t scene = model.defaultScene < 0 ? 0 : static_cast<size_t>(model.defaultScene);
     if (scene >= model.scenes.size())
-        return bad(r, "scene", std::to_string(scene) + " of " + std::to_string(model.scenes.size()));
+        return bad(r, place("scene", scene), "does not exist, there are " + std::to_string(model.scenes.size()));
     for (int root : model.scenes[scene].nodes) {
         if (root < 0 || static_cast<size_t>(root) >= model.nodes.size())
             return bad(r, place("scene", scene), "node " + std::to_string(root) + " does not exist");
         if (parent[root] != HATCH_NONE)
             return bad(r, place("scene", scene),
-                       "node " + std::to_string(root) + " is no root: it is a child of node " +
+                       "node " + std::to_string(root) + " is not a root: it is a child of node " +
                            std::to_string(parent[root]));
         if (r.node_of[root] != HATCH_NONE)
-            return bad(r, place("scene", scene), "node " + std::to_string(root) + " twice");
+            return bad(r, place("scene", scene), "node " + std::to_string(root) + " is listed twice");
         r.node_of[root] = *count;
         order[(*count)++] = static_cast<uint32_t>(root);
     }
@@ -86,10 +85,10 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
     HATCH_TRY(copy_numbers(r, from.scale, 3, where, "scale", node->scale));
     HATCH_TRY(copy_numbers(r, from.matrix, 16, where, "matrix", node->matrix));
     node->has_matrix = !from.matrix.empty();
-    return set_rotation(r, node, where);
+    return normalize_rotation(r, node, where);
 }
 
-/* The light of a node, in its extension, or -1. */
+/* The light of a node (KHR_lights_punctual), or -1. */
 int light_of(const tinygltf::Node &node)
 {
     auto extension = node.extensions.find("KHR_lights_punctual");
@@ -98,23 +97,24 @@ int light_of(const tinygltf::Node &node)
     return extension->second.Get("light").GetNumberAsInt();
 }
 
-/* A skin has every joint that its meshes name. */
+/* Checks that the node's skin has every joint that its meshes refer to. */
 enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std::string &where)
 {
     if (node.skin == HATCH_NONE)
         return HATCH_OK;
     uint32_t joints = r.scene->skins[node.skin].joint_count;
     if (joints == 0)
-        return bad(r, place("skin", node.skin), "a joint is not in the scene");
+        return bad(r, place("skin", node.skin), "a joint is not in the default scene");
     for (uint32_t m = 0; m < node.mesh_count; m++)
         if (r.scene->meshes[node.first_mesh + m].joints_used > joints)
             return bad(r, where,
-                       "its mesh names joint " + std::to_string(r.scene->meshes[node.first_mesh + m].joints_used - 1) +
-                           " of " + std::to_string(joints));
+                       "its mesh refers to joint " +
+                           std::to_string(r.scene->meshes[node.first_mesh + m].joints_used - 1) + ", its skin has " +
+                           std::to_string(joints));
     return HATCH_OK;
 }
 
-/* Their texels (Basis Universal) take a decoder that no package has. */
+/* KTX2 images (Basis Universal) are not decoded: no package does. */
 bool is_ktx2(struct hatch_bytes bytes)
 {
     static const uint8_t magic[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
@@ -123,14 +123,14 @@ bool is_ktx2(struct hatch_bytes bytes)
 
 } // namespace
 
-enum hatch_status set_rotation(Reader &r, struct hatch_node *node, const std::string &where)
+enum hatch_status normalize_rotation(Reader &r, struct hatch_node *node, const std::string &where)
 {
     double length = 0;
     for (float q : node->rotation)
         length += static_cast<double>(q) * static_cast<double>(q);
     if (!(length > 0))
         return bad(r, where, "rotation is zero");
-    /* What is a unit but for rounding stays, so that reading what was written changes nothing. */
+    /* Unit length up to rounding is kept, so that reading a written file changes nothing. */
     for (float &q : node->rotation)
         q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
     return HATCH_OK;
@@ -150,7 +150,7 @@ enum hatch_status read_nodes(Reader &r)
         r.node_of[i] = HATCH_NONE;
     HATCH_TRY(find_parents(r, parent));
     HATCH_TRY(list_roots(r, parent, order, &found));
-    /* A queue: every node has one parent at most and the roots none, so none is met twice. */
+    /* Breadth first. Nodes have at most one parent and roots none, so each is visited once. */
     for (uint32_t i = 0; i < found; i++) {
         uint32_t node = order[i];
         HATCH_TRY(fill_node(r, node, &r.scene->nodes[i]));
@@ -163,7 +163,7 @@ enum hatch_status read_nodes(Reader &r)
     return HATCH_OK;
 }
 
-enum hatch_status attach(Reader &r, const uint32_t *first_mesh)
+enum hatch_status attach_to_nodes(Reader &r, const uint32_t *first_mesh)
 {
     for (size_t i = 0; i < r.model.nodes.size(); i++) {
         const tinygltf::Node &from = r.model.nodes[i];
@@ -193,8 +193,8 @@ enum hatch_status read_images(Reader &r)
 {
     size_t count = r.model.images.size(), stride;
     r.scene->textures = HATCH_NEW(r.arena, struct hatch_texture, count, r.err);
-    r.image_missed = r.scene->textures ? HATCH_NEW(r.scratch, bool, count, r.err) : nullptr;
-    if (!r.image_missed)
+    r.image_noted = r.scene->textures ? HATCH_NEW(r.scratch, bool, count, r.err) : nullptr;
+    if (!r.image_noted)
         return HATCH_LIMIT;
     for (size_t i = 0; i < count; i++) {
         const tinygltf::Image &from = r.model.images[i];
@@ -238,7 +238,7 @@ enum hatch_status read_cameras(Reader &r)
                                      : to->yfov_rad > 0 && to->yfov_rad < 3.14159f && to->znear > 0;
         if (!size || !(to->zfar == 0 || to->zfar > to->znear) || !std::isfinite(to->zfar) || !(to->aspect >= 0) ||
             !std::isfinite(to->aspect) || !std::isfinite(to->ymag))
-            return bad(r, place("camera", i), "a size is out of range");
+            return bad(r, place("camera", i), "its size or a clipping distance is out of range");
     }
     r.scene->camera_count = static_cast<uint32_t>(count);
     return HATCH_OK;
@@ -256,7 +256,7 @@ enum hatch_status read_lights(Reader &r)
         std::string where = place("light", i);
         *to = {};
         if (from.type != "directional" && from.type != "point" && from.type != "spot")
-            return bad(r, where, "unknown type");
+            return bad(r, where, "type " + from.type + " is unknown, want directional, point or spot");
         to->type = from.type == "point"  ? HATCH_LIGHT_POINT
                    : from.type == "spot" ? HATCH_LIGHT_SPOT
                                          : HATCH_LIGHT_DIRECTIONAL;
@@ -266,7 +266,7 @@ enum hatch_status read_lights(Reader &r)
         to->range = static_cast<float>(from.range);
         to->inner_cone_rad = static_cast<float>(from.spot.innerConeAngle);
         to->outer_cone_rad = static_cast<float>(from.spot.outerConeAngle);
-        /* A sharp cone is written so by some, although the inner angle should be less. */
+        /* Some exporters write a sharp cone as equal angles, although the inner one must be less. */
         if (!(to->inner_cone_rad < to->outer_cone_rad || to->inner_cone_rad > to->outer_cone_rad))
             to->inner_cone_rad = std::nextafter(to->outer_cone_rad, 0.0f);
         bool cone = to->inner_cone_rad >= 0 && to->inner_cone_rad < to->outer_cone_rad && to->outer_cone_rad <= 1.5708f;

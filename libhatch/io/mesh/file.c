@@ -7,7 +7,7 @@
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
-#define FAR 256 /* extents: floats are wrong there by 2^-16 of an extent */
+#define FAR 256 /* extents from the origin: floats are spaced there by up to 2^-15 of the extent */
 
 static bool starts_with(struct hatch_bytes file, const char *magic)
 {
@@ -15,17 +15,17 @@ static bool starts_with(struct hatch_bytes file, const char *magic)
     return file.size >= length && memcmp(file.data, magic, length) == 0;
 }
 
-/* Endings are compared without regard to case; C's tolower would follow the locale. */
-static bool ends_with(const char *name, const char *ending)
+/* Ignores case. tolower would depend on the locale. */
+static bool has_extension(const char *name, const char *extension)
 {
-    size_t length = strlen(name), want = strlen(ending);
-    if (length < want)
+    size_t length = strlen(name), suffix = strlen(extension);
+    if (length < suffix)
         return false;
-    for (size_t i = 0; i < want; i++) {
-        char c = name[length - want + i];
+    for (size_t i = 0; i < suffix; i++) {
+        char c = name[length - suffix + i];
         if (c >= 'A' && c <= 'Z')
             c = (char)(c - 'A' + 'a');
-        if (c != ending[i])
+        if (c != extension[i])
             return false;
     }
     return true;
@@ -39,7 +39,7 @@ static uint8_t first_visible(struct hatch_bytes file)
     return 0;
 }
 
-/* OBJ has no magic word: a text whose first line is one of its commonest. */
+/* OBJ has no magic word: the first line that is not a comment must begin with a common keyword. */
 static bool looks_like_obj(struct hatch_bytes file)
 {
     size_t i = 0;
@@ -63,7 +63,7 @@ static enum hatch_mesh_format by_content(struct hatch_bytes file)
         return HATCH_MESH_GLTF;
     if (starts_with(file, "ply"))
         return HATCH_MESH_PLY;
-    if (hatch_off_word((const char *)file.data, file.size))
+    if (hatch_off_keyword((const char *)file.data, file.size))
         return HATCH_MESH_OFF;
     return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
 }
@@ -71,22 +71,23 @@ static enum hatch_mesh_format by_content(struct hatch_bytes file)
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name)
 {
     static const struct {
-        const char *ending;
+        const char *extension;
         enum hatch_mesh_format format;
-    } endings[] = {
+    } extensions[] = {
         {".glb", HATCH_MESH_GLTF}, {".gltf", HATCH_MESH_GLTF}, {".ply", HATCH_MESH_PLY},
         {".obj", HATCH_MESH_OBJ},  {".off", HATCH_MESH_OFF},   {".stl", HATCH_MESH_STL},
     };
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
-    file = (struct hatch_bytes){(const uint8_t *)text.at, hatch_mesh_text_left(&text)};
+    file = (struct hatch_bytes){(const uint8_t *)text.at, hatch_mesh_text_remaining(&text)};
     enum hatch_mesh_format format = by_content(file);
-    for (size_t i = 0; !format && name && i < sizeof endings / sizeof *endings; i++)
-        if (ends_with(name, endings[i].ending))
-            format = endings[i].format;
+    for (size_t i = 0; !format && name && i < sizeof extensions / sizeof *extensions; i++)
+        if (has_extension(name, extensions[i].extension))
+            format = extensions[i].format;
     return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
 }
 
-/* Whether a mesh lies so far out that floats are coarse beside its own size. origin: its middle then, else zeros. */
+/* Whether a mesh is so far from the origin that floats are coarse for its size.
+ *   origin  out: then its centre, along the axes concerned, else zeros */
 static bool is_far(const struct hatch_mesh *mesh, double origin[3])
 {
     float low[3], high[3];
@@ -95,37 +96,37 @@ static bool is_far(const struct hatch_mesh *mesh, double origin[3])
     for (int k = 0; k < 3 && any; k++)
         extent = fmax(extent, (double)high[k] - (double)low[k]);
     for (int k = 0; k < 3; k++) {
-        double middle = any ? 0.5 * ((double)low[k] + (double)high[k]) : 0;
-        bool apart = fabs(middle) > FAR * extent;
-        origin[k] = apart ? (double)(float)middle : 0;
-        far = far || apart;
+        double centre = any ? 0.5 * ((double)low[k] + (double)high[k]) : 0;
+        bool axis_far = fabs(centre) > FAR * extent;
+        origin[k] = axis_far ? (double)(float)centre : 0;
+        far = far || axis_far;
     }
     return far;
 }
 
-enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format, struct hatch_arena *arena,
-                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, double origin[3],
-                                  struct hatch_mesh_notes *notes, struct hatch_err *err)
+enum hatch_status hatch_mesh_read(struct hatch_mesh_file file, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err)
 {
     static const hatch_mesh_reader readers[] = {[HATCH_MESH_PLY] = hatch_ply_read,
                                                 [HATCH_MESH_OBJ] = hatch_obj_read,
                                                 [HATCH_MESH_OFF] = hatch_off_read,
                                                 [HATCH_MESH_STL] = hatch_stl_read};
-    assert(format != HATCH_MESH_GLTF);
-    if (file.size == 0)
+    assert(file.format != HATCH_MESH_GLTF);
+    if (file.bytes.size == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "empty");
-    if (format == HATCH_MESH_UNKNOWN)
+    if (file.format == HATCH_MESH_UNKNOWN)
         return hatch_fail(err, HATCH_BAD_INPUT, "not a GLB, glTF, PLY, OBJ, OFF or STL file");
     struct hatch_arena_mark mark = hatch_arena_mark(scratch), kept = hatch_arena_mark(arena);
-    struct hatch_mesh_notes said = *notes;
+    struct hatch_mesh_notes noted = *notes;
     struct hatch_mesh made;
-    double middle[3] = {0, 0, 0};
-    enum hatch_status status = readers[format](file, middle, arena, scratch, &made, &said, err);
+    double centre[3] = {0, 0, 0};
+    enum hatch_status status = readers[file.format](file.bytes, centre, arena, scratch, &made, &noted, err);
     hatch_arena_rewind(scratch, mark);
-    if (status == HATCH_OK && origin && is_far(&made, middle)) {
+    if (status == HATCH_OK && origin && is_far(&made, centre)) {
         hatch_arena_rewind(arena, kept);
-        said = *notes;
-        status = readers[format](file, middle, arena, scratch, &made, &said, err);
+        noted = *notes;
+        status = readers[file.format](file.bytes, centre, arena, scratch, &made, &noted, err);
         hatch_arena_rewind(scratch, mark);
     }
     if (status == HATCH_OK)
@@ -133,8 +134,8 @@ enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_forma
     if (status != HATCH_OK)
         return status;
     *mesh = made;
-    *notes = said;
+    *notes = noted;
     if (origin)
-        memcpy(origin, middle, sizeof middle);
+        memcpy(origin, centre, sizeof centre);
     return HATCH_OK;
 }

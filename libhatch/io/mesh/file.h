@@ -1,5 +1,5 @@
-/* Mesh files without a scene: PLY (ascii and both binary orders), OBJ, OFF, STL (ascii, binary); small
- * strict readers. Polygons are triangulated (convex fans; ear clipping for the others). */
+/* Reads mesh files without a scene: PLY (ascii, both binary orders), OBJ, OFF, STL (ascii, binary). Polygons
+ * are triangulated: fans where these cover the polygon, else ear clipping. */
 #ifndef HATCH_IO_MESH_FILE_H
 #define HATCH_IO_MESH_FILE_H
 
@@ -15,16 +15,25 @@ enum hatch_mesh_format {
     HATCH_MESH_STL
 };
 
-/* By content first (magic words), then by the name's ending; name may be NULL. */
+struct hatch_mesh_file {
+    struct hatch_bytes bytes;
+    enum hatch_mesh_format format;
+};
+
+/* Finds a file's format by its content, else by the name's extension.
+ *   name  may be NULL */
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name);
 
-/* Reads one mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them (an OBJ's v is turned to
- * glTF's downward v). HATCH_BAD_INPUT with line or offset for anything malformed: cut files, counts
- * that lie, indices out of range, numbers that are not finite, tristrips without faces, point clouds.
- * origin: what was taken off all positions before they became floats; zeros, but where the mesh lies so far out that
- * floats are coarse beside its size: then its middle, as floats hold it. NULL: nothing is taken off. */
-enum hatch_status hatch_mesh_read(struct hatch_bytes file, enum hatch_mesh_format format, struct hatch_arena *arena,
-                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, double origin[3],
-                                  struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
+/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. An OBJ's v is flipped, since
+ * it points upwards and glTF's downwards.
+ *   file    format: not HATCH_MESH_GLTF
+ *   origin  out: subtracted from all positions before they become floats. The mesh's centre when the mesh
+ *           is so far from the origin that floats are coarse for its size, else zeros. NULL: not subtracted
+ *   notes   counted up
+ * HATCH_BAD_INPUT, with line or byte, for a malformed or truncated file, wrong counts, indices out of
+ * range, numbers that are not finite, and files without faces. */
+enum hatch_status hatch_mesh_read(struct hatch_mesh_file file, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

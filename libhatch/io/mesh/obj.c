@@ -1,6 +1,6 @@
-/* Wavefront OBJ: vertices, texture coordinates, normals and polygons. A vertex of the mesh is one
- * combination of the three indices, in order of first use; where faces name positions alone,
- * vertices are those of the file. */
+/* Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
+ * becomes a vertex of the mesh, in order of first use. Where faces have position indices only, the mesh has
+ * the file's vertices. */
 #include <string.h>
 
 #include "base/random.h"
@@ -10,7 +10,7 @@
 enum { V, VT, VN, KINDS };
 #define ABSENT UINT32_MAX
 
-/* An index triple, ABSENT where the face does not say. */
+/* Indices of a face's corner; ABSENT where the face has none. */
 struct corner {
     uint32_t index[KINDS];
 };
@@ -19,12 +19,12 @@ struct obj {
     struct hatch_mesh_text text;
     const double *origin;
     struct hatch_arena *scratch;
-    struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 each */
-    bool plain;                        /* faces name positions alone */
-    struct hatch_buffer vertices;      /* of struct corner, where not plain */
+    struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 per value */
+    bool positions_only;               /* faces have position indices only */
+    struct hatch_buffer vertices;      /* array of struct corner; empty if positions_only */
     uint32_t vertex_count, slot_count;
-    uint32_t *slots;                  /* vertex + 1, by the corner's hash */
-    struct hatch_buffer points, used; /* of the face being read: v, and vertices */
+    uint32_t *slots;                  /* hash table by corner: vertex + 1, 0 if free */
+    struct hatch_buffer points, used; /* of the face being read: indices of positions, of vertices */
     struct hatch_faces faces;
 };
 
@@ -49,18 +49,18 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
     if (kind == V)
         HATCH_TRY(hatch_mesh_text_position(&o->text, names[V], o->origin, value, err));
     for (uint32_t k = 0; k < widths[kind] && kind != V; k++) {
-        struct hatch_mesh_text before = o->text;
-        if (kind == VT && k == 1 && hatch_mesh_text_word(&before).length == 0)
+        struct hatch_mesh_text ahead = o->text;
+        if (kind == VT && k == 1 && hatch_mesh_text_word(&ahead).length == 0)
             value[k] = 0; /* one-dimensional texture */
         else
             HATCH_TRY(hatch_mesh_text_float(&o->text, names[kind], &value[k], err));
     }
     if (kind == VT)
-        value[1] = 1 - value[1]; /* OBJ's v rises upwards, glTF's downwards */
+        value[1] = 1 - value[1]; /* OBJ's v points upwards, glTF's downwards */
     return hatch_buffer_add(&o->values[kind], value, widths[kind] * sizeof *value, err);
 }
 
-/* "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the last value read. */
+/* "7", "7/1", "7//3" or "7/1/3"; negative indices count back from the last value read. */
 static enum hatch_status read_corner(const struct obj *o, struct hatch_text word, struct corner *corner,
                                      struct hatch_err *err)
 {
@@ -74,8 +74,8 @@ static enum hatch_status read_corner(const struct obj *o, struct hatch_text word
         int64_t number, count = value_count(o, kind);
         if (part.length || kind == V) {
             if (!hatch_mesh_text_integer(part, &number) || number == 0 || number > count || number < -count)
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s of %lld", o->text.line,
-                                  hatch_mesh_text_shown(word), word.at,
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s: %s %.*s does not exist, there are %lld",
+                                  o->text.line, hatch_mesh_text_shown(word), word.at,
                                   kind == V    ? "vertex"
                                   : kind == VT ? "texture coordinate"
                                                : "normal",
@@ -138,8 +138,8 @@ static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, 
     return HATCH_OK;
 }
 
-/* Whether some face names more than positions. Continued lines start with a number. */
-static bool names_more(struct hatch_bytes file)
+/* Whether a face has indices of texture coordinates or normals. Continued lines start with a number. */
+static bool has_slashes(struct hatch_bytes file)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
     do {
@@ -164,19 +164,19 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
             break;
         HATCH_TRY(read_corner(o, word, &corner, err));
         uint32_t vertex = corner.index[V];
-        if (!o->plain)
+        if (!o->positions_only)
             HATCH_TRY(vertex_for(o, &corner, &vertex, err));
         HATCH_TRY(hatch_buffer_add(&o->points, &corner.index[V], sizeof vertex, err));
         HATCH_TRY(hatch_buffer_add(&o->used, &vertex, sizeof vertex, err));
         count++;
     }
     if (count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of no corners", o->text.line);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face without corners", o->text.line);
     return hatch_faces_add(&o->faces, values(o, V), (const uint32_t *)(const void *)o->points.data,
                            (const uint32_t *)(const void *)o->used.data, count, err);
 }
 
-/* Grouping, materials, lines and display hints: what does not change the surface. */
+/* Groups, materials, lines and display hints do not change the surface. */
 static bool is_ignored(struct hatch_text word)
 {
     static const char *const words[] = {"o",        "g",     "s",     "mg",         "usemtl",    "mtllib", "usemap",
@@ -203,11 +203,11 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
         return read_face(o, err);
     if (is_ignored(word))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", o->text.line, hatch_mesh_text_shown(word),
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", o->text.line, hatch_mesh_text_shown(word),
                       word.at);
 }
 
-/* The values that the vertices' corners name; an attribute that some corner lacks is left out. */
+/* Copies a kind's values to the vertices in order; *out is NULL when a vertex lacks one. */
 static enum hatch_status gather(struct obj *o, int kind, float **out, struct hatch_err *err)
 {
     const struct corner *corners = vertex_corners(o);
@@ -242,7 +242,7 @@ static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *no
 static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    if (o->plain)
+    if (o->positions_only)
         return hatch_faces_finish(&o->faces, values(o, V), value_count(o, V), arena, mesh, notes, err);
     float *positions, *texcoords, *normals, *data;
     struct hatch_mesh made;
@@ -265,7 +265,8 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
-    struct obj o = {.text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .plain = !names_more(file)};
+    struct obj o = {
+        .text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .positions_only = !has_slashes(file)};
     o.text.comment = '#';
     o.text.continues = true;
     for (int kind = 0; kind < KINDS; kind++)

@@ -1,27 +1,27 @@
-/* OFF (Geomview's object file format), as text, with texture coordinates (ST), colours (C) and normals (N);
- * what follows a vertex's position or a face's corners on their line is skipped. */
+/* OFF (Geomview's object file format) as text, with optional texture coordinates (ST), colours (C) and
+ * normals (N). The rest of a line after a position or a face's corners is skipped. */
 #include <string.h>
 
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
-size_t hatch_off_word(const char *at, size_t left)
+size_t hatch_off_keyword(const char *at, size_t size)
 {
     static const char *const parts[] = {"ST", "C", "N"};
     size_t length = 0;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-        size_t more = strlen(parts[i]);
-        if (left - length >= more && memcmp(at + length, parts[i], more) == 0)
-            length += more;
+        size_t part = strlen(parts[i]);
+        if (size - length >= part && memcmp(at + length, parts[i], part) == 0)
+            length += part;
     }
-    return left - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
+    return size - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
 }
 
-/* Some files have the counts right behind the word ("OFF490 518 0"). */
+/* In some files the counts follow the keyword without a space ("OFF490 518 0"). */
 static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_any_word(text);
-    size_t length = hatch_off_word(word.at, word.length);
+    size_t length = hatch_off_keyword(word.at, word.length);
     if (!length)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line, hatch_mesh_text_shown(word),
                           word.at);
@@ -29,7 +29,7 @@ static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_
     return HATCH_OK;
 }
 
-/* Every vertex takes at least six bytes ("0 0 0\n"), every face at least eight ("3 0 0 0\n"). */
+/* A vertex takes at least six bytes ("0 0 0\n"), a face at least eight ("3 0 0 0\n"). */
 static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t counts[2], struct hatch_err *err)
 {
     static const char *const names[] = {"vertices", "faces"};
@@ -37,18 +37,18 @@ static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t count
     for (int i = 0; i < 2; i++) {
         struct hatch_text word = hatch_mesh_text_any_word(text);
         if (!hatch_mesh_text_integer(word, &counts[i]) || counts[i] < 0)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s is no number of %s", text->line,
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s is not a number of %s", text->line,
                               hatch_mesh_text_shown(word), word.at, names[i]);
-        if (counts[i] > (int64_t)hatch_mesh_text_left(text) / bytes[i] + 1)
+        if (counts[i] > (int64_t)hatch_mesh_text_remaining(text) / bytes[i] + 1)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s %s do not fit into %zu bytes", text->line,
-                              hatch_mesh_text_shown(word), word.at, names[i], hatch_mesh_text_left(text));
+                              hatch_mesh_text_shown(word), word.at, names[i], hatch_mesh_text_remaining(text));
     }
     hatch_mesh_text_next_line(text);
     return HATCH_OK;
 }
 
-/* Leaves the text at the first word of the next line that has one. */
-static bool find_line(struct hatch_mesh_text *text)
+/* Moves to the next word, on this or a later line; false at the end of the text. */
+static bool find_word(struct hatch_mesh_text *text)
 {
     struct hatch_mesh_text ahead = *text;
     struct hatch_text word = hatch_mesh_text_any_word(&ahead);
@@ -65,13 +65,13 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     int64_t count, index;
     struct hatch_text word = hatch_mesh_text_word(text);
     if (!hatch_mesh_text_integer(word, &count) || count < 1)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %.*s corners", text->line,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face with %.*s corners", text->line,
                           hatch_mesh_text_shown(word), word.at);
     corners->size = 0;
     for (int64_t i = 0; i < count; i++) {
         word = hatch_mesh_text_word(text);
         if (!hatch_mesh_text_integer(word, &index) || index < 0 || index >= vertex_count)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s, there are %lld vertices", text->line,
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.*s does not exist, there are %lld", text->line,
                               hatch_mesh_text_shown(word), word.at, (long long)vertex_count);
         uint32_t corner = (uint32_t)index;
         HATCH_TRY(hatch_buffer_add(corners, &corner, sizeof corner, err));
@@ -92,8 +92,8 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3]
     if (!positions)
         return HATCH_LIMIT;
     for (int64_t v = 0; v < counts[0]; v++) {
-        if (!find_line(&text))
-            return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld vertices", (long long)v,
+        if (!find_word(&text))
+            return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld vertices", (long long)v,
                               (long long)counts[0]);
         HATCH_TRY(hatch_mesh_text_position(&text, "vertex", origin, &positions[v * 3], err));
         hatch_mesh_text_next_line(&text);
@@ -101,8 +101,9 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3]
     struct hatch_faces faces = hatch_faces_in(scratch);
     struct hatch_buffer corners = {.arena = scratch};
     for (int64_t f = 0; f < counts[1]; f++) {
-        if (!find_line(&text))
-            return hatch_fail(err, HATCH_BAD_INPUT, "cut after %lld of %lld faces", (long long)f, (long long)counts[1]);
+        if (!find_word(&text))
+            return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld faces", (long long)f,
+                              (long long)counts[1]);
         HATCH_TRY(read_face(&text, counts[0], &corners, err));
         const uint32_t *corner = (const uint32_t *)(const void *)corners.data;
         HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner, (uint32_t)(corners.size / sizeof *corner), err));

@@ -1,6 +1,5 @@
 /* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and
- * triangle strips. Binary numbers and words of text come through one function, so that the two
- * forms differ in nothing else. */
+ * triangle strips. Only read_number, skip_property and the size checks depend on the form. */
 #include "io/mesh/ply.h"
 
 #include <math.h>
@@ -13,11 +12,11 @@ struct ply {
     const double *origin;
     struct hatch_mesh_text text;             /* ascii */
     struct hatch_reader reader;              /* binary */
-    const struct hatch_ply_element *element; /* being read, and which of it: for messages */
-    uint64_t item;
+    const struct hatch_ply_element *element; /* being read */
+    uint64_t item;                           /* index in element, for messages */
     struct hatch_arena *scratch;
     uint32_t vertex_count;
-    float *positions, *normals, *texcoords; /* NULL where the file has none */
+    float *positions, *normals, *texcoords; /* NULL if the file has none */
     struct hatch_buffer corners;
     struct hatch_faces faces;
 };
@@ -27,7 +26,7 @@ static enum hatch_status fail(const struct ply *p, struct hatch_err *err, const 
     if (p->header.ascii)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %llu: %s", p->text.line, p->element->name,
                           (unsigned long long)p->item, what);
-    return hatch_fail(err, HATCH_BAD_INPUT, "offset %zu: %s %llu: %s", p->reader.at, p->element->name,
+    return hatch_fail(err, HATCH_BAD_INPUT, "byte %zu: %s %llu: %s", p->reader.at, p->element->name,
                       (unsigned long long)p->item, what);
 }
 
@@ -53,21 +52,21 @@ static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
     }
 }
 
-/* The next number; a double holds every type's values exactly. */
+/* Reads the next number; doubles represent the values of all types exactly. */
 static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, double *number, struct hatch_err *err)
 {
     if (p->header.ascii) {
         struct hatch_text word = hatch_mesh_text_any_word(&p->text);
         if (word.length == 0)
-            return fail(p, err, "the file is cut");
+            return fail(p, err, "the file is truncated");
         return hatch_text_decimal(word, number) ? HATCH_OK : fail(p, err, "not a number");
     }
     *number = read_binary(&p->reader, type);
-    return p->reader.cut ? fail(p, err, "the file is cut") : HATCH_OK;
+    return p->reader.cut ? fail(p, err, "the file is truncated") : HATCH_OK;
 }
 
-/* The least bytes that one element takes: in text a digit and a blank for every number. */
-static size_t least_size(const struct ply *p, const struct hatch_ply_element *element)
+/* The minimum bytes of an element; in ascii a digit and a separator per number. */
+static size_t min_size(const struct ply *p, const struct hatch_ply_element *element)
 {
     size_t size = 0;
     for (uint32_t i = 0; i < element->property_count; i++) {
@@ -80,34 +79,35 @@ static size_t least_size(const struct ply *p, const struct hatch_ply_element *el
 
 static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
 {
-    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) : hatch_reader_left(&p->reader);
-    size_t least = least_size(p, p->element);
-    if (!least && p->element->kind != HATCH_PLY_OTHER && p->element->count)
+    size_t remaining = p->header.ascii ? hatch_mesh_text_remaining(&p->text) : hatch_reader_left(&p->reader);
+    size_t smallest = min_size(p, p->element);
+    if (!smallest && p->element->kind != HATCH_PLY_OTHER && p->element->count)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no properties", p->element->name);
-    if (least && p->element->count > left / least + 1)
-        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: %llu of at least %zu bytes in %zu", p->element->name,
-                          (unsigned long long)p->element->count, least, left);
+    if (smallest && p->element->count > remaining / smallest + 1)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "element %s: %llu items of at least %zu bytes do not fit into %zu bytes", p->element->name,
+                          (unsigned long long)p->element->count, smallest, remaining);
     return HATCH_OK;
 }
 
-/* The length of a list, checked against the bytes that are left. */
+/* Reads a list's length and checks it against the remaining bytes. */
 static enum hatch_status read_length(struct ply *p, const struct hatch_ply_property *property, uint32_t *length,
                                      struct hatch_err *err)
 {
     double number;
     HATCH_TRY(read_number(p, property->count_type, &number, err));
-    size_t left = p->header.ascii ? hatch_mesh_text_left(&p->text) / 2 + 1
-                                  : hatch_reader_left(&p->reader) / hatch_ply_size(property->type);
-    if (!(number >= 0 && number <= (double)left && number < (double)INT32_MAX))
-        return fail(p, err, "a list longer than the file");
+    size_t longest = p->header.ascii ? hatch_mesh_text_remaining(&p->text) / 2 + 1
+                                     : hatch_reader_left(&p->reader) / hatch_ply_size(property->type);
+    if (!(number >= 0 && number <= (double)longest && number < (double)INT32_MAX))
+        return fail(p, err, "a list is longer than the file");
     if (floor(number) < number)
-        return fail(p, err, "the length of a list is no whole number");
+        return fail(p, err, "the length of a list is not an integer");
     *length = (uint32_t)number;
     return HATCH_OK;
 }
 
-/* What is not read may be anything in text: scanners write "nan" where a quality is not known. */
-static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
+/* In ascii a skipped value may be any word: scanners write "nan" for an unknown quality. */
+static enum hatch_status skip_property(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
 {
     uint32_t length = 1;
     double number;
@@ -117,21 +117,21 @@ static enum hatch_status skip(struct ply *p, const struct hatch_ply_property *pr
         if (!p->header.ascii)
             HATCH_TRY(read_number(p, property->type, &number, err));
         else if (hatch_mesh_text_any_word(&p->text).length == 0)
-            return fail(p, err, "the file is cut");
+            return fail(p, err, "the file is truncated");
     return HATCH_OK;
 }
 
-static enum hatch_status make_room(struct ply *p, struct hatch_err *err)
+static enum hatch_status allocate_vertices(struct ply *p, struct hatch_err *err)
 {
     bool has[HATCH_PLY_USES] = {false};
     for (uint32_t i = 0; i < p->element->property_count; i++)
         has[p->element->properties[i].use] = true;
     if (p->positions)
-        return fail(p, err, "vertices for the second time");
+        return fail(p, err, "the element vertex occurs twice");
     if (!has[HATCH_PLY_X] || !has[HATCH_PLY_Y] || !has[HATCH_PLY_Z])
-        return hatch_fail(err, HATCH_BAD_INPUT, "element vertex: no x, y and z");
+        return hatch_fail(err, HATCH_BAD_INPUT, "element vertex: no properties x, y and z");
     if (p->element->count > INT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d", INT32_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d vertices", INT32_MAX);
     p->vertex_count = (uint32_t)p->element->count;
     p->positions = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
     if (!p->positions)
@@ -151,13 +151,13 @@ static enum hatch_status make_room(struct ply *p, struct hatch_err *err)
 
 static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
 {
-    HATCH_TRY(make_room(p, err));
+    HATCH_TRY(allocate_vertices(p, err));
     for (p->item = 0; p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++) {
             const struct hatch_ply_property *property = &p->element->properties[i];
             double number;
             if (property->use == HATCH_PLY_SKIP) {
-                HATCH_TRY(skip(p, property, err));
+                HATCH_TRY(skip_property(p, property, err));
                 continue;
             }
             HATCH_TRY(read_number(p, property->type, &number, err));
@@ -175,7 +175,7 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
     return HATCH_OK;
 }
 
-/* One list of corners; in a strip -1 starts anew and is kept as UINT32_MAX. */
+/* Reads a list of corners. In strips -1 begins a new strip and is stored as UINT32_MAX. */
 static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
 {
     uint32_t length;
@@ -186,15 +186,15 @@ static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_prop
         HATCH_TRY(read_number(p, property->type, &number, err));
         bool restart = p->element->kind == HATCH_PLY_STRIPS && number == -1;
         if (!restart && !(number >= 0 && number < p->vertex_count && floor(number) == number))
-            return fail(p, err, "a corner is no vertex");
+            return fail(p, err, "a corner is not a vertex index");
         uint32_t corner = restart ? UINT32_MAX : (uint32_t)number;
         HATCH_TRY(hatch_buffer_add(&p->corners, &corner, sizeof corner, err));
     }
     return HATCH_OK;
 }
 
-/* Every other triangle of a strip is turned, so that all face one way; those with a repeated corner
- * only join parts and are left out. */
+/* Odd triangles of a strip are reversed, so that all have the same orientation. Triangles with a repeated
+ * corner only join strips and are left out. */
 static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint32_t count, struct hatch_err *err)
 {
     uint32_t start = 0;
@@ -215,12 +215,12 @@ static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint3
 static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
 {
     if (!p->positions)
-        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no vertices before it", p->element->name);
+        return hatch_fail(err, HATCH_BAD_INPUT, "element %s: must follow the element vertex", p->element->name);
     for (p->item = 0; p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++) {
             const struct hatch_ply_property *property = &p->element->properties[i];
             if (property->use != HATCH_PLY_INDICES) {
-                HATCH_TRY(skip(p, property, err));
+                HATCH_TRY(skip_property(p, property, err));
                 continue;
             }
             HATCH_TRY(read_corners(p, property, err));
@@ -238,7 +238,7 @@ static enum hatch_status skip_element(struct ply *p, struct hatch_err *err)
 {
     for (p->item = 0; p->element->property_count && p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++)
-            HATCH_TRY(skip(p, &p->element->properties[i], err));
+            HATCH_TRY(skip_property(p, &p->element->properties[i], err));
     return HATCH_OK;
 }
 

@@ -1,4 +1,4 @@
-/* Private to the PLY reader: what a header says. */
+/* Private to the PLY reader: the header. */
 #ifndef HATCH_IO_MESH_PLY_H
 #define HATCH_IO_MESH_PLY_H
 
@@ -19,7 +19,7 @@ enum hatch_ply_type {
     HATCH_PLY_FLOAT64
 };
 
-/* What a property is to us. */
+/* Meaning of a property; HATCH_PLY_SKIP: not read. */
 enum hatch_ply_use {
     HATCH_PLY_SKIP,
     HATCH_PLY_X,
@@ -56,10 +56,11 @@ struct hatch_ply_header {
     struct hatch_ply_element elements[HATCH_PLY_ELEMENTS_MAX];
 };
 
-/* Bytes of a binary number. */
+/* Bytes of a binary number; 0 for HATCH_PLY_NONE. */
 size_t hatch_ply_size(enum hatch_ply_type type);
 
-/* Reads up to and with the end_header line; text is then at the body's first byte. */
+/* Reads the header, including the line end_header; text is then at the body's first byte.
+ * HATCH_BAD_INPUT with the line. */
 enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text, struct hatch_ply_header *header,
                                         struct hatch_err *err) HATCH_MUST_USE;
 

@@ -68,7 +68,7 @@ static enum hatch_status read_element(struct hatch_mesh_text *text, struct hatch
     struct hatch_ply_element *element = &header->elements[header->element_count];
     int64_t count;
     if (name.length >= sizeof element->name || !hatch_mesh_text_integer(number, &count) || count < 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: element %.*s: %.*s is no count", text->line,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: element %.*s: %.*s is not a count", text->line,
                           hatch_mesh_text_shown(name), name.at, hatch_mesh_text_shown(number), number.at);
     memcpy(element->name, name.at, name.length);
     element->count = (uint64_t)count;
@@ -98,10 +98,10 @@ static enum hatch_status read_property(struct hatch_mesh_text *text, struct hatc
     }
     property.type = type_of(word);
     struct hatch_text name = hatch_mesh_text_word(text);
-    bool whole = property.count_type != HATCH_PLY_FLOAT32 && property.count_type != HATCH_PLY_FLOAT64;
-    if (property.type == HATCH_PLY_NONE || (list && property.count_type == HATCH_PLY_NONE) || !whole ||
+    bool integer_count = property.count_type != HATCH_PLY_FLOAT32 && property.count_type != HATCH_PLY_FLOAT64;
+    if (property.type == HATCH_PLY_NONE || (list && property.count_type == HATCH_PLY_NONE) || !integer_count ||
         name.length == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: property %.*s of an unknown type", text->line,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: property %.*s has an unknown type", text->line,
                           hatch_mesh_text_shown(name), name.at);
     property.use = use_of(element->kind, list, name);
     element->properties[element->property_count++] = property;
@@ -122,7 +122,7 @@ static enum hatch_status read_line(struct hatch_mesh_text *text, struct hatch_pl
         return read_property(text, header, err);
     if (word.length == 0 || hatch_text_is(word, "comment") || hatch_text_is(word, "obj_info"))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", text->line, hatch_mesh_text_shown(word),
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", text->line, hatch_mesh_text_shown(word),
                       word.at);
 }
 
@@ -135,7 +135,7 @@ enum hatch_status hatch_ply_read_header(struct hatch_mesh_text *text, struct hat
     *header = (struct hatch_ply_header){.ascii = false};
     for (;;) {
         if (!hatch_mesh_text_next_line(text))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before end_header", text->line);
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: truncated before end_header", text->line);
         struct hatch_mesh_text ahead = *text;
         if (hatch_text_is(hatch_mesh_text_word(&ahead), "end_header"))
             break;

@@ -4,12 +4,12 @@
 
 #include "math/vector.h"
 
-/* Steps that the concave polygons of one file may cost together: some seconds. */
-#define WORK_LIMIT ((uint64_t)500000000)
+/* Steps of ear clipping per file: some seconds. */
+#define STEP_LIMIT ((uint64_t)500000000)
 
 struct hatch_faces hatch_faces_in(struct hatch_arena *scratch)
 {
-    return (struct hatch_faces){.indices = {.arena = scratch}, .work_left = WORK_LIMIT, .scratch = scratch};
+    return (struct hatch_faces){.indices = {.arena = scratch}, .steps_left = STEP_LIMIT, .scratch = scratch};
 }
 
 static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t *vertex, uint32_t a, uint32_t b,
@@ -22,11 +22,11 @@ static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t 
     return hatch_buffer_add(&faces->indices, triangle, sizeof triangle, err);
 }
 
-/* A polygon laid into the plane that fits it best (Newell's normal), counter-clockwise. */
+/* A polygon projected to a plane, counter-clockwise. */
 struct outline {
     double (*at)[2];
     uint32_t *next, *previous;
-    uint32_t *reflex; /* corners that turn the other way or not at all */
+    uint32_t *reflex; /* corners that are not convex */
     uint32_t count, reflex_count;
 };
 
@@ -45,7 +45,7 @@ static void newell_normal(const float *positions, const uint32_t *point, uint32_
     }
 }
 
-/* Whether the triangles from one corner to all others keep the polygon's side. */
+/* Whether no triangle of the fan from a corner is reversed. */
 static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_t count, uint32_t start,
                           const double normal[3])
 {
@@ -69,45 +69,45 @@ static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vert
     return HATCH_OK;
 }
 
-static double turn(const struct outline *o, uint32_t a, uint32_t b, uint32_t c)
+/* Twice the signed area of a triangle of corners. */
+static double area2(const struct outline *o, uint32_t a, uint32_t b, uint32_t c)
 {
     const double *p = o->at[a], *q = o->at[b], *r = o->at[c];
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-static double corner_turn(const struct outline *o, uint32_t corner)
+static double corner_area2(const struct outline *o, uint32_t corner)
 {
-    return turn(o, o->previous[corner], corner, o->next[corner]);
+    return area2(o, o->previous[corner], corner, o->next[corner]);
 }
 
-static bool same_place(const struct outline *o, uint32_t a, uint32_t b)
+static bool coincide(const struct outline *o, uint32_t a, uint32_t b)
 {
     return o->at[a][0] == o->at[b][0] && o->at[a][1] == o->at[b][1];
 }
 
-/* A corner is an ear when it turns the polygon's way and no reflex corner lies in its triangle. */
+/* A corner is an ear when it is convex and its triangle contains no reflex corner. */
 static bool is_ear(const struct outline *o, uint32_t corner)
 {
     uint32_t a = o->previous[corner], c = o->next[corner];
-    if (!(turn(o, a, corner, c) > 0))
+    if (!(area2(o, a, corner, c) > 0))
         return false;
     for (uint32_t i = 0; i < o->reflex_count; i++) {
         uint32_t p = o->reflex[i];
-        if (p == a || p == corner || p == c || same_place(o, p, a) || same_place(o, p, corner) || same_place(o, p, c))
+        if (p == a || p == corner || p == c || coincide(o, p, a) || coincide(o, p, corner) || coincide(o, p, c))
             continue;
-        if (turn(o, a, corner, p) >= 0 && turn(o, corner, c, p) >= 0 && turn(o, c, a, p) >= 0)
+        if (area2(o, a, corner, p) >= 0 && area2(o, corner, c, p) >= 0 && area2(o, c, a, p) >= 0)
             return false;
     }
     return true;
 }
 
-/* Clipping changes its two neighbours' turns; a reflex corner may become none, never the reverse.
- */
-static void drop_unreflex(struct outline *o)
+/* Clipping changes the two neighbours: a reflex corner may become convex, never the reverse. */
+static void update_reflex(struct outline *o)
 {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < o->reflex_count; i++)
-        if (o->next[o->reflex[i]] != UINT32_MAX && !(corner_turn(o, o->reflex[i]) > 0))
+        if (o->next[o->reflex[i]] != UINT32_MAX && !(corner_area2(o, o->reflex[i]) > 0))
             o->reflex[kept++] = o->reflex[i];
     o->reflex_count = kept;
 }
@@ -115,14 +115,15 @@ static void drop_unreflex(struct outline *o)
 static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o, const uint32_t *vertex,
                                    struct hatch_err *err)
 {
-    uint32_t corner = 0, left = o->count, misses = 0;
-    while (left > 3) {
+    uint32_t corner = 0, remaining = o->count, misses = 0;
+    while (remaining > 3) {
         uint64_t cost = (uint64_t)o->reflex_count + 1;
-        if (cost > faces->work_left)
-            return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large", o->count);
-        faces->work_left -= cost;
-        /* After a whole round without an ear the polygon crosses itself: any corner goes. */
-        if (misses < left && !is_ear(o, corner)) {
+        if (cost > faces->steps_left)
+            return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large; triangulate it",
+                              o->count);
+        faces->steps_left -= cost;
+        /* A polygon without an ear intersects itself: any corner is clipped. */
+        if (misses < remaining && !is_ear(o, corner)) {
             corner = o->next[corner];
             misses++;
             continue;
@@ -132,16 +133,16 @@ static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
         o->next[a] = c;
         o->previous[c] = a;
         o->next[corner] = UINT32_MAX;
-        left--;
+        remaining--;
         misses = 0;
-        drop_unreflex(o);
+        update_reflex(o);
         corner = c;
     }
     return add_triangle(faces, vertex, o->previous[corner], corner, o->next[corner], err);
 }
 
-/* Along which axis the polygon is flattened: the normal's longest. */
-static void lay_out(const float *positions, const uint32_t *point, const double normal[3], struct outline *o)
+/* Projects the polygon along the axis in which its normal is largest. */
+static void project(const float *positions, const uint32_t *point, const double normal[3], struct outline *o)
 {
     int axis = 0;
     for (int k = 1; k < 3; k++)
@@ -157,7 +158,7 @@ static void lay_out(const float *positions, const uint32_t *point, const double 
     }
     o->reflex_count = 0;
     for (uint32_t i = 0; i < o->count; i++)
-        if (!(corner_turn(o, i) > 0))
+        if (!(corner_area2(o, i) > 0))
             o->reflex[o->reflex_count++] = i;
 }
 
@@ -165,8 +166,7 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
                                      const uint32_t *vertex, uint32_t count, const double normal[3],
                                      struct hatch_err *err)
 {
-    /* Room for the triangles is made first, so that the outline on top of them can be given back.
-     */
+    /* Allocates the triangles first, so that the outline after them can be freed. */
     HATCH_TRY(hatch_buffer_reserve(&faces->indices, (size_t)count * 3 * sizeof(uint32_t), err));
     struct hatch_arena_mark mark = hatch_arena_mark(faces->scratch);
     struct outline o = {.count = count};
@@ -176,7 +176,7 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
     o.reflex = o.previous ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
     enum hatch_status status = o.reflex ? HATCH_OK : HATCH_LIMIT;
     if (status == HATCH_OK) {
-        lay_out(positions, point, normal, &o);
+        project(positions, point, normal, &o);
         status = clip_ears(faces, &o, vertex, err);
     }
     hatch_arena_rewind(faces->scratch, mark);
@@ -206,7 +206,7 @@ enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const floa
                                      struct hatch_err *err)
 {
     if (faces->face_count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no faces: %u loose vertices", vertex_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces, only %u vertices", vertex_count);
     HATCH_TRY(hatch_mesh_make(arena, vertex_count, faces->face_count, mesh, err));
     memcpy(mesh->indices, faces->indices.data, faces->indices.size);
     memcpy(mesh->attributes[0].data, positions, (size_t)vertex_count * 3 * sizeof *positions);

@@ -1,5 +1,5 @@
-/* STL, binary and text. Triangles come one by one, each with corners of its own; the normals of the
- * file are not read: many are wrong or zero, and the corners say the same. */
+/* STL, binary and text. Each triangle has three vertices of its own. Normals are not read: many are wrong or
+ * zero, and they follow from the corners. */
 #include <math.h>
 #include <string.h>
 
@@ -8,26 +8,26 @@
 
 enum { HEADER = 80, TRIANGLE = 50 };
 
-/* A word of the format: most programs write them small, some do not. */
-static bool is(struct hatch_text word, const char *small)
+/* Compares a keyword without regard to case. */
+static bool is(struct hatch_text word, const char *keyword)
 {
     size_t i = 0;
-    for (; i < word.length && small[i]; i++) {
+    for (; i < word.length && keyword[i]; i++) {
         char c = word.at[i];
-        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != small[i])
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != keyword[i])
             return false;
     }
-    return i == word.length && !small[i];
+    return i == word.length && !keyword[i];
 }
 
-/* Binary files may begin with "solid", too: but soon a byte follows that no text has. */
+/* Binary files may begin with "solid", too, but soon contain bytes that a text does not have. */
 static bool looks_like_text(struct hatch_bytes file)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
-    const size_t far = 1024;
+    const size_t checked = 1024;
     if (!is(hatch_mesh_text_any_word(&text), "solid"))
         return false;
-    for (size_t i = 0; i < file.size && i < far; i++)
+    for (size_t i = 0; i < file.size && i < checked; i++)
         if (file.data[i] < '\t')
             return false;
     return true;
@@ -48,7 +48,7 @@ static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct ha
     if (faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
     if (faces > UINT32_MAX / 3 - 1)
-        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds %u", faces, UINT32_MAX / 3 - 1);
+        return hatch_fail(err, HATCH_LIMIT, "%zu triangles, a mesh holds at most %u", faces, UINT32_MAX / 3 - 1);
     uint32_t corners = (uint32_t)faces * 3;
     HATCH_TRY(hatch_mesh_make(arena, corners, (uint32_t)faces, mesh, err));
     for (uint32_t i = 0; i < corners; i++)
@@ -64,8 +64,8 @@ static enum hatch_status read_binary(struct hatch_bytes file, const double origi
     uint32_t count = hatch_read_u32(&reader);
     if (hatch_reader_left(&reader) / TRIANGLE < count)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "offset %d: %u triangles, there are bytes for %zu (or text that does not "
-                          "start with solid)",
+                          "byte %d: truncated: %u triangles, but bytes for %zu (or text that does not begin with "
+                          "solid)",
                           HEADER, count, hatch_reader_left(&reader) / TRIANGLE);
     struct hatch_mesh made;
     HATCH_TRY(make(count, arena, &made, err));
@@ -83,25 +83,25 @@ static enum hatch_status read_binary(struct hatch_bytes file, const double origi
     return HATCH_OK;
 }
 
-/* Where reading text stands. */
+/* State of reading text. */
 struct solids {
     const double *origin;
     struct hatch_mesh_text text;
     struct hatch_buffer positions;
     uint32_t corners; /* of the facet being read */
     bool first;       /* the next word begins a line */
-    bool naming;      /* words are a solid's name, up to the line's end or a facet */
-    bool ended;
+    bool in_name;     /* words belong to a solid's name, which ends at the line's end or at a facet */
+    bool ended;       /* the last solid has an endsolid */
 };
 
-static enum hatch_status take_word(struct solids *s, struct hatch_text word, struct hatch_err *err)
+static enum hatch_status read_word(struct solids *s, struct hatch_text word, struct hatch_err *err)
 {
     bool first = s->first, facet = is(word, "facet");
     s->first = false;
-    if (s->naming && !facet)
+    if (s->in_name && !facet)
         return HATCH_OK;
-    s->naming = is(word, "solid") || is(word, "endsolid");
-    s->ended = s->naming ? is(word, "endsolid") : s->ended;
+    s->in_name = is(word, "solid") || is(word, "endsolid");
+    s->ended = s->in_name ? is(word, "endsolid") : s->ended;
     if (is(word, "vertex")) {
         float p[3];
         HATCH_TRY(hatch_mesh_text_position(&s->text, "vertex", s->origin, p, err));
@@ -110,31 +110,31 @@ static enum hatch_status take_word(struct solids *s, struct hatch_text word, str
     }
     if (is(word, "endfacet")) {
         if (s->corners != 3)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet of %u corner%s, want 3", s->text.line, s->corners,
-                              s->corners == 1 ? "" : "s");
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a facet with %u corner%s, want 3", s->text.line,
+                              s->corners, s->corners == 1 ? "" : "s");
         s->corners = 0;
         return HATCH_OK;
     }
-    /* Normals, and whatever else programs put behind a line's first word. */
-    if (!first || s->naming || facet || is(word, "outer") || is(word, "endloop"))
+    /* Skips normals and other words after a line's first. */
+    if (!first || s->in_name || facet || is(word, "outer") || is(word, "endloop"))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown word %.*s", s->text.line, hatch_mesh_text_shown(word),
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", s->text.line, hatch_mesh_text_shown(word),
                       word.at);
 }
 
-/* Lines mean nothing but where a solid's name ends: some programs write none. */
+/* Line ends matter only after a solid's name: some programs write no others. */
 static enum hatch_status read_text(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct solids s = {.origin = origin, .text = hatch_mesh_text_of(file), .positions = {.arena = scratch}};
     do {
         s.first = true;
-        s.naming = false;
+        s.in_name = false;
         for (struct hatch_text word; (word = hatch_mesh_text_word(&s.text)).length > 0;)
-            HATCH_TRY(take_word(&s, word, err));
+            HATCH_TRY(read_word(&s, word, err));
     } while (hatch_mesh_text_next_line(&s.text));
     if (!s.ended || s.corners)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: cut before endsolid", s.text.line);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: truncated before endsolid", s.text.line);
     struct hatch_mesh made;
     HATCH_TRY(make(s.positions.size / (9 * sizeof(float)), arena, &made, err));
     memcpy(made.attributes[0].data, s.positions.data, s.positions.size);

@@ -9,7 +9,7 @@ struct hatch_mesh_text hatch_mesh_text_of(struct hatch_bytes bytes)
     return (struct hatch_mesh_text){.at = text.at, .end = text.at + text.length, .line = 1};
 }
 
-size_t hatch_mesh_text_left(const struct hatch_mesh_text *text)
+size_t hatch_mesh_text_remaining(const struct hatch_mesh_text *text)
 {
     return (size_t)(text->end - text->at);
 }
@@ -19,15 +19,15 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/* The length of a backslash with the line's end behind it, or 0. */
+/* The length of a backslash and the line's end after it, or 0. */
 static size_t continuation(const struct hatch_mesh_text *text)
 {
-    size_t left = hatch_mesh_text_left(text);
-    if (!text->continues || left < 2 || text->at[0] != '\\')
+    size_t remaining = hatch_mesh_text_remaining(text);
+    if (!text->continues || remaining < 2 || text->at[0] != '\\')
         return 0;
     if (text->at[1] == '\n')
         return 2;
-    return left > 2 && text->at[1] == '\r' && text->at[2] == '\n' ? 3 : 0;
+    return remaining > 2 && text->at[1] == '\r' && text->at[2] == '\n' ? 3 : 0;
 }
 
 static void skip_blanks(struct hatch_mesh_text *text)
@@ -60,7 +60,7 @@ struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text)
 
 bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
 {
-    const char *newline = memchr(text->at, '\n', hatch_mesh_text_left(text));
+    const char *newline = memchr(text->at, '\n', hatch_mesh_text_remaining(text));
     if (!newline) {
         text->at = text->end;
         return false;
@@ -114,7 +114,7 @@ static enum hatch_status next_number(struct hatch_mesh_text *text, const char *w
     if (word.length == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s has too few numbers", text->line, what);
     if (!hatch_text_decimal(word, &value))
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is no number", text->line, what,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is not a number", text->line, what,
                           hatch_mesh_text_shown(word), word.at);
     if (!isfinite((float)value))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s: %.*s is too large", text->line, what,

@@ -3,7 +3,7 @@
 #include <new>
 #include <vector>
 
-/* OpenMesh grows its vectors with values that it sets later; gcc sees that through its templates. */
+/* OpenMesh resizes vectors with values that it sets later, of which gcc warns. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -12,7 +12,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-/* C may give a struct and a function one name (hatch_arena_mark); C++ sees a hidden constructor. */
+/* In C a struct and a function may share a name (hatch_arena_mark); C++ warns of a hidden constructor. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 extern "C" {
@@ -29,7 +29,8 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 typedef OpenMesh::TriMesh_ArrayKernelT<Traits> Mesh;
 
-/* Centre and size of the mesh's box: quadrics lose their digits far from the origin, and at 1e30. */
+/* Centre and size of the mesh's bounding box. Decimation works on normalised positions: quadrics lose
+ * precision far from the origin and at extreme sizes. */
 struct Frame {
     double centre[3], size;
 };
@@ -98,7 +99,7 @@ enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct
     to->delete_isolated_vertices();
     to->garbage_collection();
     if (to->n_faces() == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no face fits into a surface");
+        return hatch_fail(err, HATCH_BAD_INPUT, "no face remains: all are degenerate or non-manifold");
     return HATCH_OK;
 }
 
@@ -135,7 +136,7 @@ enum hatch_status store(const Mesh &from, const Frame &frame, struct hatch_arena
     return HATCH_OK;
 }
 
-uint32_t count_loops(const Mesh &mesh)
+uint32_t count_boundary_loops(const Mesh &mesh)
 {
     std::vector<bool> seen(mesh.n_halfedges());
     uint32_t loops = 0;
@@ -152,7 +153,7 @@ uint32_t count_loops(const Mesh &mesh)
     return loops;
 }
 
-/* Runs a body that may throw, and gives scratch back. */
+/* Runs a body that may throw, and rewinds scratch. */
 template <typename Body> enum hatch_status guarded(struct hatch_arena *scratch, struct hatch_err *err, Body body)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -196,7 +197,7 @@ extern "C" enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *me
         uint32_t refused;
         HATCH_TRY(load(mesh, frame_of(mesh), scratch, &work, &refused, err));
         *connectivity = {static_cast<uint32_t>(work.n_vertices()), static_cast<uint32_t>(work.n_edges()),
-                         static_cast<uint32_t>(work.n_faces()), count_loops(work), refused};
+                         static_cast<uint32_t>(work.n_faces()), count_boundary_loops(work), refused};
         return HATCH_OK;
     });
 }

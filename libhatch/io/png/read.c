@@ -6,17 +6,17 @@
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)
-#define PACK_RATIO_MAX 1032u       /* deflate shrinks no further */
-#define CHUNK_BYTES_MAX (8u << 20) /* ancillary chunks: ICC profiles and texts, which are not used */
+#define PACK_RATIO_MAX 1032u       /* of deflate */
+#define CHUNK_BYTES_MAX (8u << 20) /* of ancillary chunks (ICC profiles, texts), which are not used */
 #define SIGNATURE_BYTES 8u
 
-/* Everything that libpng's jumps must not lose lives here. */
+/* State of reading; locals would be lost when libpng jumps. */
 struct reading {
     struct hatch_bytes file;
     size_t at;
     struct hatch_arena *arena, *scratch;
     struct hatch_err *err;
-    enum hatch_status status; /* what a failure is, when libpng's own message does not say it */
+    enum hatch_status status; /* HATCH_OK, or of the failure that err describes */
     struct hatch_image image;
     uint32_t depth, passes;
     uint8_t **rows;
@@ -30,23 +30,23 @@ static void fail_decoding(png_structp png, png_const_charp message)
     longjmp(png_jmpbuf(png), 1);
 }
 
-/* Warnings are about ancillary chunks, which this reader does not use. */
+/* Warnings concern ancillary chunks, which are not used. */
 static void ignore_warning(png_structp png, png_const_charp message)
 {
     (void)png;
     (void)message;
 }
 
-static void take_bytes(png_structp png, png_bytep out, size_t size)
+static void read_bytes(png_structp png, png_bytep out, size_t size)
 {
     struct reading *r = png_get_io_ptr(png);
     if (size > r->file.size - r->at)
-        png_error(png, "cut");
+        png_error(png, "truncated");
     memcpy(out, r->file.data + r->at, size);
     r->at += size;
 }
 
-/* Ends decoding with a status that has been put into err. */
+/* Ends decoding with the status of err. */
 static void stop(png_structp png, enum hatch_status status)
 {
     struct reading *r = png_get_error_ptr(png);
@@ -54,35 +54,35 @@ static void stop(png_structp png, enum hatch_status status)
     png_error(png, "stopped");
 }
 
-/* The size is looked at before anything is taken for it. */
 static void check_size(png_structp png, png_infop info)
 {
     struct reading *r = png_get_error_ptr(png);
     uint64_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     uint64_t bits = (uint64_t)png_get_channels(png, info) * png_get_bit_depth(png, info);
     uint64_t floats = width * height * 4 * sizeof(float);
-    size_t left = r->arena->limit_bytes - r->arena->used_bytes;
-    if (floats > left)
+    size_t available = r->arena->limit_bytes - r->arena->used_bytes;
+    if (floats > available)
         stop(png, hatch_fail(r->err, HATCH_LIMIT, "%llux%llu pixels need more than the %zu bytes allowed",
-                             (unsigned long long)width, (unsigned long long)height, left));
+                             (unsigned long long)width, (unsigned long long)height, available));
     if (width * height * bits / 8 / PACK_RATIO_MAX > r->file.size)
-        stop(png, hatch_fail(r->err, HATCH_BAD_INPUT, "%llux%llu pixels in a file of %zu bytes: cut, or not true",
+        stop(png, hatch_fail(r->err, HATCH_BAD_INPUT,
+                             "%llux%llu pixels in a file of %zu bytes: truncated, or the header is wrong",
                              (unsigned long long)width, (unsigned long long)height, r->file.size));
 }
 
-/* Palettes, low depths and transparent colours become whole channels of 8 or 16 bits. */
-static void ask_for_channels(png_structp png, png_infop info)
+/* Expands palettes, low bit depths and transparent colours to channels of 8 or 16 bits. */
+static void expand_channels(png_structp png, png_infop info)
 {
     struct reading *r = png_get_error_ptr(png);
     png_set_expand(png);
     if (png_get_bit_depth(png, info) == 16)
-        png_set_swap(png); /* to the machine's order */
+        png_set_swap(png); /* to little-endian */
     r->passes = (uint32_t)png_set_interlace_handling(png);
     png_read_update_info(png, info);
     r->depth = png_get_bit_depth(png, info);
 }
 
-static void make_room(png_structp png, png_infop info)
+static void allocate(png_structp png, png_infop info)
 {
     static const char *const names[] = {"", "Y", "YA", "RGB", "RGBA"};
     struct reading *r = png_get_error_ptr(png);
@@ -103,26 +103,26 @@ static void make_room(png_structp png, png_infop info)
 static void read_all(png_structp png, png_infop info)
 {
     struct reading *r = png_get_error_ptr(png);
-    png_set_read_fn(png, r, take_bytes);
+    png_set_read_fn(png, r, read_bytes);
     png_set_user_limits(png, SIDE_MAX, SIDE_MAX);
     png_set_chunk_malloc_max(png, CHUNK_BYTES_MAX);
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
     png_read_info(png, info);
     check_size(png, info);
-    ask_for_channels(png, info);
-    make_room(png, info);
+    expand_channels(png, info);
+    allocate(png, info);
     png_read_image(png, r->rows);
     png_read_end(png, NULL);
 }
 
-/* The only frame that libpng jumps back to; it holds nothing that a jump could spoil. */
+/* The target of libpng's jumps; has no locals that a jump could invalidate. */
 static void read_or_fail(png_structp png, png_infop info)
 {
     if (setjmp(png_jmpbuf(png)) == 0)
         read_all(png, info);
 }
 
-static enum hatch_status widen(struct reading *r)
+static enum hatch_status convert_to_floats(struct reading *r)
 {
     struct hatch_image *image = &r->image;
     uint32_t top = r->depth == 16 ? 65535u : 255u;
@@ -147,14 +147,14 @@ static enum hatch_status decode(struct reading *r)
 {
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning);
     if (!png)
-        return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading");
+        return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading PNG");
     png_infop info = png_create_info_struct(png);
     if (info)
         read_or_fail(png, info);
     else
-        r->status = hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading");
+        r->status = hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading PNG");
     png_destroy_read_struct(&png, &info, NULL);
-    return r->status == HATCH_OK ? widen(r) : r->status;
+    return r->status == HATCH_OK ? convert_to_floats(r) : r->status;
 }
 
 enum hatch_status hatch_png_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -8,13 +8,13 @@
 #include <string.h>
 
 #define ZLIB_LEVEL 6
-#define COARSE 4096u /* steps of the first guess: fine enough that a guess is at most one code low */
+#define GUESSES 4096u /* table size with which a guess is at most one code too low */
 
-/* How a number becomes 8 bits of sRGB without a power for every pixel: code k stands for everything
- * below border[k] that is not below border[k - 1]. */
+/* Table for encoding 8 bits of sRGB without a power per pixel: code k stands for values from border[k - 1] up
+ * to, but not including, border[k]. */
 struct codes {
     float border[256];
-    uint8_t guess[COARSE + 1];
+    uint8_t guess[GUESSES + 1]; /* by value * GUESSES: the code or the one below */
 };
 
 struct writing {
@@ -43,7 +43,7 @@ static void ignore_warning(png_structp png, png_const_charp message)
     (void)message;
 }
 
-static void put_bytes(png_structp png, png_bytep bytes, size_t size)
+static void write_bytes(png_structp png, png_bytep bytes, size_t size)
 {
     struct writing *w = png_get_io_ptr(png);
     w->status = hatch_buffer_add(w->file, bytes, size, w->err);
@@ -51,7 +51,7 @@ static void put_bytes(png_structp png, png_bytep bytes, size_t size)
         png_error(png, "stopped");
 }
 
-static void nothing_to_flush(png_structp png)
+static void flush(png_structp png)
 {
     (void)png;
 }
@@ -62,8 +62,8 @@ static void fill_codes(struct codes *codes)
         codes->border[k] = hatch_srgb_to_linear(((float)k + 0.5f) / 255.0f);
     codes->border[255] = INFINITY;
     uint32_t code = 0;
-    for (uint32_t i = 0; i <= COARSE; i++) {
-        while ((float)i / COARSE >= codes->border[code])
+    for (uint32_t i = 0; i <= GUESSES; i++) {
+        while ((float)i / GUESSES >= codes->border[code])
             code++;
         codes->guess[i] = (uint8_t)code;
     }
@@ -71,13 +71,13 @@ static void fill_codes(struct codes *codes)
 
 static uint32_t code_of(const struct writing *w, float value, bool is_alpha)
 {
-    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* what is no number becomes 0 */
+    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* not a number: 0 */
     uint32_t top = w->depth == 16 ? 65535u : 255u;
     if (w->encoding == HATCH_PNG_RAW || is_alpha)
         return (uint32_t)(clamped * (float)top + 0.5f);
     if (w->depth == 16)
         return (uint32_t)(hatch_linear_to_srgb(clamped) * (float)top + 0.5f);
-    uint32_t code = w->codes->guess[(uint32_t)(clamped * COARSE)];
+    uint32_t code = w->codes->guess[(uint32_t)(clamped * GUESSES)];
     while (clamped >= w->codes->border[code])
         code++;
     return code;
@@ -114,7 +114,7 @@ static void write_all(png_structp png, png_infop info)
     static const int colors[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                  PNG_COLOR_TYPE_RGB_ALPHA};
     struct writing *w = png_get_error_ptr(png);
-    png_set_write_fn(png, w, put_bytes, nothing_to_flush);
+    png_set_write_fn(png, w, write_bytes, flush);
     png_set_compression_level(png, ZLIB_LEVEL);
     png_set_IHDR(png, info, w->image->width, w->image->height, (int)w->depth, colors[w->channels], PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -129,7 +129,7 @@ static void write_all(png_structp png, png_infop info)
     png_write_end(png, NULL);
 }
 
-/* The only frame that libpng jumps back to; it holds nothing that a jump could spoil. */
+/* The target of libpng's jumps; has no locals that a jump could invalidate. */
 static void write_or_fail(png_structp png, png_infop info)
 {
     if (setjmp(png_jmpbuf(png)) == 0)
@@ -140,12 +140,12 @@ static enum hatch_status encode(struct writing *w)
 {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, fail_encoding, ignore_warning);
     if (!png)
-        return hatch_fail(w->err, HATCH_LIMIT, "out of memory for writing");
+        return hatch_fail(w->err, HATCH_LIMIT, "out of memory for writing PNG");
     png_infop info = png_create_info_struct(png);
     if (info)
         write_or_fail(png, info);
     else
-        w->status = hatch_fail(w->err, HATCH_LIMIT, "out of memory for writing");
+        w->status = hatch_fail(w->err, HATCH_LIMIT, "out of memory for writing PNG");
     png_destroy_write_struct(&png, &info);
     return w->status;
 }

@@ -1,4 +1,4 @@
-/* The colours of CSS. */
+/* Colours of CSS. */
 #include <string.h>
 
 #include "image/color.h"
@@ -159,7 +159,7 @@ static const struct {
     {"yellowgreen", 0x9acd32},
 };
 
-/* Names are written in any case. */
+/* Ignores case. */
 static bool is_name(struct hatch_text text, const char *name)
 {
     size_t i = 0;
@@ -171,21 +171,21 @@ static bool is_name(struct hatch_text text, const char *name)
     return i == text.length && !name[i];
 }
 
-/* What stands behind "rgb(" or "rgba(": numbers to 255, or per cents; an alpha is passed over. */
+/* Parses the arguments of rgb() and rgba(): numbers up to 255 or percentages; alpha is ignored. */
 static bool parse_function(struct hatch_text rest, float rgb[3])
 {
     for (int c = 0; c < 3; c++) {
-        double number, whole = 255;
+        double number, range = 255;
         if (!hatch_svg_number(&rest, &number))
             return false;
         if (rest.length && *rest.at == '%') {
             rest.at++;
             rest.length--;
             hatch_svg_skip(&rest);
-            whole = 100;
+            range = 100;
         }
-        double share = number / whole;
-        rgb[c] = hatch_srgb_to_linear((float)(share > 0 ? share < 1 ? share : 1 : 0));
+        double value = number / range;
+        rgb[c] = hatch_srgb_to_linear((float)(value > 0 ? value < 1 ? value : 1 : 0));
     }
     return rest.length && rest.at[rest.length - 1] == ')';
 }

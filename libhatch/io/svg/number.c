@@ -35,7 +35,7 @@ static size_t digits_at(const struct hatch_text *text, size_t at)
     return count;
 }
 
-/* How many characters are a number: "-.5e3", of "-.5e3-2" and of "-.5em". */
+/* Length of the number at the start: "-.5e3" in "-.5e3-2" and "-.5" in "-.5em". */
 static size_t number_length(const struct hatch_text *text)
 {
     size_t at = text->length && (*text->at == '+' || *text->at == '-');
@@ -110,7 +110,7 @@ enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double 
                       text.at);
 }
 
-enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t most, double *lengths,
+enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t max, double *lengths,
                                     uint32_t *count, struct hatch_err *err)
 {
     *count = 0;
@@ -118,44 +118,44 @@ enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32
         struct hatch_text one = {text.at, 0};
         for (; text.length && !is_blank(*text.at) && *text.at != ','; advance(&text, 1))
             one.length++;
-        if (*count == most)
-            return hatch_fail(err, HATCH_BAD_INPUT, "more than %u lengths", most);
+        if (*count == max)
+            return hatch_fail(err, HATCH_BAD_INPUT, "more than %u lengths", max);
         HATCH_TRY(hatch_svg_length(one, whole, &lengths[*count], err));
         ++*count;
     }
     return HATCH_OK;
 }
 
-void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double place[2])
+void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double point[2])
 {
-    place[0] = m->a * x + m->c * y + m->e;
-    place[1] = m->b * x + m->d * y + m->f;
+    point[0] = m->a * x + m->c * y + m->e;
+    point[1] = m->b * x + m->d * y + m->f;
 }
 
 struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner)
 {
-    double place[2];
-    hatch_svg_apply(outer, inner->e, inner->f, place);
+    double offset[2];
+    hatch_svg_apply(outer, inner->e, inner->f, offset);
     return (struct hatch_svg_matrix){outer->a * inner->a + outer->c * inner->b,
                                      outer->b * inner->a + outer->d * inner->b,
                                      outer->a * inner->c + outer->c * inner->d,
                                      outer->b * inner->c + outer->d * inner->d,
-                                     place[0],
-                                     place[1]};
+                                     offset[0],
+                                     offset[1]};
 }
 
 static struct hatch_svg_matrix rotation(const double *v, uint32_t count)
 {
     double cosine = cos(v[0] * RADIANS_PER_DEGREE), sine = sin(v[0] * RADIANS_PER_DEGREE);
-    struct hatch_svg_matrix turn = {cosine, sine, -sine, cosine, 0, 0};
+    struct hatch_svg_matrix m = {cosine, sine, -sine, cosine, 0, 0};
     if (count == 3) {
-        turn.e = v[1] - cosine * v[1] + sine * v[2];
-        turn.f = v[2] - sine * v[1] - cosine * v[2];
+        m.e = v[1] - cosine * v[1] + sine * v[2];
+        m.f = v[2] - sine * v[1] - cosine * v[2];
     }
-    return turn;
+    return m;
 }
 
-/* One function of a transform, of that many numbers; false where it takes another number of them. */
+/* The matrix of a transform function; false when the name or the number of arguments is wrong. */
 static bool transform_of(struct hatch_text name, const double *v, uint32_t count, struct hatch_svg_matrix *m)
 {
     *m = (struct hatch_svg_matrix){1, 0, 0, 1, 0, 0};
@@ -192,7 +192,7 @@ enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_m
         while (open && count < 6 && hatch_svg_number(&rest, &v[count]))
             count++;
         if (!open || !rest.length || *rest.at != ')' || !transform_of(name, v, count, &one))
-            return hatch_fail(err, HATCH_BAD_INPUT, "transform '%.*s' is not understood",
+            return hatch_fail(err, HATCH_BAD_INPUT, "transform '%.*s' is malformed or unknown",
                               (int)(text.length < 60 ? text.length : 60), text.at);
         advance(&rest, 1);
         made = hatch_svg_multiply(&made, &one);

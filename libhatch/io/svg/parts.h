@@ -1,4 +1,4 @@
-/* What the reader of SVG drawings is made of. Private to io/svg*. */
+/* Private to the SVG reader: parsing of values, computed style, and drawing of shapes. */
 #ifndef HATCH_IO_SVG_PARTS_H
 #define HATCH_IO_SVG_PARTS_H
 
@@ -8,110 +8,125 @@
 #include "io/svg/svg.h"
 #include "stroke/path.h"
 
-/* x' = a x + c y + e, y' = b x + d y + f, as SVG writes matrices. */
+/* x' = a x + c y + e, y' = b x + d y + f, as in SVG's matrix(). */
 struct hatch_svg_matrix {
     double a, b, c, d, e, f;
 };
 
-/* The place of (x, y) by m. */
-void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double place[2]);
+/* Transforms the point (x, y). */
+void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double point[2]);
 
-/* First inner, then outer. */
+/* Returns the transform that applies inner, then outer. */
 struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner);
 
-/* A transform attribute: translate, scale, rotate, skewX, skewY and matrix, any number of them. */
+/* Parses a transform attribute: any number of translate, scale, rotate, skewX, skewY and matrix. */
 enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Takes blanks, and one comma among them, off *rest. */
+/* Removes white space, with at most one comma, from the start of *rest. */
 void hatch_svg_skip(struct hatch_text *rest);
 
-/* Takes a number, with the blanks and the comma behind it, off *rest; false where there is none, or none
- * that is finite. */
+/* Removes a finite number, and the white space and comma after it, from the start of *rest; false when
+ * there is none. */
 bool hatch_svg_number(struct hatch_text *rest, double *number);
 
-/* The same for count numbers. */
+/* Removes count numbers. */
 bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers);
 
-/* A length in user units: a number with px, pt, pc, mm, cm, in, em, ex, or % of `whole`. */
+/* Parses a length: a number with px, pt, pc, mm, cm, in, em, ex, %, or no unit.
+ *   whole   length of 100 %, user units
+ *   length  out: user units */
 enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same for count at most, separated by blanks or commas; *count is how many there are. */
-enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t most, double *lengths,
+/* Parses lengths separated by white space or commas.
+ *   lengths  out: *count of them, at most max */
+enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t max, double *lengths,
                                     uint32_t *count, struct hatch_err *err) HATCH_MUST_USE;
 
+/* SERVER: a gradient or a pattern. */
 enum hatch_svg_paint { HATCH_SVG_NONE, HATCH_SVG_COLOR, HATCH_SVG_SERVER };
 
-/* What elements inherit, and what they are drawn in: the computed style. */
-struct hatch_svg_look {
+/* Computed style of an element. */
+struct hatch_svg_style {
     enum hatch_svg_paint stroke, fill;
-    float stroke_rgb[3], color_rgb[3]; /* linear; the second is what currentColor means */
+    float stroke_rgb[3], color_rgb[3]; /* linear; color_rgb: value of currentColor */
     double width;                      /* user units */
-    double stroke_opacity, opacity;    /* opacity: of all its groups */
-    double own_opacity;                /* the element's, which the groups' is multiplied by at last */
+    double stroke_opacity, opacity;    /* 0 .. 1; opacity: product with those of all groups around */
+    double own_opacity;                /* 0 .. 1; of the element alone */
     struct hatch_text dashes;          /* stroke-dasharray; empty: none */
     double dash_offset;                /* user units */
-    bool capped;                       /* lines have ends of their own: dots are seen */
+    bool capped;                       /* round or square caps: lines of length 0 are visible */
     bool hidden;                       /* display none or visibility hidden */
-    bool masked;                       /* by a filter, a mask or a clip */
-    struct hatch_svg_matrix matrix;    /* to the page */
+    bool masked;                       /* has a filter, a mask or a clip */
+    struct hatch_svg_matrix matrix;    /* from user units to tiles */
 };
 
-/* Puts one property ("stroke-width", "2mm") into the look; other names than those that it knows are passed
- * over. page: what per cents are of. */
+/* Applies a property ("stroke-width", "2mm") to a style; other properties are ignored.
+ *   page  side of the page in user units, for percentages */
 enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
-                                     struct hatch_svg_look *look, struct hatch_err *err) HATCH_MUST_USE;
+                                     struct hatch_svg_style *style, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same for a style attribute: "stroke:#000; stroke-width:2". */
-enum hatch_status hatch_svg_style(struct hatch_text declarations, double page, struct hatch_svg_look *look,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+/* Applies a list of declarations: "stroke:#000; stroke-width:2". */
+enum hatch_status hatch_svg_declarations(struct hatch_text declarations, double page, struct hatch_svg_style *style,
+                                         struct hatch_err *err) HATCH_MUST_USE;
 
-#define HATCH_SVG_DASHES_MAX 1000000u /* of a drawing */
+/* Receives a finished line, in tiles. */
+typedef enum hatch_status (*hatch_svg_finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);
 
-/* Cuts a line into its dashes, each of which goes to `finish`; a line without dashes goes there whole. scale: from
- * user units to those of the line; dash: a builder that is used for nothing else; *made counts them.
- * HATCH_BAD_INPUT for what is no list of lengths, HATCH_LIMIT beyond HATCH_SVG_DASHES_MAX. */
-enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look, double page,
-                                 double scale, struct hatch_path_builder *dash, uint32_t *made,
-                                 enum hatch_status (*finish)(void *context, struct hatch_path_builder *line,
-                                                             struct hatch_err *err),
-                                 void *context, struct hatch_err *err) HATCH_MUST_USE;
+#define HATCH_SVG_DASHES_MAX 1000000u /* per drawing */
 
-/* "#rgb", "#rrggbb", "rgb(1, 2, 3)", "rgb(1% 2% 3%)" or a name of CSS, as linear. */
-bool hatch_svg_color(struct hatch_text text, float rgb[3]);
-
-/* A line in user units on its way to the page. */
-struct hatch_svg_pen {
-    struct hatch_path_builder line; /* of the subpath, in tiles */
-    struct hatch_svg_matrix matrix; /* user units to tiles */
-    double x, y;                    /* where the pen is, user units */
-    /* Called for each finished subpath. */
-    enum hatch_status (*finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);
+/* Cuts the lines of a drawing into dashes. */
+struct hatch_svg_dasher {
+    struct hatch_path_builder dash; /* the dash being built */
+    uint32_t count;                 /* dashes so far */
+    hatch_svg_finish finish;        /* called for each dash */
     void *context;
 };
 
-/* Ends the line that there is, and begins one. */
+/* Cuts a line into dashes; a line without dashes is passed on unchanged.
+ *   page   side of the page in user units, for percentages
+ *   scale  tiles per user unit
+ * HATCH_BAD_INPUT for a malformed list of lengths; HATCH_LIMIT also above HATCH_SVG_DASHES_MAX. */
+enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct hatch_path_builder *line,
+                                 const struct hatch_svg_style *style, double page, double scale,
+                                 struct hatch_err *err) HATCH_MUST_USE;
+
+/* Parses a colour: "#rgb", "#rrggbb", "rgb(1, 2, 3)", "rgb(1% 2% 3%)" or a name of CSS.
+ *   rgb  out: linear */
+bool hatch_svg_color(struct hatch_text text, float rgb[3]);
+
+/* Draws subpaths given in user units. */
+struct hatch_svg_pen {
+    struct hatch_path_builder line; /* the current subpath, in tiles */
+    struct hatch_svg_matrix matrix; /* from user units to tiles */
+    double x, y;                    /* current point, user units */
+    hatch_svg_finish finish;        /* called for each subpath */
+    void *context;
+};
+
+/* Ends the current subpath and begins another. */
 enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
 enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
-/* xy: two control points and the end. */
+/* Adds a cubic Bézier curve.
+ *   xy  two control points and the end point */
 enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6], struct hatch_err *err) HATCH_MUST_USE;
-/* An elliptical arc, as the path command has it: radii, rotation in degrees, flags, end. */
+/* Adds an elliptical arc, with the arguments of the path command A. */
 enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg, bool large,
                                 bool sweep, const double end[2], struct hatch_err *err) HATCH_MUST_USE;
-/* Ends the line that there is, if there is one. */
+/* Ends the current subpath, if any. */
 enum hatch_status hatch_svg_end(struct hatch_svg_pen *pen, struct hatch_err *err) HATCH_MUST_USE;
 
-/* All of a path's data ("m 3,4 l 5,6"). */
+/* Draws path data ("m 3,4 l 5,6"). */
 enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *pen,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
-/* The value of an element's attribute, which has names and values in turn and ends with NULL; empty where
- * it has none. */
+/* Returns the value of an attribute; empty when absent.
+ *   attributes  names and values alternating, NULL-terminated */
 struct hatch_text hatch_svg_attribute(const char *const *attributes, const char *name);
 
-/* Draws a line, rect, circle, ellipse, polyline, polygon or path; *drawn is false for any other element. */
+/* Draws a line, rect, circle, ellipse, polyline, polygon or path; does nothing for other elements. */
 enum hatch_status hatch_svg_shape(const char *element, const char *const *attributes, double page,
-                                  struct hatch_svg_pen *pen, bool *drawn, struct hatch_err *err) HATCH_MUST_USE;
+                                  struct hatch_svg_pen *pen, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -1,4 +1,4 @@
-/* The pen and the grammar of path data. */
+/* The pen, and path data (SVG 2, section 9.3). */
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -16,12 +16,12 @@ enum hatch_status hatch_svg_end(struct hatch_svg_pen *pen, struct hatch_err *err
     return status;
 }
 
-/* The line's first point is set when something is drawn from it: a path may end with a move. */
+/* Adds the line's first point. Deferred from the move, since a path may end with a move. */
 static enum hatch_status begin_line(struct hatch_svg_pen *pen, struct hatch_err *err)
 {
-    double place[2];
-    hatch_svg_apply(&pen->matrix, pen->x, pen->y, place);
-    return pen->line.count ? HATCH_OK : hatch_path_line(&pen->line, place[0], place[1], err);
+    double point[2];
+    hatch_svg_apply(&pen->matrix, pen->x, pen->y, point);
+    return pen->line.count ? HATCH_OK : hatch_path_line(&pen->line, point[0], point[1], err);
 }
 
 enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err)
@@ -34,31 +34,31 @@ enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, 
 
 enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err)
 {
-    double place[2];
+    double point[2];
     HATCH_TRY(begin_line(pen, err));
-    hatch_svg_apply(&pen->matrix, x, y, place);
+    hatch_svg_apply(&pen->matrix, x, y, point);
     pen->x = x;
     pen->y = y;
-    return hatch_path_line(&pen->line, place[0], place[1], err);
+    return hatch_path_line(&pen->line, point[0], point[1], err);
 }
 
 enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6], struct hatch_err *err)
 {
-    double places[6];
+    double points[6];
     HATCH_TRY(begin_line(pen, err));
     for (int i = 0; i < 6; i += 2)
-        hatch_svg_apply(&pen->matrix, xy[i], xy[i + 1], places + i);
+        hatch_svg_apply(&pen->matrix, xy[i], xy[i + 1], points + i);
     pen->x = xy[4];
     pen->y = xy[5];
-    return hatch_path_cubic(&pen->line, places, err);
+    return hatch_path_cubic(&pen->line, points, err);
 }
 
-/* An ellipse's middle, from two points on it (SVG 2, appendix B.2.4). */
 struct ellipse {
-    double x, y, rx, ry, cosine, sine;
-    double from, sweep; /* angles on it, radians */
+    double x, y, rx, ry, cosine, sine; /* centre, radii, rotation */
+    double from, sweep;                /* start angle and signed extent of the arc, radians */
 };
 
+/* From end points to centre (SVG 2, appendix B.2.4). */
 static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const double radii[2], double rotation_deg,
                                       bool large, bool sweep, const double end[2])
 {
@@ -67,19 +67,19 @@ static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const dou
     e.sine = sin(rotation_deg * PI / 180);
     double dx = (pen->x - end[0]) / 2, dy = (pen->y - end[1]) / 2;
     double x = (e.cosine * dx + e.sine * dy) / e.rx, y = (e.cosine * dy - e.sine * dx) / e.ry;
-    double short_of = x * x + y * y;
-    if (short_of > 1) { /* radii that do not reach are scaled until they do */
-        e.rx *= sqrt(short_of);
-        e.ry *= sqrt(short_of);
-        x /= sqrt(short_of);
-        y /= sqrt(short_of);
-        short_of = 1;
+    double chord2 = x * x + y * y;
+    if (chord2 > 1) { /* radii that are too small are enlarged */
+        e.rx *= sqrt(chord2);
+        e.ry *= sqrt(chord2);
+        x /= sqrt(chord2);
+        y /= sqrt(chord2);
+        chord2 = 1;
     }
-    /* On the unit circle: (x, y) is half the chord, and the middle lies across it. */
-    double aside = short_of > 0 ? sqrt((1 - short_of) / short_of) : 0;
+    /* On the unit circle (x, y) is half the chord; the centre lies perpendicular to it. */
+    double distance = chord2 > 0 ? sqrt((1 - chord2) / chord2) : 0;
     if (large == sweep)
-        aside = -aside;
-    double mx = aside * y, my = -aside * x;
+        distance = -distance;
+    double mx = distance * y, my = -distance * x;
     e.x = e.cosine * mx * e.rx - e.sine * my * e.ry + (pen->x + end[0]) / 2;
     e.y = e.sine * mx * e.rx + e.cosine * my * e.ry + (pen->y + end[1]) / 2;
     e.from = atan2(y - my, x - mx);
@@ -91,10 +91,10 @@ static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const dou
     return e;
 }
 
-static void point_of(const struct ellipse *e, double x, double y, double *place)
+static void point_of(const struct ellipse *e, double x, double y, double *point)
 {
-    place[0] = e->x + e->cosine * e->rx * x - e->sine * e->ry * y;
-    place[1] = e->y + e->sine * e->rx * x + e->cosine * e->ry * y;
+    point[0] = e->x + e->cosine * e->rx * x - e->sine * e->ry * y;
+    point[1] = e->y + e->sine * e->rx * x + e->cosine * e->ry * y;
 }
 
 enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2], double rotation_deg, bool large,
@@ -119,12 +119,12 @@ enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2]
     return HATCH_OK;
 }
 
-/* Where the grammar stands. */
+/* State of reading path data. */
 struct reading {
     struct hatch_svg_pen *pen;
     double start[2];   /* of the subpath */
-    double control[2]; /* the last one of the command before, for S and T */
-    char last;         /* that command, upper case */
+    double control[2]; /* the previous command's last control point, for S and T */
+    char last;         /* the previous command, upper case; 0: none */
 };
 
 static enum hatch_status quadratic(struct reading *r, const double *v, struct hatch_err *err)
@@ -146,7 +146,8 @@ static enum hatch_status cubic(struct reading *r, const double *v, struct hatch_
     return hatch_svg_cubic(r->pen, v, err);
 }
 
-/* The last control point, mirrored at the pen; the pen where the command before was of another kind. */
+/* Reflects the previous control point at the current point; the current point itself when the previous
+ * command is not one of kinds. */
 static void mirror(const struct reading *r, const char *kinds, double *point)
 {
     bool smooth = r->last && strchr(kinds, r->last);
@@ -154,7 +155,7 @@ static void mirror(const struct reading *r, const char *kinds, double *point)
     point[1] = smooth ? 2 * r->pen->y - r->control[1] : r->pen->y;
 }
 
-/* One command with its numbers, in absolute places. */
+/* Draws a command with absolute coordinates. */
 static enum hatch_status draw(struct reading *r, char command, double *v, struct hatch_err *err)
 {
     struct hatch_svg_pen *pen = r->pen;
@@ -189,7 +190,7 @@ static enum hatch_status draw(struct reading *r, char command, double *v, struct
     }
 }
 
-/* The two flags of an arc may stand without anything between them: "0 01 3,4". */
+/* An arc's flags may follow each other without a separator: "0 01 3,4". */
 static bool take_flag(struct hatch_text *rest, double *flag)
 {
     if (!rest->length || (*rest->at != '0' && *rest->at != '1'))
@@ -209,7 +210,7 @@ static bool take_values(struct hatch_text *rest, char command, uint32_t count, d
            hatch_svg_numbers(rest, 2, v + 5);
 }
 
-/* Turns a relative command's numbers into absolute ones. */
+/* Makes a relative command's coordinates absolute. */
 static void make_absolute(const struct hatch_svg_pen *pen, char command, uint32_t count, double *v)
 {
     if (command == 'H' || command == 'V')
@@ -230,15 +231,15 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
     hatch_svg_skip(&rest);
     while (rest.length) {
         char first = *rest.at;
-        bool again = letter && first != 0 && strchr("+-.0123456789", first);
-        if (!again)
+        bool repeated = letter && first != 0 && strchr("+-.0123456789", first);
+        if (!repeated)
             letter = first;
         char upper = (char)(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
         const char *known = upper ? strchr(commands, upper) : NULL;
         size_t at = (size_t)(rest.at - data.at);
-        if (!known || (!r.last && upper != 'M') || (again && upper == 'Z'))
-            return hatch_fail(err, HATCH_BAD_INPUT, "path data: '%c' at character %zu", first, at + 1);
-        if (!again) {
+        if (!known || (!r.last && upper != 'M') || (repeated && upper == 'Z'))
+            return hatch_fail(err, HATCH_BAD_INPUT, "path data: unexpected '%c' at character %zu", first, at + 1);
+        if (!repeated) {
             rest.at++;
             rest.length--;
             hatch_svg_skip(&rest);
@@ -246,13 +247,13 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
         uint32_t count = (uint32_t)(counts[known - commands] - '0');
         double v[7] = {0};
         if (!take_values(&rest, upper, count, v))
-            return hatch_fail(err, HATCH_BAD_INPUT, "path data: a number is missing or wrong at character %zu",
+            return hatch_fail(err, HATCH_BAD_INPUT, "path data: a number is missing or malformed at character %zu",
                               (size_t)(rest.at - data.at) + 1);
         if (letter != upper)
             make_absolute(pen, upper, count, v);
         HATCH_TRY(draw(&r, upper, v, err));
         r.last = upper;
-        if (upper == 'M') /* more numbers are lines */
+        if (upper == 'M') /* further coordinates are lines */
             letter = letter == 'M' ? 'L' : 'l';
     }
     return hatch_svg_end(pen, err);

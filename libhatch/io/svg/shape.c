@@ -1,4 +1,4 @@
-/* The shapes that are no paths, as lines and arcs. */
+/* Basic shapes, drawn as lines and arcs (SVG 2, section 10). */
 #include <string.h>
 
 #include "io/svg/parts.h"
@@ -11,15 +11,15 @@ struct hatch_text hatch_svg_attribute(const char *const *attributes, const char 
     return (struct hatch_text){"", 0};
 }
 
-/* Lengths by name; those that are not there are 0. */
-static enum hatch_status read_lengths(const char *const *attributes, const char *const *named, uint32_t count,
+/* Reads lengths by attribute name; 0 when absent. */
+static enum hatch_status read_lengths(const char *const *attributes, const char *const *names, uint32_t count,
                                       double page, double *lengths, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < count; i++) {
-        struct hatch_text text = hatch_svg_attribute(attributes, named[i]);
+        struct hatch_text text = hatch_svg_attribute(attributes, names[i]);
         lengths[i] = 0;
         if (text.length && hatch_svg_length(text, page, &lengths[i], err) != HATCH_OK)
-            return hatch_fail_at(err, "%s: ", named[i]);
+            return hatch_fail_at(err, "%s: ", names[i]);
     }
     return HATCH_OK;
 }
@@ -27,9 +27,9 @@ static enum hatch_status read_lengths(const char *const *attributes, const char 
 static enum hatch_status draw_line(const char *const *attributes, double page, struct hatch_svg_pen *pen,
                                    struct hatch_err *err)
 {
-    static const char *const named[] = {"x1", "y1", "x2", "y2"};
+    static const char *const names[] = {"x1", "y1", "x2", "y2"};
     double v[4];
-    HATCH_TRY(read_lengths(attributes, named, 4, page, v, err));
+    HATCH_TRY(read_lengths(attributes, names, 4, page, v, err));
     HATCH_TRY(hatch_svg_move(pen, v[0], v[1], err));
     return hatch_svg_line(pen, v[2], v[3], err);
 }
@@ -48,22 +48,22 @@ static enum hatch_status draw_ellipse(double x, double y, double rx, double ry, 
 static enum hatch_status draw_circle(const char *const *attributes, double page, struct hatch_svg_pen *pen,
                                      struct hatch_err *err)
 {
-    static const char *const named[] = {"cx", "cy", "r"};
+    static const char *const names[] = {"cx", "cy", "r"};
     double v[3];
-    HATCH_TRY(read_lengths(attributes, named, 3, page, v, err));
+    HATCH_TRY(read_lengths(attributes, names, 3, page, v, err));
     return draw_ellipse(v[0], v[1], v[2], v[2], pen, err);
 }
 
-static enum hatch_status draw_oval(const char *const *attributes, double page, struct hatch_svg_pen *pen,
-                                   struct hatch_err *err)
+static enum hatch_status draw_ellipse_element(const char *const *attributes, double page, struct hatch_svg_pen *pen,
+                                              struct hatch_err *err)
 {
-    static const char *const named[] = {"cx", "cy", "rx", "ry"};
+    static const char *const names[] = {"cx", "cy", "rx", "ry"};
     double v[4];
-    HATCH_TRY(read_lengths(attributes, named, 4, page, v, err));
+    HATCH_TRY(read_lengths(attributes, names, 4, page, v, err));
     return draw_ellipse(v[0], v[1], v[2], v[3], pen, err);
 }
 
-/* From one corner's end to the next one's start, and around that corner. */
+/* A side to (to_x, to_y), and the rounded corner after it to (end_x, end_y). */
 static enum hatch_status draw_side(struct hatch_svg_pen *pen, const double radii[2], double to_x, double to_y,
                                    double end_x, double end_y, struct hatch_err *err)
 {
@@ -75,9 +75,9 @@ static enum hatch_status draw_side(struct hatch_svg_pen *pen, const double radii
 static enum hatch_status draw_rect(const char *const *attributes, double page, struct hatch_svg_pen *pen,
                                    struct hatch_err *err)
 {
-    static const char *const named[] = {"x", "y", "width", "height", "rx", "ry"};
+    static const char *const names[] = {"x", "y", "width", "height", "rx", "ry"};
     double v[6];
-    HATCH_TRY(read_lengths(attributes, named, 6, page, v, err));
+    HATCH_TRY(read_lengths(attributes, names, 6, page, v, err));
     double x = v[0], y = v[1], width = v[2], height = v[3];
     double radii[2] = {v[4] > 0 ? v[4] : v[5], v[5] > 0 ? v[5] : v[4]};
     if (!(width > 0 && height > 0))
@@ -100,7 +100,7 @@ static enum hatch_status draw_points(const char *const *attributes, bool closed,
     bool begun = false;
     for (hatch_svg_skip(&rest); rest.length; begun = true) {
         if (!hatch_svg_numbers(&rest, 2, point))
-            return hatch_fail(err, HATCH_BAD_INPUT, "points: a number is missing or wrong");
+            return hatch_fail(err, HATCH_BAD_INPUT, "points: a number is missing or malformed");
         if (!begun)
             memcpy(first, point, sizeof first);
         HATCH_TRY(begun ? hatch_svg_line(pen, point[0], point[1], err) : hatch_svg_move(pen, point[0], point[1], err));
@@ -109,9 +109,8 @@ static enum hatch_status draw_points(const char *const *attributes, bool closed,
 }
 
 enum hatch_status hatch_svg_shape(const char *element, const char *const *attributes, double page,
-                                  struct hatch_svg_pen *pen, bool *drawn, struct hatch_err *err)
+                                  struct hatch_svg_pen *pen, struct hatch_err *err)
 {
-    *drawn = true;
     if (strcmp(element, "path") == 0)
         HATCH_TRY(hatch_svg_path(hatch_svg_attribute(attributes, "d"), pen, err));
     else if (strcmp(element, "line") == 0)
@@ -121,10 +120,8 @@ enum hatch_status hatch_svg_shape(const char *element, const char *const *attrib
     else if (strcmp(element, "circle") == 0)
         HATCH_TRY(draw_circle(attributes, page, pen, err));
     else if (strcmp(element, "ellipse") == 0)
-        HATCH_TRY(draw_oval(attributes, page, pen, err));
+        HATCH_TRY(draw_ellipse_element(attributes, page, pen, err));
     else if (strcmp(element, "rect") == 0)
         HATCH_TRY(draw_rect(attributes, page, pen, err));
-    else
-        *drawn = false;
     return hatch_svg_end(pen, err);
 }

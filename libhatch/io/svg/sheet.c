@@ -1,10 +1,10 @@
-/* CSS 2.1, sections 4 and 5, as far as drawings need it. */
+/* CSS 2.1, sections 4 to 6, as far as drawings use them. */
 #include "io/svg/sheet.h"
 
 #include <string.h>
 
-#define WEIGHT_ID 10000u
-#define WEIGHT_CLASS 100u
+#define SPECIFICITY_ID 10000u
+#define SPECIFICITY_CLASS 100u
 
 static bool is_name(char c)
 {
@@ -24,7 +24,7 @@ static void skip_blanks(struct hatch_text *text)
         skip(text, 1);
 }
 
-/* The text with blanks in place of comments. */
+/* Replaces comments by spaces. */
 static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_arena *arena, struct hatch_err *err)
 {
     char *made = HATCH_NEW(arena, char, text->length, err);
@@ -45,7 +45,7 @@ static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_ar
     return HATCH_OK;
 }
 
-/* Takes what stands before the first of these characters off. */
+/* Removes and returns the text before the first of some characters. */
 static struct hatch_text take_until(struct hatch_text *text, const char *ends)
 {
     struct hatch_text taken = *text;
@@ -55,14 +55,15 @@ static struct hatch_text take_until(struct hatch_text *text, const char *ends)
     return taken;
 }
 
-static struct hatch_text without_blanks_behind(struct hatch_text text)
+static struct hatch_text without_trailing_blanks(struct hatch_text text)
 {
     while (text.length && strchr(" \t\r\n\f", text.at[text.length - 1]))
         text.length--;
     return text;
 }
 
-/* Takes a part off a selector: '.', '#' or 0 for an element's, and its name; false where there is none. */
+/* Removes a simple selector from the start: its name, and '.', '#' or 0 for an element; false when there is
+ * none. */
 static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text *name)
 {
     *kind = 0;
@@ -80,34 +81,34 @@ static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text
     return name->length > 0;
 }
 
-/* 0 where it is more than names joined. */
-static uint32_t weigh(struct hatch_text selector)
+/* Returns 0 for selectors with combinators or pseudo-classes. */
+static uint32_t specificity_of(struct hatch_text selector)
 {
-    uint32_t weight = 0;
+    uint32_t specificity = 0;
     char kind;
     struct hatch_text name;
     for (bool first = true; selector.length; first = false) {
         if (!take_part(&selector, &kind, &name) || (!kind && !first))
             return 0;
-        weight += kind == '#' ? WEIGHT_ID : kind == '.' ? WEIGHT_CLASS : 1;
+        specificity += kind == '#' ? SPECIFICITY_ID : kind == '.' ? SPECIFICITY_CLASS : 1;
     }
-    return weight;
+    return specificity;
 }
 
-/* Behind those of its weight: of two the later wins. */
+/* Inserts a rule after those of equal specificity, since later rules take precedence. */
 static enum hatch_status add_rule(struct hatch_svg_sheet *sheet, const struct hatch_svg_rule *rule,
                                   struct hatch_err *err)
 {
     if (sheet->count == HATCH_SVG_RULES_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "more than %u rules of style", HATCH_SVG_RULES_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "more than %u CSS rules", HATCH_SVG_RULES_MAX);
     uint32_t at = sheet->count++;
-    for (; at > 0 && sheet->rules[at - 1].weight > rule->weight; at--)
+    for (; at > 0 && sheet->rules[at - 1].specificity > rule->specificity; at--)
         sheet->rules[at] = sheet->rules[at - 1];
     sheet->rules[at] = *rule;
     return HATCH_OK;
 }
 
-/* A rule that begins with '@': up to its semicolon, or with all its braces. */
+/* Skips an at-rule, up to its semicolon or closing brace. */
 static void skip_at_rule(struct hatch_text *text)
 {
     uint32_t depth = 0;
@@ -129,12 +130,12 @@ static enum hatch_status read_rule(struct hatch_text *text, struct hatch_svg_she
     skip(text, text->length > 0);
     while (selectors.length) {
         skip_blanks(&selectors);
-        rule.selector = without_blanks_behind(take_until(&selectors, ","));
+        rule.selector = without_trailing_blanks(take_until(&selectors, ","));
         skip(&selectors, selectors.length > 0);
-        rule.weight = weigh(rule.selector);
-        if (rule.weight)
+        rule.specificity = specificity_of(rule.selector);
+        if (rule.specificity)
             HATCH_TRY(add_rule(sheet, &rule, err));
-        sheet->others += !rule.weight && rule.selector.length > 0;
+        sheet->others += !rule.specificity && rule.selector.length > 0;
     }
     return HATCH_OK;
 }
@@ -168,7 +169,7 @@ static bool has_class(struct hatch_text classes, struct hatch_text name)
     return false;
 }
 
-static bool fits(struct hatch_text selector, const char *element, struct hatch_text classes, struct hatch_text id)
+static bool matches(struct hatch_text selector, const char *element, struct hatch_text classes, struct hatch_text id)
 {
     char kind;
     struct hatch_text name;
@@ -183,12 +184,12 @@ static bool fits(struct hatch_text selector, const char *element, struct hatch_t
 }
 
 enum hatch_status hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element,
-                                        const char *const *attributes, double page, struct hatch_svg_look *look,
+                                        const char *const *attributes, double page, struct hatch_svg_style *style,
                                         struct hatch_err *err)
 {
     struct hatch_text classes = hatch_svg_attribute(attributes, "class"), id = hatch_svg_attribute(attributes, "id");
     for (uint32_t i = 0; i < sheet->count; i++)
-        if (fits(sheet->rules[i].selector, element, classes, id))
-            HATCH_TRY(hatch_svg_style(sheet->rules[i].declarations, page, look, err));
+        if (matches(sheet->rules[i].selector, element, classes, id))
+            HATCH_TRY(hatch_svg_declarations(sheet->rules[i].declarations, page, style, err));
     return HATCH_OK;
 }

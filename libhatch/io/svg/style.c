@@ -1,4 +1,4 @@
-/* What an element is drawn in: its attributes and its style. */
+/* Presentation attributes and style declarations. */
 #include <string.h>
 
 #include "io/svg/parts.h"
@@ -16,12 +16,13 @@ static struct hatch_text trimmed(struct hatch_text text)
 
 static enum hatch_status bad_value(struct hatch_text name, struct hatch_text value, struct hatch_err *err)
 {
-    return hatch_fail(err, HATCH_BAD_INPUT, "%.*s '%.*s' is not understood", (int)name.length, name.at,
+    return hatch_fail(err, HATCH_BAD_INPUT, "%.*s '%.*s' is malformed or unknown", (int)name.length, name.at,
                       (int)(value.length < 40 ? value.length : 40), value.at);
 }
 
-static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value, const struct hatch_svg_look *look,
-                                    enum hatch_svg_paint *paint, float *rgb, struct hatch_err *err)
+static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value,
+                                    const struct hatch_svg_style *style, enum hatch_svg_paint *paint, float *rgb,
+                                    struct hatch_err *err)
 {
     if (hatch_text_is(value, "none") || hatch_text_is(value, "transparent")) {
         *paint = HATCH_SVG_NONE;
@@ -29,7 +30,7 @@ static enum hatch_status read_paint(struct hatch_text name, struct hatch_text va
         *paint = HATCH_SVG_SERVER;
     } else if (hatch_text_is(value, "currentColor") || hatch_text_is(value, "currentcolor")) {
         *paint = HATCH_SVG_COLOR;
-        memcpy(rgb, look->color_rgb, 3 * sizeof *rgb);
+        memcpy(rgb, style->color_rgb, 3 * sizeof *rgb);
     } else if (hatch_svg_color(value, rgb)) {
         *paint = HATCH_SVG_COLOR;
     } else {
@@ -38,26 +39,26 @@ static enum hatch_status read_paint(struct hatch_text name, struct hatch_text va
     return HATCH_OK;
 }
 
-static enum hatch_status read_share(struct hatch_text name, struct hatch_text value, double *share,
-                                    struct hatch_err *err)
+static enum hatch_status read_opacity(struct hatch_text name, struct hatch_text value, double *opacity,
+                                      struct hatch_err *err)
 {
     struct hatch_text rest = value;
     double number;
     if (!hatch_svg_number(&rest, &number) || (rest.length && !hatch_text_is(rest, "%")))
         return bad_value(name, value, err);
     number /= rest.length ? 100 : 1;
-    *share = number > 0 ? number < 1 ? number : 1 : 0;
+    *opacity = number > 0 ? number < 1 ? number : 1 : 0;
     return HATCH_OK;
 }
 
-static enum hatch_status read_width(struct hatch_text value, double page, struct hatch_svg_look *look,
+static enum hatch_status read_width(struct hatch_text value, double page, struct hatch_svg_style *style,
                                     struct hatch_err *err)
 {
     double width;
     HATCH_TRY(hatch_svg_length(value, page, &width, err));
     if (!(width >= 0))
         return hatch_fail(err, HATCH_BAD_INPUT, "stroke-width %g is negative", width);
-    look->width = width;
+    style->width = width;
     return HATCH_OK;
 }
 
@@ -67,7 +68,7 @@ static bool is_none(struct hatch_text value)
 }
 
 enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
-                                     struct hatch_svg_look *look, struct hatch_err *err)
+                                     struct hatch_svg_style *style, struct hatch_err *err)
 {
     float ignored[3];
     value = trimmed(value);
@@ -76,47 +77,47 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
     if (value.length == 0 || hatch_text_is(value, "inherit"))
         return HATCH_OK;
     if (hatch_text_is(name, "stroke"))
-        return read_paint(name, value, look, &look->stroke, look->stroke_rgb, err);
+        return read_paint(name, value, style, &style->stroke, style->stroke_rgb, err);
     if (hatch_text_is(name, "fill"))
-        return read_paint(name, value, look, &look->fill, ignored, err);
+        return read_paint(name, value, style, &style->fill, ignored, err);
     if (hatch_text_is(name, "color"))
-        return hatch_svg_color(value, look->color_rgb) ? HATCH_OK : bad_value(name, value, err);
+        return hatch_svg_color(value, style->color_rgb) ? HATCH_OK : bad_value(name, value, err);
     if (hatch_text_is(name, "stroke-width"))
-        return read_width(value, page, look, err);
+        return read_width(value, page, style, err);
     if (hatch_text_is(name, "stroke-opacity"))
-        return read_share(name, value, &look->stroke_opacity, err);
+        return read_opacity(name, value, &style->stroke_opacity, err);
     if (hatch_text_is(name, "opacity"))
-        return read_share(name, value, &look->own_opacity, err);
+        return read_opacity(name, value, &style->own_opacity, err);
     if (hatch_text_is(name, "stroke-dasharray"))
-        look->dashes = is_none(value) ? (struct hatch_text){"", 0} : value;
+        style->dashes = is_none(value) ? (struct hatch_text){"", 0} : value;
     if (hatch_text_is(name, "stroke-dashoffset"))
-        return hatch_svg_length(value, page, &look->dash_offset, err);
+        return hatch_svg_length(value, page, &style->dash_offset, err);
     if (hatch_text_is(name, "stroke-linecap"))
-        look->capped = !hatch_text_is(value, "butt");
+        style->capped = !hatch_text_is(value, "butt");
     if (hatch_text_is(name, "display"))
-        look->hidden |= is_none(value);
+        style->hidden |= is_none(value);
     if (hatch_text_is(name, "visibility"))
-        look->hidden |= hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
+        style->hidden |= hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
     if (hatch_text_is(name, "filter") || hatch_text_is(name, "mask") || hatch_text_is(name, "clip-path"))
-        look->masked |= !is_none(value);
+        style->masked |= !is_none(value);
     return HATCH_OK;
 }
 
-enum hatch_status hatch_svg_style(struct hatch_text rest, double page, struct hatch_svg_look *look,
-                                  struct hatch_err *err)
+enum hatch_status hatch_svg_declarations(struct hatch_text rest, double page, struct hatch_svg_style *style,
+                                         struct hatch_err *err)
 {
     while (rest.length) {
         const char *end = memchr(rest.at, ';', rest.length);
-        struct hatch_text one = {rest.at, end ? (size_t)(end - rest.at) : rest.length};
-        size_t passed = one.length + (end != NULL);
+        struct hatch_text declaration = {rest.at, end ? (size_t)(end - rest.at) : rest.length};
+        size_t passed = declaration.length + (end != NULL);
         rest = (struct hatch_text){rest.at + passed, rest.length - passed};
-        const char *colon = one.length ? memchr(one.at, ':', one.length) : NULL;
+        const char *colon = declaration.length ? memchr(declaration.at, ':', declaration.length) : NULL;
         if (!colon)
             continue;
-        size_t before = (size_t)(colon - one.at);
-        struct hatch_text name = trimmed((struct hatch_text){one.at, before});
-        struct hatch_text value = {colon + 1, one.length - before - 1};
-        HATCH_TRY(hatch_svg_property(name, value, page, look, err));
+        size_t name_length = (size_t)(colon - declaration.at);
+        struct hatch_text name = trimmed((struct hatch_text){declaration.at, name_length});
+        struct hatch_text value = {colon + 1, declaration.length - name_length - 1};
+        HATCH_TRY(hatch_svg_property(name, value, page, style, err));
     }
     return HATCH_OK;
 }

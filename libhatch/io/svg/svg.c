@@ -8,25 +8,24 @@
 #include "io/svg/tree.h"
 
 #define PAGE_MAX 1e6
-#define NOT_SQUARE 1e-3
+#define ASPECT_TOLERANCE 1e-3
 #define TOLERANCE_PX 0.05
-#define WIDTH_SHARE_MAX 0.25 /* of the page */
+#define WIDTH_MAX 0.25 /* tiles */
 
-/* A drawing while its elements are drawn. */
+/* State of drawing a tree. */
 struct drawing {
     uint32_t size_px;
     struct hatch_arena *arena;
     struct hatch_svg_tree tree;
     struct hatch_svg_sheet sheet;
-    struct hatch_svg_look *looks; /* of the elements that the drawing is in, by depth from 1 on */
+    struct hatch_svg_style *styles; /* styles of the elements around, by depth; 0: the initial one */
     uint32_t depth;
-    double page; /* user units */
+    double page; /* side, user units */
     struct hatch_svg_pen pen;
-    struct hatch_path_builder dash;
-    uint32_t dash_count;
+    struct hatch_svg_dasher dasher;
     struct hatch_stroke_list strokes;
     struct hatch_svg_notes notes;
-    bool told; /* where a fault lies is in its sentence */
+    bool located; /* the error message has its line */
 };
 
 bool hatch_svg_is(struct hatch_bytes file)
@@ -48,7 +47,8 @@ static bool is_any(const char *name, const char *const *list)
     return false;
 }
 
-static double root_of_area(const struct hatch_svg_matrix *m)
+/* Mean scale of a matrix. */
+static double scale_of(const struct hatch_svg_matrix *m)
 {
     return sqrt(fabs(m->a * m->d - m->b * m->c));
 }
@@ -65,60 +65,59 @@ static bool is_outside(const struct hatch_path_builder *line, double margin)
     return left || right || above || below;
 }
 
-/* A line of the tile becomes a stroke. */
+/* Adds a line as a stroke. */
 static enum hatch_status add_stroke(void *context, struct hatch_path_builder *line, struct hatch_err *err)
 {
     struct drawing *d = context;
-    const struct hatch_svg_look *look = &d->looks[d->depth];
-    double width = look->width * root_of_area(&look->matrix);
+    const struct hatch_svg_style *style = &d->styles[d->depth];
+    double width = style->width * scale_of(&style->matrix);
     float width_px = (float)(width * d->size_px);
-    if (!(width_px > 0) || (line->count == 1 && !look->capped))
+    if (!(width_px > 0) || (line->count == 1 && !style->capped))
         return HATCH_OK;
-    if (!(width <= WIDTH_SHARE_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke %g of the page wide, want %g at most", width,
-                          WIDTH_SHARE_MAX);
+    if (!(width <= WIDTH_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke as wide as %g of the page, want at most %g", width,
+                          WIDTH_MAX);
     if (is_outside(line, width / 2)) {
         d->notes.outside++;
         return HATCH_OK;
     }
     struct hatch_stroke stroke = {.width_px = width_px,
-                                  .tone = (float)(look->stroke_opacity * look->opacity),
+                                  .tone = (float)(style->stroke_opacity * style->opacity),
                                   .id = d->strokes.count + 1,
                                   .texture_seed = d->strokes.count + 1};
-    memcpy(stroke.rgb, look->stroke_rgb, sizeof stroke.rgb);
+    memcpy(stroke.rgb, style->stroke_rgb, sizeof stroke.rgb);
     HATCH_TRY(hatch_path_finish(line, d->arena, &stroke, err));
     d->notes.strokes++;
     return hatch_stroke_list_add(&d->strokes, d->arena, &stroke, err);
 }
 
-/* A subpath becomes a stroke, or one for each of its dashes. */
+/* Adds a subpath as a stroke, or each of its dashes as one. */
 static enum hatch_status add_line(void *context, struct hatch_path_builder *line, struct hatch_err *err)
 {
     struct drawing *d = context;
-    const struct hatch_svg_look *look = &d->looks[d->depth];
-    return hatch_svg_dash(line, look, d->page, root_of_area(&look->matrix), &d->dash, &d->dash_count, add_stroke, d,
-                          err);
+    const struct hatch_svg_style *style = &d->styles[d->depth];
+    return hatch_svg_dash(&d->dasher, line, style, d->page, scale_of(&style->matrix), err);
 }
 
-/* The group's look, changed by the element's attributes, then by style sheets, then by its own style. */
-static enum hatch_status look_at(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+/* Computes an element's style: the parent's, then attributes, style sheets, and the style attribute. */
+static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
-    struct hatch_svg_look *look = &d->looks[d->depth];
+    struct hatch_svg_style *style = &d->styles[d->depth];
     const char *const *attributes = node->attributes;
     struct hatch_svg_matrix own;
-    *look = d->looks[d->depth - 1];
-    look->own_opacity = 1;
+    *style = d->styles[d->depth - 1];
+    style->own_opacity = 1;
     for (const char *const *a = attributes; *a; a += 2)
         HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])}, (struct hatch_text){a[1], strlen(a[1])},
-                                     d->page, look, err));
-    HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, look, err));
-    HATCH_TRY(hatch_svg_style(hatch_svg_attribute(attributes, "style"), d->page, look, err));
-    look->opacity *= look->own_opacity;
+                                     d->page, style, err));
+    HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, style, err));
+    HATCH_TRY(hatch_svg_declarations(hatch_svg_attribute(attributes, "style"), d->page, style, err));
+    style->opacity *= style->own_opacity;
     struct hatch_text transform = hatch_svg_attribute(attributes, "transform");
     if (transform.length == 0)
         return HATCH_OK;
     HATCH_TRY(hatch_svg_transform(transform, &own, err));
-    look->matrix = hatch_svg_multiply(&look->matrix, &own);
+    style->matrix = hatch_svg_multiply(&style->matrix, &own);
     return HATCH_OK;
 }
 
@@ -127,31 +126,32 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
     double box[4] = {0, 0, 100, 100};
     struct hatch_text view = hatch_svg_attribute(attributes, "viewBox");
     struct hatch_text size[2] = {hatch_svg_attribute(attributes, "width"), hatch_svg_attribute(attributes, "height")};
-    bool viewed = view.length > 0;
+    bool has_view = view.length > 0;
     hatch_svg_skip(&view);
-    if (viewed && !hatch_svg_numbers(&view, 4, box))
+    if (has_view && !hatch_svg_numbers(&view, 4, box))
         return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers");
-    for (int axis = 0; axis < 2 && !viewed; axis++)
+    for (int axis = 0; axis < 2 && !has_view; axis++)
         if (size[axis].length)
             HATCH_TRY(hatch_svg_length(size[axis], 100, &box[2 + axis], err));
     if (!(box[2] > 0 && box[3] > 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g", box[2], box[3]);
+        return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g, want a positive size", box[2], box[3]);
     if (box[2] > PAGE_MAX || box[3] > PAGE_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a page of %g x %g units, want %g at most", box[2], box[3], PAGE_MAX);
-    if (fabs(box[2] - box[3]) > NOT_SQUARE * fmax(box[2], box[3]))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a page of %g x %g, but a tile is a square", box[2], box[3]);
+        return hatch_fail(err, HATCH_LIMIT, "a page of %g x %g units, want at most %g", box[2], box[3], PAGE_MAX);
+    if (fabs(box[2] - box[3]) > ASPECT_TOLERANCE * fmax(box[2], box[3]))
+        return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g, want a square", box[2], box[3]);
     d->page = box[2];
-    d->looks[0] = (struct hatch_svg_look){.fill = HATCH_SVG_COLOR,
-                                          .width = 1,
-                                          .stroke_opacity = 1,
-                                          .opacity = 1,
-                                          .dashes = {"", 0},
-                                          .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
+    d->styles[0] =
+        (struct hatch_svg_style){.fill = HATCH_SVG_COLOR,
+                                 .width = 1,
+                                 .stroke_opacity = 1,
+                                 .opacity = 1,
+                                 .dashes = {"", 0},
+                                 .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
     return HATCH_OK;
 }
 
-/* What is no shape and no group. */
-static void pass_over(struct drawing *d, const char *element)
+/* Counts an element that is neither a shape nor a group. */
+static void count_ignored(struct drawing *d, const char *element)
 {
     static const char *const silent[] = {"defs",           "symbol",         "clipPath", "mask",      "marker",
                                          "style",          "pattern",        "title",    "desc",      "metadata",
@@ -165,27 +165,26 @@ static void pass_over(struct drawing *d, const char *element)
         d->notes.others++;
 }
 
-/* Draws the element if it is a shape that is stroked. */
+/* Draws an element if it is a stroked shape. */
 static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const shapes[] = {"path", "line", "polyline", "polygon", "circle", "ellipse", "rect", NULL};
-    const struct hatch_svg_look *look = &d->looks[d->depth];
-    bool drawn;
+    const struct hatch_svg_style *style = &d->styles[d->depth];
     if (!is_any(node->name, shapes)) {
-        pass_over(d, node->name);
+        count_ignored(d, node->name);
         return HATCH_OK;
     }
-    if (look->hidden)
+    if (style->hidden)
         return HATCH_OK;
-    d->notes.fills += look->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
-    d->notes.gradients += look->stroke == HATCH_SVG_SERVER;
-    if (look->stroke != HATCH_SVG_COLOR || !(look->stroke_opacity * look->opacity > 0))
+    d->notes.fills += style->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
+    d->notes.gradients += style->stroke == HATCH_SVG_SERVER;
+    if (style->stroke != HATCH_SVG_COLOR || !(style->stroke_opacity * style->opacity > 0))
         return HATCH_OK;
-    d->notes.others += look->masked;
-    d->pen.matrix = look->matrix;
+    d->notes.others += style->masked;
+    d->pen.matrix = style->matrix;
     d->pen.x = d->pen.y = 0;
     d->pen.line.count = 0;
-    return hatch_svg_shape(node->name, node->attributes, d->page, &d->pen, &drawn, err);
+    return hatch_svg_shape(node->name, node->attributes, d->page, &d->pen, err);
 }
 
 static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err);
@@ -198,7 +197,7 @@ static enum hatch_status draw_content(struct drawing *d, const struct hatch_svg_
     return status;
 }
 
-/* A symbol's page, if it has one, becomes what the clone asks for, in the middle of it; else nothing changes. */
+/* Fits a symbol's viewBox, if any, into the clone's width and height, centred. */
 static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_node *clone,
                                     const struct hatch_svg_node *symbol, struct hatch_err *err)
 {
@@ -209,7 +208,7 @@ static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_no
     if (view.length == 0)
         return HATCH_OK;
     if (!hatch_svg_numbers(&view, 4, box) || !(box[2] > 0 && box[3] > 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers, and a size");
+        return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers and a positive size");
     for (int axis = 0; axis < 2; axis++) {
         struct hatch_text text = hatch_svg_attribute(clone->attributes, sides[axis]);
         if (text.length == 0)
@@ -220,53 +219,54 @@ static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_no
     double scale = fmin(size[0] / box[2], size[1] / box[3]);
     struct hatch_svg_matrix fit = {
         scale, 0, 0, scale, size[0] / 2 - scale * (box[0] + box[2] / 2), size[1] / 2 - scale * (box[1] + box[3] / 2)};
-    struct hatch_svg_look *look = &d->looks[d->depth];
-    look->matrix = hatch_svg_multiply(&look->matrix, &fit);
+    struct hatch_svg_style *style = &d->styles[d->depth];
+    style->matrix = hatch_svg_multiply(&style->matrix, &fit);
     return HATCH_OK;
 }
 
-/* The element that a clone names, at the clone's place and in its look. The tree has no clones that never end. */
+/* Draws the referenced element at the clone's position and in its style. Recursion ends: the tree was checked
+ * for clones of themselves. */
 static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const axes[] = {"x", "y"};
     struct hatch_text href = hatch_svg_href(node);
-    const struct hatch_svg_node *named = hatch_svg_find(&d->tree, href);
-    struct hatch_svg_look *look = &d->looks[d->depth];
+    const struct hatch_svg_node *original = hatch_svg_find(&d->tree, href);
+    struct hatch_svg_style *style = &d->styles[d->depth];
     double at[2] = {0, 0};
     if (href.length && *href.at != '#')
-        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not opened",
+        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not read",
                           (int)(href.length < 60 ? href.length : 60), href.at);
-    d->notes.others += !named;
+    d->notes.others += !original;
     for (int axis = 0; axis < 2; axis++) {
         struct hatch_text text = hatch_svg_attribute(node->attributes, axes[axis]);
         if (text.length && hatch_svg_length(text, d->page, &at[axis], err) != HATCH_OK)
             return hatch_fail_at(err, "%s: ", axes[axis]);
     }
     struct hatch_svg_matrix moved = {1, 0, 0, 1, at[0], at[1]};
-    look->matrix = hatch_svg_multiply(&look->matrix, &moved);
-    if (!named)
+    style->matrix = hatch_svg_multiply(&style->matrix, &moved);
+    if (!original)
         return HATCH_OK;
-    if (strcmp(named->name, "symbol") != 0)
-        return draw_element(d, named, err);
+    if (strcmp(original->name, "symbol") != 0)
+        return draw_element(d, original, err);
     d->depth++;
-    HATCH_TRY(look_at(d, named, err));
-    HATCH_TRY(fit_symbol(d, node, named, err));
-    HATCH_TRY(draw_content(d, named, err));
+    HATCH_TRY(compute_style(d, original, err));
+    HATCH_TRY(fit_symbol(d, node, original, err));
+    HATCH_TRY(draw_content(d, original, err));
     d->depth--;
     return HATCH_OK;
 }
 
-/* No deeper than HATCH_SVG_DEPTH_MAX: the tree says so. */
+/* Recurses HATCH_SVG_DEPTH_MAX levels at most: the tree was checked. */
 static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const groups[] = {"g", "a", "switch", NULL};
     enum hatch_status status;
     if (strchr(node->name, ':')) {
-        pass_over(d, node->name);
+        count_ignored(d, node->name);
         return HATCH_OK;
     }
     d->depth++;
-    status = look_at(d, node, err);
+    status = compute_style(d, node, err);
     if (status == HATCH_OK && (node == d->tree.root || is_any(node->name, groups)))
         status = draw_content(d, node, err);
     else if (status == HATCH_OK && strcmp(node->name, "use") == 0)
@@ -274,8 +274,8 @@ static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_
     else if (status == HATCH_OK)
         status = draw(d, node, err);
     d->depth--;
-    if (status != HATCH_OK && !d->told) {
-        d->told = true;
+    if (status != HATCH_OK && !d->located) {
+        d->located = true;
         return hatch_fail_at(err, "line %u: ", node->line);
     }
     return status;
@@ -288,8 +288,8 @@ static enum hatch_status read_drawing(struct drawing *d, struct hatch_bytes file
     struct hatch_text sheet = {(const char *)d->tree.sheet.data, d->tree.sheet.size};
     HATCH_TRY(hatch_svg_sheet_read(sheet, scratch, &d->sheet, err));
     d->notes.others = d->tree.others + d->sheet.others;
-    d->looks = HATCH_NEW(scratch, struct hatch_svg_look, HATCH_SVG_DEPTH_MAX + 2, err);
-    if (!d->looks)
+    d->styles = HATCH_NEW(scratch, struct hatch_svg_style, HATCH_SVG_DEPTH_MAX + 2, err);
+    if (!d->styles)
         return HATCH_LIMIT;
     if (read_page(d, d->tree.root->attributes, err) != HATCH_OK)
         return hatch_fail_at(err, "line %u: ", d->tree.root->line);
@@ -302,7 +302,8 @@ enum hatch_status hatch_svg_read(struct hatch_bytes file, uint32_t size_px, stru
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     const struct hatch_path_builder line = {.arena = scratch, .tolerance = TOLERANCE_PX / size_px};
-    struct drawing d = {.size_px = size_px, .arena = arena, .dash = line};
+    struct drawing d = {.size_px = size_px, .arena = arena};
+    d.dasher = (struct hatch_svg_dasher){.dash = line, .finish = add_stroke, .context = &d};
     d.pen = (struct hatch_svg_pen){.line = line, .finish = add_line, .context = &d};
     enum hatch_status status = read_drawing(&d, file, scratch, err);
     hatch_arena_rewind(scratch, mark);

@@ -1,37 +1,38 @@
-/* Drawings in SVG, by expat: the strokes of its paths in drawing order. */
-#ifndef HATCH_IO_SVG_H
-#define HATCH_IO_SVG_H
+/* Reads SVG drawings by expat: the strokes of their shapes, in drawing order. */
+#ifndef HATCH_IO_SVG_SVG_H
+#define HATCH_IO_SVG_SVG_H
 
 #include <stdbool.h>
 
 #include "base/bytes.h"
 #include "stroke/stroke.h"
 
-/* What was passed over, counted. */
+/* Counts of a drawing's contents; all but strokes was ignored. */
 struct hatch_svg_notes {
-    uint32_t strokes; /* made */
-    uint32_t outside; /* strokes that lie beyond the page altogether */
-    uint32_t fills;   /* shapes that are filled, stroked or not */
-    uint32_t texts;
-    uint32_t images;
-    uint32_t gradients; /* strokes of a gradient or a pattern */
-    uint32_t others;    /* style sheets elsewhere, rules that are not understood,
-                           clones of nothing, filters, masks and clips */
+    uint32_t strokes;   /* read */
+    uint32_t outside;   /* strokes entirely outside the page */
+    uint32_t fills;     /* filled shapes, stroked or not */
+    uint32_t texts;     /* text elements */
+    uint32_t images;    /* image elements */
+    uint32_t gradients; /* strokes painted with a gradient or a pattern */
+    uint32_t others;    /* external style sheets, CSS rules not understood, clones of
+                           missing elements, filters, masks, clips */
 };
 
-/* Whether the file looks like XML rather than a table. */
+/* True when a file looks like XML. */
 bool hatch_svg_is(struct hatch_bytes file);
 
-/* The page (the viewBox, or else width and height) becomes the tile; it must be a square. A stroke's
- * colour becomes linear, its opacity (its own, its shape's and its groups') its tone, its width pixels of
- * size_px; its line is flattened to a twentieth of such a pixel, and wraps where it leaves the page. ids
- * count from 1 in drawing order. Subpaths, and dashes, are strokes of their own. Style sheets in the file are
- * read: rules for elements, classes and ids. Clones (<use>) draw what they name again.
- * Nothing outside the file is ever opened: an external entity, and a clone of another file's shape, are
- * refused. HATCH_BAD_INPUT with the line for XML that is not well-formed, no SVG, a number or a path that is
- * malformed, elements nested deeper than 256 with clones, clones of themselves, entities that name entities, a
- * page that is no square. HATCH_LIMIT for a page of more than a million units, a million elements by clones or
- * dashes, and when arena or scratch is too small. */
+/* Reads the strokes of a drawing. The page (viewBox, else width and height) becomes the tile. Each subpath,
+ * and each dash, becomes a stroke: its colour linear, its tone the product of all opacities, its line
+ * flattened to 1/20 pixel and wrapped at the page's borders; ids count from 1 in drawing order. <style>
+ * elements are applied (rules for elements, classes and ids), clones (<use>) are drawn. No other file is
+ * opened.
+ *   size_px  side of the tile, for stroke widths
+ *   strokes  out: in arena
+ * HATCH_BAD_INPUT with the line for malformed XML, numbers and paths, a page that is not square, elements
+ * nested deeper than 256 (clones included), clones of themselves or of other files' elements, entities made
+ * of entities or external; HATCH_LIMIT also for a page of over 10^6 units, 10^6 elements by clones, 10^6
+ * dashes. */
 enum hatch_status hatch_svg_read(struct hatch_bytes file, uint32_t size_px, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_stroke_list *strokes,
                                  struct hatch_svg_notes *notes, struct hatch_err *err) HATCH_MUST_USE;

@@ -1,6 +1,6 @@
 #include "io/svg/tree.h"
 
-#define XML_DTD /* or expat's header hides its limits on entities */
+#define XML_DTD /* expat's header declares its limits on entities only then */
 #include <expat.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -8,136 +8,137 @@
 
 #include "io/svg/parts.h"
 
-#define GROWTH_MAX 4           /* of a file by its entities, */
-#define GROWTH_BYTES_MIN 65536 /* from that size on */
+/* Limit of the growth of a file when entities are expanded, for expanded sizes from so many bytes on. */
+#define GROWTH_MAX 4
+#define GROWTH_BYTES_MIN 65536
 
-/* A tree while expat reads it. */
-struct growth {
+/* State of reading a tree by expat. */
+struct reading {
     XML_Parser parser;
     struct hatch_arena *arena;
     struct hatch_svg_tree tree;
-    struct hatch_svg_node *open; /* the innermost one, or NULL */
+    struct hatch_svg_node *open; /* the innermost open element, or NULL */
     uint32_t depth;
     enum hatch_status status;
     struct hatch_err *err;
 };
 
-/* Nothing that expat still says counts. */
-static void stop(struct growth *g, enum hatch_status status)
+/* Stops the parser after a failure; later callbacks are ignored. */
+static void stop(struct reading *r, enum hatch_status status)
 {
-    if (status == HATCH_OK || g->status != HATCH_OK)
+    if (status == HATCH_OK || r->status != HATCH_OK)
         return;
-    g->status = hatch_fail_at(g->err, "line %lu: ", (unsigned long)XML_GetCurrentLineNumber(g->parser));
-    XML_StopParser(g->parser, XML_FALSE);
+    r->status = hatch_fail_at(r->err, "line %lu: ", (unsigned long)XML_GetCurrentLineNumber(r->parser));
+    XML_StopParser(r->parser, XML_FALSE);
 }
 
-static const char *keep_text(struct growth *g, const char *text)
+static const char *keep_text(struct reading *r, const char *text)
 {
-    return hatch_arena_text(g->arena, text, strlen(text), g->err);
+    return hatch_arena_text(r->arena, text, strlen(text), r->err);
 }
 
-static const char *const *keep_attributes(struct growth *g, const char *const *attributes)
+static const char *const *keep_attributes(struct reading *r, const char *const *attributes)
 {
     size_t count = 0;
     while (attributes[count])
         count++;
-    const char **kept = HATCH_NEW(g->arena, const char *, count + 1, g->err);
+    const char **kept = HATCH_NEW(r->arena, const char *, count + 1, r->err);
     for (size_t i = 0; kept && i < count; i++)
-        if (!(kept[i] = keep_text(g, attributes[i])))
+        if (!(kept[i] = keep_text(r, attributes[i])))
             return NULL;
     return kept;
 }
 
-static enum hatch_status open_element(struct growth *g, const char *name, const char *const *attributes)
+static enum hatch_status open_element(struct reading *r, const char *name, const char *const *attributes)
 {
-    if (g->depth == HATCH_SVG_DEPTH_MAX)
-        return hatch_fail(g->err, HATCH_BAD_INPUT, "elements nested deeper than %u", HATCH_SVG_DEPTH_MAX);
+    if (r->depth == HATCH_SVG_DEPTH_MAX)
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "elements nested deeper than %u", HATCH_SVG_DEPTH_MAX);
     if (strncmp(name, "svg:", 4) == 0)
         name += 4;
-    if (g->depth == 0 && strcmp(name, "svg") != 0)
-        return hatch_fail(g->err, HATCH_BAD_INPUT, "'%.40s' where <svg> must stand", name);
-    struct hatch_svg_node *node = HATCH_NEW(g->arena, struct hatch_svg_node, 1, g->err);
-    if (!node || !(node->name = keep_text(g, name)) || !(node->attributes = keep_attributes(g, attributes)))
+    if (r->depth == 0 && strcmp(name, "svg") != 0)
+        return hatch_fail(r->err, HATCH_BAD_INPUT, "the root element is <%.40s>, want <svg>", name);
+    struct hatch_svg_node *node = HATCH_NEW(r->arena, struct hatch_svg_node, 1, r->err);
+    if (!node || !(node->name = keep_text(r, name)) || !(node->attributes = keep_attributes(r, attributes)))
         return HATCH_LIMIT;
-    node->line = (uint32_t)XML_GetCurrentLineNumber(g->parser);
-    node->parent = g->open;
-    if (!g->open)
-        g->tree.root = node;
-    else if (g->open->last)
-        g->open->last->next = node;
+    node->line = (uint32_t)XML_GetCurrentLineNumber(r->parser);
+    node->parent = r->open;
+    if (!r->open)
+        r->tree.root = node;
+    else if (r->open->last)
+        r->open->last->next = node;
     else
-        g->open->first = node;
-    if (g->open)
-        g->open->last = node;
-    g->tree.named_count += hatch_svg_attribute(node->attributes, "id").length > 0;
-    node->number = g->tree.count++;
-    g->open = node;
-    g->depth++;
+        r->open->first = node;
+    if (r->open)
+        r->open->last = node;
+    r->tree.named_count += hatch_svg_attribute(node->attributes, "id").length > 0;
+    node->number = r->tree.count++;
+    r->open = node;
+    r->depth++;
     return HATCH_OK;
 }
 
 static void on_start(void *context, const char *name, const char **attributes)
 {
-    struct growth *g = context;
-    if (g->status == HATCH_OK)
-        stop(g, open_element(g, name, (const char *const *)attributes));
+    struct reading *r = context;
+    if (r->status == HATCH_OK)
+        stop(r, open_element(r, name, (const char *const *)attributes));
 }
 
 static void on_end(void *context, const char *name)
 {
-    struct growth *g = context;
+    struct reading *r = context;
     (void)name;
-    if (g->status != HATCH_OK)
+    if (r->status != HATCH_OK)
         return;
-    g->open = g->open->parent;
-    g->depth--;
+    r->open = r->open->parent;
+    r->depth--;
 }
 
 static void on_text(void *context, const char *text, int length)
 {
-    struct growth *g = context;
-    if (g->status == HATCH_OK && g->open && strcmp(g->open->name, "style") == 0)
-        stop(g, hatch_buffer_add(&g->tree.sheet, text, (size_t)length, g->err));
+    struct reading *r = context;
+    if (r->status == HATCH_OK && r->open && strcmp(r->open->name, "style") == 0)
+        stop(r, hatch_buffer_add(&r->tree.sheet, text, (size_t)length, r->err));
 }
 
 static void on_entity(void *context, const char *name, int is_parameter, const char *value, int length,
                       const char *base, const char *system, const char *public, const char *notation)
 {
-    struct growth *g = context;
+    struct reading *r = context;
     (void)base;
     (void)system;
     (void)public;
     (void)notation;
     if (!value)
-        stop(g, hatch_fail(g->err, HATCH_BAD_INPUT, "entity '%.40s' lies outside the file", name));
+        stop(r, hatch_fail(r->err, HATCH_BAD_INPUT, "entity '%.40s' is external, which is not allowed", name));
     else if (is_parameter || memchr(value, '&', (size_t)length) || memchr(value, '%', (size_t)length))
-        stop(g, hatch_fail(g->err, HATCH_BAD_INPUT, "entity '%.40s' is made of entities", name));
+        stop(r, hatch_fail(r->err, HATCH_BAD_INPUT, "entity '%.40s' refers to entities, which is not allowed", name));
 }
 
 static void on_instruction(void *context, const char *target, const char *data)
 {
-    struct growth *g = context;
+    struct reading *r = context;
     (void)data;
-    g->tree.others += strcmp(target, "xml-stylesheet") == 0;
+    r->tree.others += strcmp(target, "xml-stylesheet") == 0;
 }
 
-static enum hatch_status parse(struct growth *g, struct hatch_bytes file, struct hatch_err *err)
+static enum hatch_status parse(struct reading *r, struct hatch_bytes file, struct hatch_err *err)
 {
-    XML_SetUserData(g->parser, g);
-    XML_SetBillionLaughsAttackProtectionMaximumAmplification(g->parser, GROWTH_MAX);
-    XML_SetBillionLaughsAttackProtectionActivationThreshold(g->parser, GROWTH_BYTES_MIN);
-    XML_SetElementHandler(g->parser, on_start, on_end);
-    XML_SetCharacterDataHandler(g->parser, on_text);
-    XML_SetEntityDeclHandler(g->parser, on_entity);
-    XML_SetProcessingInstructionHandler(g->parser, on_instruction);
-    enum XML_Status ended = XML_Parse(g->parser, (const char *)file.data, (int)file.size, XML_TRUE);
-    if (g->status != HATCH_OK)
-        return g->status;
+    XML_SetUserData(r->parser, r);
+    XML_SetBillionLaughsAttackProtectionMaximumAmplification(r->parser, GROWTH_MAX);
+    XML_SetBillionLaughsAttackProtectionActivationThreshold(r->parser, GROWTH_BYTES_MIN);
+    XML_SetElementHandler(r->parser, on_start, on_end);
+    XML_SetCharacterDataHandler(r->parser, on_text);
+    XML_SetEntityDeclHandler(r->parser, on_entity);
+    XML_SetProcessingInstructionHandler(r->parser, on_instruction);
+    enum XML_Status ended = XML_Parse(r->parser, (const char *)file.data, (int)file.size, XML_TRUE);
+    if (r->status != HATCH_OK)
+        return r->status;
     if (ended == XML_STATUS_OK)
         return HATCH_OK;
-    enum XML_Error code = XML_GetErrorCode(g->parser);
+    enum XML_Error code = XML_GetErrorCode(r->parser);
     return hatch_fail(err, code == XML_ERROR_NO_MEMORY ? HATCH_LIMIT : HATCH_BAD_INPUT, "line %lu: %s",
-                      (unsigned long)XML_GetCurrentLineNumber(g->parser), XML_ErrorString(code));
+                      (unsigned long)XML_GetCurrentLineNumber(r->parser), XML_ErrorString(code));
 }
 
 static const char *id_of(const struct hatch_svg_node *node)
@@ -197,12 +198,12 @@ struct hatch_svg_node *hatch_svg_find(const struct hatch_svg_tree *tree, struct 
     return found ? tree->named[low] : NULL;
 }
 
-/* Counts what a node becomes. It descends no deeper than it allows drawings to be. */
+/* Counts height and elements of a node, clones expanded. Recurses HATCH_SVG_DEPTH_MAX levels at most. */
 static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_svg_node *node, uint32_t depth,
                                struct hatch_err *err)
 {
-    if (node->counting)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a clone of '%.40s' in itself", node->line, id_of(node));
+    if (node->visiting)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: '%.40s' contains a clone of itself", node->line, id_of(node));
     if (depth + node->height > HATCH_SVG_DEPTH_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: elements nested deeper than %u", node->line,
                           HATCH_SVG_DEPTH_MAX);
@@ -214,16 +215,16 @@ static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_s
     struct hatch_svg_node *child = node->first;
     if (is_clone)
         child = hatch_svg_find(tree, hatch_svg_href(node));
-    node->counting = true;
+    node->visiting = true;
     for (; child; child = is_clone ? NULL : child->next) {
         HATCH_TRY(count(tree, child, depth + 1, err));
         below = child->height > below ? child->height : below;
         elements += child->elements;
         if (elements > (uint64_t)HATCH_SVG_CLONED_MAX + tree->count)
-            return hatch_fail(err, HATCH_LIMIT, "line %u: clones of more than %u elements", node->line,
+            return hatch_fail(err, HATCH_LIMIT, "line %u: clones draw more than %u elements", node->line,
                               HATCH_SVG_CLONED_MAX);
     }
-    node->counting = false;
+    node->visiting = false;
     node->height = below + 1;
     node->elements = elements;
     return HATCH_OK;
@@ -233,16 +234,16 @@ enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_aren
                                       struct hatch_err *err)
 {
     if (file.size > INT_MAX / 2)
-        return hatch_fail(err, HATCH_LIMIT, "%zu bytes of drawing", file.size);
-    struct growth g = {.arena = arena, .tree = {.sheet = {.arena = arena}}, .err = err};
-    g.parser = XML_ParserCreate(NULL);
-    if (!g.parser)
-        return hatch_fail(err, HATCH_LIMIT, "no memory for a parser of XML");
-    enum hatch_status status = parse(&g, file, err);
-    XML_ParserFree(g.parser);
+        return hatch_fail(err, HATCH_LIMIT, "%zu bytes are too many for a drawing", file.size);
+    struct reading r = {.arena = arena, .tree = {.sheet = {.arena = arena}}, .err = err};
+    r.parser = XML_ParserCreate(NULL);
+    if (!r.parser)
+        return hatch_fail(err, HATCH_LIMIT, "out of memory for parsing XML");
+    enum hatch_status status = parse(&r, file, err);
+    XML_ParserFree(r.parser);
     HATCH_TRY(status);
-    HATCH_TRY(list_ids(&g.tree, arena, err));
-    HATCH_TRY(count(&g.tree, g.tree.root, 0, err));
-    *tree = g.tree;
+    HATCH_TRY(list_ids(&r.tree, arena, err));
+    HATCH_TRY(count(&r.tree, r.tree.root, 0, err));
+    *tree = r.tree;
     return HATCH_OK;
 }

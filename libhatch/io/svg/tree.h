@@ -1,5 +1,5 @@
-/* A drawing's elements, read whole, because clones and style sheets may stand behind what needs them. Private to
- * io/svg*. */
+/* Private to the SVG reader: the tree of a drawing's elements, which is read before anything is drawn, since
+ * clones and style sheets may follow their use. */
 #ifndef HATCH_IO_SVG_TREE_H
 #define HATCH_IO_SVG_TREE_H
 
@@ -8,37 +8,38 @@
 #include "base/text.h"
 
 #define HATCH_SVG_DEPTH_MAX 256u
-#define HATCH_SVG_CLONED_MAX 1000000u /* elements that are drawn because of clones */
+#define HATCH_SVG_CLONED_MAX 1000000u /* elements drawn by clones */
 
 struct hatch_svg_node {
-    const char *name;              /* "svg:" taken off */
-    const char *const *attributes; /* names and values in turn, NULL-terminated */
+    const char *name;              /* without the prefix "svg:" */
+    const char *const *attributes; /* names and values alternating, NULL-terminated */
     struct hatch_svg_node *parent, *first, *last, *next;
-    uint32_t line, number; /* in the file */
-    bool counting;         /* it is being counted: a clone that leads here holds itself */
-    uint32_t height;       /* elements below one another from here on, with clones; 0: not counted yet */
-    uint64_t elements;     /* from here on, with clones */
+    uint32_t line;     /* in the file */
+    uint32_t number;   /* in document order */
+    bool visiting;     /* during the count: a clone that leads back here contains itself */
+    uint32_t height;   /* levels of elements from here on, clones expanded; 0: not yet counted */
+    uint64_t elements; /* elements from here on, clones expanded */
 };
 
 struct hatch_svg_tree {
     struct hatch_svg_node *root;
-    struct hatch_svg_node **named; /* those with an id, in its order; of equal ones the first of the file */
+    struct hatch_svg_node **named; /* elements with an id, sorted by id, then by document order */
     uint32_t count, named_count;
-    struct hatch_buffer sheet; /* what stands in all <style> elements */
-    uint32_t others;           /* style sheets that are not in the file */
+    struct hatch_buffer sheet; /* text of all <style> elements */
+    uint32_t others;           /* external style sheets */
 };
 
-/* Reads by expat. HATCH_BAD_INPUT with the line for XML that is not well-formed, a first element that is no
- * <svg>, elements nested deeper than HATCH_SVG_DEPTH_MAX, entities that name entities or other files, clones
- * that hold themselves or nest too deep; HATCH_LIMIT for more than HATCH_SVG_CLONED_MAX elements by clones, and
- * when arena is too small. */
+/* Reads the tree and checks its clones.
+ * HATCH_BAD_INPUT with the line for malformed XML, a root other than <svg>, elements nested deeper than
+ * HATCH_SVG_DEPTH_MAX, entities made of entities or external, clones that contain themselves; HATCH_LIMIT
+ * also for more than HATCH_SVG_CLONED_MAX elements by clones. */
 enum hatch_status hatch_svg_tree_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_svg_tree *tree,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* What a clone names: "#id", in its href or xlink:href; empty where there is none. */
+/* The href or xlink:href of a clone ("#id"); empty when absent. */
 struct hatch_text hatch_svg_href(const struct hatch_svg_node *node);
 
-/* The element of that id ("#id"), or NULL. */
+/* Finds the element that an href ("#id") refers to; NULL when there is none. */
 struct hatch_svg_node *hatch_svg_find(const struct hatch_svg_tree *tree, struct hatch_text href);
 
 #endif

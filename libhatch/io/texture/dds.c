@@ -5,7 +5,7 @@
 #include "io/texture/container.h"
 
 #define MAGIC 0x20534444u /* "DDS " */
-#define HEADER_WORDS 37u  /* with the magic word and the DX10 header */
+#define HEADER_WORDS 37u  /* magic word and DX10 header included */
 #define HEADER_BYTES 124u
 #define FORMAT_BYTES 32u
 
@@ -31,12 +31,12 @@ static const uint32_t dxgi_formats[] = {0, 61, 49, 0, 28};
 static enum hatch_status add_header(const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)
 {
-    bool deep = texture->depth > 0;
-    bool complex = deep || texture->layers > 1 || texture->level_count > 1;
+    bool is_volume = texture->depth > 0;
+    bool is_complex = is_volume || texture->layers > 1 || texture->level_count > 1;
     const uint32_t words[HEADER_WORDS] = {
         [0] = MAGIC,
         [1] = HEADER_BYTES,
-        [2] = HAS_CAPS | HAS_HEIGHT | HAS_WIDTH | HAS_PITCH | HAS_FORMAT | HAS_LEVELS | (deep ? HAS_DEPTH : 0),
+        [2] = HAS_CAPS | HAS_HEIGHT | HAS_WIDTH | HAS_PITCH | HAS_FORMAT | HAS_LEVELS | (is_volume ? HAS_DEPTH : 0),
         [3] = texture->height,
         [4] = texture->width,
         [5] = texture->width * texture->channels,
@@ -45,10 +45,10 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
         [19] = FORMAT_BYTES,
         [20] = FORMAT_IS_FOURCC,
         [21] = FOURCC_DX10,
-        [27] = CAPS_TEXTURE | (complex ? CAPS_COMPLEX : 0) | (texture->level_count > 1 ? CAPS_LEVELS : 0),
-        [28] = deep ? CAPS2_VOLUME : 0,
+        [27] = CAPS_TEXTURE | (is_complex ? CAPS_COMPLEX : 0) | (texture->level_count > 1 ? CAPS_LEVELS : 0),
+        [28] = is_volume ? CAPS2_VOLUME : 0,
         [32] = dxgi_formats[texture->channels],
-        [33] = deep ? DIMENSION_3D : DIMENSION_2D,
+        [33] = is_volume ? DIMENSION_3D : DIMENSION_2D,
         [35] = texture->layers ? texture->layers : 1,
     };
     for (uint32_t i = 0; i < HEADER_WORDS; i++)
@@ -56,7 +56,7 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
     return HATCH_OK;
 }
 
-/* Layer by layer, each with all its levels; a volume is one layer. */
+/* Layer by layer, each with all its levels; a volume is a single layer. */
 static enum hatch_status add_texels(const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)
 {

@@ -6,17 +6,17 @@
 #include "io/texture/parts.h"
 
 #define SIDE_MAX (1u << 24)
-#define PAIRS_PLACE 56u /* of their offset and size, in the header */
+#define PAIRS_ENTRY 56u /* byte in the header of the offset and size of the key and value pairs */
 #define SCHEME_NONE 0u
 #define SCHEME_ZSTD 2u
-/* A Zstandard block holds at most 128 KiB and takes at least four bytes. */
+/* A Zstandard block of at least four bytes holds at most 128 KiB. */
 #define ZSTD_RATIO_MAX 32768u
 
 struct header {
     uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
 };
 
-/* What a VkFormat holds; 0 channels: it is not read. */
+/* Channels and code of a VkFormat; 0 channels when it is not supported. */
 static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
 {
     *code = HATCH_TEXELS_PLAIN;
@@ -69,7 +69,7 @@ static enum hatch_status read_header(struct hatch_reader *reader, struct header 
     header->scheme = hatch_read_u32(reader);
     hatch_read_bytes(reader, HATCH_KTX2_HEADER_BYTES - HATCH_KTX2_IDENTIFIER_BYTES - 9 * 4);
     if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the header: %zu bytes, want %u", reader->size,
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the header: %zu bytes, want %u", reader->size,
                           HATCH_KTX2_HEADER_BYTES);
     return HATCH_OK;
 }
@@ -80,20 +80,22 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
     uint32_t channels = channels_of(header->vk_format, &code);
     uint32_t type_size = code == HATCH_TEXELS_R32UI ? 4 : 1;
     if (!channels)
-        return hatch_fail(err, HATCH_BAD_INPUT, "VkFormat %u is not 8 bits a channel, nor BC1, BC4, BC7 or R32UI",
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "VkFormat %u is not supported; use 8 bits per channel, BC1, BC4, BC7 or R32UI",
                           header->vk_format);
     if (header->type_size != type_size)
         return hatch_fail(err, HATCH_BAD_INPUT, "typeSize %u, want %u", header->type_size, type_size);
     if (header->faces != 1)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u faces, want 1", header->faces);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u faces, want 1: cube maps are not supported", header->faces);
     if (header->scheme != SCHEME_NONE && header->scheme != SCHEME_ZSTD)
-        return hatch_fail(err, HATCH_BAD_INPUT, "supercompression %u is neither none nor Zstandard", header->scheme);
+        return hatch_fail(err, HATCH_BAD_INPUT, "supercompression %u is not supported; use none or Zstandard",
+                          header->scheme);
     if (header->width < 1 || header->width > SIDE_MAX || header->height < 1 || header->height > SIDE_MAX ||
         header->depth > SIDE_MAX || header->layers > SIDE_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, %u layers, want 1 to %u", header->width,
                           header->height, header->depth, header->layers, SIDE_MAX);
     if (header->depth && header->layers)
-        return hatch_fail(err, HATCH_BAD_INPUT, "arrays of 3D textures are not read");
+        return hatch_fail(err, HATCH_BAD_INPUT, "arrays of 3D textures are not supported");
     *texture = (struct hatch_texels){.width = header->width,
                                      .height = header->height,
                                      .depth = header->depth,
@@ -107,14 +109,14 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
     return HATCH_OK;
 }
 
-/* The bytes of one level, in floating point, where no product overflows. */
+/* Bytes of a level; a double, since the product may overflow an integer. */
 static double level_bytes(const struct hatch_texels *texture, uint32_t level)
 {
     uint32_t side = hatch_texels_block_side(texture->code);
-    double deep = texture->depth ? hatch_mip_size(texture->depth, level) : (texture->layers ? texture->layers : 1);
+    double slices = texture->depth ? hatch_mip_size(texture->depth, level) : (texture->layers ? texture->layers : 1);
     double blocks = (double)((hatch_mip_size(texture->width, level) + side - 1) / side) *
                     ((hatch_mip_size(texture->height, level) + side - 1) / side);
-    return deep * blocks * hatch_texels_block_bytes(texture->code, texture->channels);
+    return slices * blocks * hatch_texels_block_bytes(texture->code, texture->channels);
 }
 
 static enum hatch_status check_memory(const struct hatch_texels *texture, const struct hatch_arena *arena,
@@ -123,14 +125,14 @@ static enum hatch_status check_memory(const struct hatch_texels *texture, const 
     double total = 0;
     for (uint32_t level = 0; level < texture->level_count; level++)
         total += level_bytes(texture, level);
-    size_t left = arena->limit_bytes - arena->used_bytes;
-    if (total > (double)left)
-        return hatch_fail(err, HATCH_LIMIT, "%.0f bytes of texels, more than the %zu allowed", total, left);
+    size_t available = arena->limit_bytes - arena->used_bytes;
+    if (total > (double)available)
+        return hatch_fail(err, HATCH_LIMIT, "%.0f bytes of texels, more than the %zu allowed", total, available);
     return HATCH_OK;
 }
 
-static enum hatch_status inflate(struct hatch_bytes packed, uint8_t *texels, size_t size, uint32_t level,
-                                 struct hatch_err *err)
+static enum hatch_status decompress(struct hatch_bytes packed, uint8_t *texels, size_t size, uint32_t level,
+                                    struct hatch_err *err)
 {
     size_t got = ZSTD_decompress(texels, size, packed.data, packed.size);
     if (ZSTD_isError(got))
@@ -144,23 +146,24 @@ static enum hatch_status read_level(struct hatch_reader *reader, const struct he
                                     struct hatch_arena *arena, struct hatch_texels *texture, struct hatch_err *err)
 {
     uint64_t offset = hatch_read_u64(reader), length = hatch_read_u64(reader);
-    uint64_t whole = hatch_read_u64(reader);
+    uint64_t unpacked = hatch_read_u64(reader);
     if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the level index");
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the level index");
     if (offset > reader->size || length > reader->size - offset)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut: level %u ends behind the file's %zu bytes", level, reader->size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated: level %u ends after the file's %zu bytes", level,
+                          reader->size);
     size_t size = hatch_texels_level_size(texture, level);
     bool packed = header->scheme == SCHEME_ZSTD;
-    if (whole != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
+    if (unpacked != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu", level,
-                          (unsigned long long)length, (unsigned long long)whole, size);
+                          (unsigned long long)length, (unsigned long long)unpacked, size);
     uint8_t *texels = HATCH_NEW(arena, uint8_t, size, err);
     if (!texels)
         return HATCH_LIMIT;
     texture->texels[level] = texels;
     const uint8_t *from = reader->data + offset;
     if (packed)
-        return inflate((struct hatch_bytes){from, (size_t)length}, texels, size, level, err);
+        return decompress((struct hatch_bytes){from, (size_t)length}, texels, size, level, err);
     memcpy(texels, from, size);
     return HATCH_OK;
 }
@@ -196,20 +199,21 @@ static bool is_text(const uint8_t *bytes, size_t size)
     return size > 0 && memchr(bytes, 0, size) == bytes + size - 1;
 }
 
-/* A pair is a key with its zero and a value, padded to four bytes. */
+/* Reads a key, its terminating zero and a value, padded to four bytes.
+ *   is_text_pair  out: whether pair was set */
 static enum hatch_status read_pair(struct hatch_reader *reader, struct hatch_arena *arena, const char **pair,
-                                   bool *taken, struct hatch_err *err)
+                                   bool *is_text_pair, struct hatch_err *err)
 {
     uint32_t size = hatch_read_u32(reader);
     const uint8_t *key = hatch_read_bytes(reader, size);
     if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut in the key and value pairs");
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the key and value pairs");
     const uint8_t *end = size ? memchr(key, 0, size) : NULL;
     size_t padding = (4 - size % 4) % 4, key_size = end ? (size_t)(end - key) : 0;
     if (hatch_reader_left(reader) >= padding)
         hatch_read_bytes(reader, padding);
-    *taken = end && is_text(end + 1, size - key_size - 1);
-    if (!*taken)
+    *is_text_pair = end && is_text(end + 1, size - key_size - 1);
+    if (!*is_text_pair)
         return HATCH_OK;
     pair[0] = hatch_arena_text(arena, (const char *)key, key_size, err);
     pair[1] = hatch_arena_text(arena, (const char *)end + 1, size - key_size - 2, err);
@@ -222,20 +226,20 @@ enum hatch_status hatch_ktx2_read_keys(struct hatch_bytes file, struct hatch_are
     struct hatch_reader reader = hatch_reader_of(file);
     struct header header = {0};
     HATCH_TRY(read_header(&reader, &header, err));
-    reader.at = PAIRS_PLACE;
+    reader.at = PAIRS_ENTRY;
     uint32_t offset = hatch_read_u32(&reader), size = hatch_read_u32(&reader), count = 0;
     if (offset > file.size || size > file.size - offset)
-        return hatch_fail(err, HATCH_BAD_INPUT, "cut: the key and value pairs end behind the file's %zu bytes",
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the key and value pairs end after the file's %zu bytes",
                           file.size);
     struct hatch_reader pairs = hatch_reader_of((struct hatch_bytes){file.data + offset, size});
-    /* A pair takes eight bytes or more. */
+    /* A pair takes at least eight bytes. */
     const char **made = HATCH_NEW(arena, const char *, (size_t)size / 8 * 2 + 3, err);
     if (!made)
         return HATCH_LIMIT;
     while (hatch_reader_left(&pairs) > 0) {
-        bool taken = false;
-        HATCH_TRY(read_pair(&pairs, arena, made + count, &taken, err));
-        count += taken ? 2 : 0;
+        bool is_text_pair = false;
+        HATCH_TRY(read_pair(&pairs, arena, made + count, &is_text_pair, err));
+        count += is_text_pair ? 2 : 0;
     }
     made[count] = NULL;
     *key_values = made;

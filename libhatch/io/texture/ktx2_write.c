@@ -10,11 +10,11 @@
 #define DESCRIPTOR_HEAD_BYTES 24u
 #define SAMPLE_BYTES 16u
 
-/* VkFormat of 1 to 4 channels, 8 bits each, UNORM. */
+/* VkFormat by number of channels, 8 bits each, UNORM. */
 static const uint32_t vk_formats[] = {0, 9, 16, 23, 37};
 
-/* How the data format descriptor tells of a code: its colour model, VkFormat, bits and largest number of
- * a sample. PLAIN has a sample a channel. */
+/* Entries of the data format descriptor by code: colour model, bits and largest value of a sample. PLAIN has one
+ * sample per channel, the others have one sample. */
 static const struct code {
     uint32_t vk_format, model, bits, upper, type_size;
 } codes[] = {
@@ -37,7 +37,7 @@ static size_t pair_bytes(const struct pair *pair)
     return strlen(pair->key) + 1 + strlen(pair->value) + 1;
 }
 
-/* The format wants the keys in order. */
+/* The format requires sorted keys. */
 static uint32_t sort_pairs(const struct hatch_texels *texture, const char *const *key_values, struct pair *pairs)
 {
     uint32_t count = 0;
@@ -48,11 +48,11 @@ static uint32_t sort_pairs(const struct hatch_texels *texture, const char *const
         pairs[count++] = (struct pair){key_values[0], key_values[1]};
     }
     for (uint32_t i = 1; i < count; i++) {
-        struct pair moving = pairs[i];
+        struct pair pair = pairs[i];
         uint32_t at = i;
-        for (; at > 0 && strcmp(pairs[at - 1].key, moving.key) > 0; at--)
+        for (; at > 0 && strcmp(pairs[at - 1].key, pair.key) > 0; at--)
             pairs[at] = pairs[at - 1];
-        pairs[at] = moving;
+        pairs[at] = pair;
     }
     return count;
 }
@@ -70,7 +70,7 @@ static enum hatch_status add_u32s(struct hatch_buffer *file, const uint32_t *val
     return HATCH_OK;
 }
 
-/* One plane, linear light, BT.709; each channel eight bits from 0 to 255, or a block as one sample. */
+/* The basic data format descriptor: one plane, linear, BT.709. */
 static enum hatch_status add_descriptor(const struct hatch_texels *texture, struct hatch_buffer *file,
                                         struct hatch_err *err)
 {
@@ -108,7 +108,7 @@ static enum hatch_status add_pairs(const struct pair *pairs, uint32_t count, str
     return HATCH_OK;
 }
 
-/* Where each level begins: the smallest comes first, each at a multiple of 4 and of a block. */
+/* Offsets of the levels: the smallest comes first, each aligned to 4 bytes and to a block. Returns the end. */
 static size_t place_levels(const struct hatch_texels *texture, size_t from, size_t *offsets)
 {
     size_t block = hatch_texels_block_bytes(texture->code, texture->channels);
@@ -151,8 +151,8 @@ static enum hatch_status add_all(const struct hatch_texels *texture, const struc
         texture->height,
         texture->depth,
         texture->layers,
-        1,
-        /* one face */ texture->level_count,
+        1, /* faces */
+        texture->level_count,
         0, /* no supercompression */
         (uint32_t)descriptor,
         (uint32_t)descriptor_size,

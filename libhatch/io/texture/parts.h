@@ -1,6 +1,6 @@
-/* What the reader and the writer of KTX2 share. */
-#ifndef HATCH_IO_CONTAINER_PARTS_H
-#define HATCH_IO_CONTAINER_PARTS_H
+/* Private to the reader and the writer of KTX2. */
+#ifndef HATCH_IO_TEXTURE_PARTS_H
+#define HATCH_IO_TEXTURE_PARTS_H
 
 #define HATCH_KTX2_IDENTIFIER                                                                                          \
     {                                                                                                                  \
@@ -8,6 +8,6 @@
     }
 #define HATCH_KTX2_IDENTIFIER_BYTES 12u
 #define HATCH_KTX2_HEADER_BYTES 80u
-#define HATCH_KTX2_LEVEL_BYTES 24u /* of the level index */
+#define HATCH_KTX2_LEVEL_BYTES 24u /* of an entry of the level index */
 
 #endif

@@ -66,7 +66,7 @@ static void same(const struct hatch_texels *a, const struct hatch_texels *b)
         ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) == 0);
 }
 
-START_TEST(what_is_written_is_read)
+START_TEST(files_survive_a_round_trip)
 {
     struct hatch_texels texture = make((size_t)_i), got;
     HATCH_TEST_OK(hatch_ktx2_read(write_ktx2(&texture), &keep, &got, &err), &err);
@@ -90,15 +90,15 @@ START_TEST(keys_are_read_in_order)
 }
 END_TEST
 
-START_TEST(damaged_keys_are_refused_or_left_out)
+START_TEST(damaged_keys_are_refused_or_dropped)
 {
     struct hatch_texels texture = make(0);
     struct hatch_bytes file = write_ktx2(&texture);
     const char *const *keys;
     uint8_t *bytes = HATCH_NEW(&keep, uint8_t, file.size, &err);
     for (size_t size = 0; size < 80; size++) {
-        struct hatch_bytes cut = {file.data, size};
-        ck_assert_int_eq(hatch_ktx2_read_keys(cut, &keep, &keys, &err), HATCH_BAD_INPUT);
+        struct hatch_bytes truncated = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read_keys(truncated, &keep, &keys, &err), HATCH_BAD_INPUT);
     }
     size_t first = 56, where = file.data[first] | (size_t)file.data[first + 1] << 8;
     for (size_t at = first; at < where + 100; at++) {
@@ -108,7 +108,7 @@ START_TEST(damaged_keys_are_refused_or_left_out)
         ck_assert(status == HATCH_OK || status == HATCH_BAD_INPUT);
         ck_assert(status == HATCH_OK || (at < where ? at < 64 : 1));
     }
-    bytes[where + 4] = 0; /* the first key is empty: its value holds zeros */
+    bytes[where + 4] = 0; /* the first key is empty, so that its value contains zeros */
     memcpy(bytes, file.data, where + 4);
     HATCH_TEST_OK(hatch_ktx2_read_keys((struct hatch_bytes){bytes, file.size}, &keep, &keys, &err), &err);
     ck_assert_str_ne(keys[0], "KTXorientation");
@@ -129,7 +129,7 @@ static uint64_t get(const uint8_t *at)
     return value;
 }
 
-/* The same file with each level packed by Zstandard, at the end of the file. */
+/* The same texture with supercompressed levels, which are appended to the file. */
 static struct hatch_bytes supercompress(struct hatch_bytes file, uint32_t levels)
 {
     struct hatch_buffer out = {.arena = &keep};
@@ -147,38 +147,38 @@ static struct hatch_bytes supercompress(struct hatch_bytes file, uint32_t levels
     return (struct hatch_bytes){out.data, out.size};
 }
 
-START_TEST(zstandard_is_unpacked)
+START_TEST(zstandard_is_decompressed)
 {
     struct hatch_texels texture = make((size_t)_i), got;
     struct hatch_bytes file = supercompress(write_ktx2(&texture), texture.level_count);
     HATCH_TEST_OK(hatch_ktx2_read(file, &keep, &got, &err), &err);
     same(&got, &texture);
     for (size_t size = 0; size < file.size; size++) {
-        struct hatch_bytes cut = {file.data, size};
-        ck_assert_int_eq(hatch_ktx2_read(cut, &keep, &got, &err), HATCH_BAD_INPUT);
+        struct hatch_bytes truncated = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read(truncated, &keep, &got, &err), HATCH_BAD_INPUT);
     }
 }
 END_TEST
 
-START_TEST(every_cut_is_refused)
+START_TEST(a_truncated_file_is_refused)
 {
     struct hatch_texels texture = make((size_t)_i), got;
     struct hatch_bytes file = write_ktx2(&texture);
     for (size_t size = 0; size < file.size; size++) {
-        struct hatch_bytes cut = {file.data, size};
-        ck_assert_int_eq(hatch_ktx2_read(cut, &keep, &got, &err), HATCH_BAD_INPUT);
+        struct hatch_bytes truncated = {file.data, size};
+        ck_assert_int_eq(hatch_ktx2_read(truncated, &keep, &got, &err), HATCH_BAD_INPUT);
     }
 }
 END_TEST
 
-struct lie {
+struct fault {
     size_t at;
     uint64_t value;
     size_t size;
     enum hatch_status want;
 };
 
-static const struct lie lies[] = {
+static const struct fault faults[] = {
     {0, 0, 1, HATCH_BAD_INPUT},            /* identifier */
     {12, 97, 4, HATCH_BAD_INPUT},          /* R16G16B16A16_SFLOAT */
     {16, 2, 4, HATCH_BAD_INPUT},           /* type size */
@@ -192,24 +192,23 @@ static const struct lie lies[] = {
     {36, 6, 4, HATCH_BAD_INPUT},           /* a cube map */
     {40, 8, 4, HATCH_BAD_INPUT},           /* one level too many */
     {44, 1, 4, HATCH_BAD_INPUT},           /* BasisLZ */
-    {44, 2, 4, HATCH_BAD_INPUT},           /* texels that are no Zstandard */
+    {44, 2, 4, HATCH_BAD_INPUT},           /* levels are not Zstandard */
     {80, UINT64_MAX, 8, HATCH_BAD_INPUT},  /* an offset that wraps */
     {88, UINT64_MAX, 8, HATCH_BAD_INPUT},  /* a length that wraps */
 };
 
-START_TEST(lies_are_refused)
+START_TEST(wrong_headers_are_refused)
 {
     struct hatch_texels texture = make(0), got;
     struct hatch_bytes file = write_ktx2(&texture);
-    const struct lie *lie = &lies[_i];
-    put((uint8_t *)(uintptr_t)file.data + lie->at, lie->value, lie->size);
-    ck_assert_int_eq(hatch_ktx2_read(file, &keep, &got, &err), lie->want);
+    const struct fault *fault = &faults[_i];
+    put((uint8_t *)(uintptr_t)file.data + fault->at, fault->value, fault->size);
+    ck_assert_int_eq(hatch_ktx2_read(file, &keep, &got, &err), fault->want);
     ck_assert(err.text[0]);
 }
 END_TEST
 
-/* Every number where the DX10 form of the format has it. */
-START_TEST(dds_is_laid_out_as_published)
+START_TEST(dds_has_the_published_layout)
 {
     struct hatch_texels texture = make(2);
     struct hatch_buffer file = {.arena = &keep};
@@ -271,13 +270,13 @@ static Suite *suite(void)
     Suite *suite = suite_create("io container");
     TCase *tests = tcase_create("container");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, what_is_written_is_read, 0, KINDS);
+    tcase_add_loop_test(tests, files_survive_a_round_trip, 0, KINDS);
     tcase_add_loop_test(tests, keys_are_read_in_order, 0, KINDS);
-    tcase_add_test(tests, damaged_keys_are_refused_or_left_out);
-    tcase_add_loop_test(tests, zstandard_is_unpacked, 0, KINDS);
-    tcase_add_loop_test(tests, every_cut_is_refused, 0, KINDS);
-    tcase_add_loop_test(tests, lies_are_refused, 0, sizeof lies / sizeof *lies);
-    tcase_add_test(tests, dds_is_laid_out_as_published);
+    tcase_add_test(tests, damaged_keys_are_refused_or_dropped);
+    tcase_add_loop_test(tests, zstandard_is_decompressed, 0, KINDS);
+    tcase_add_loop_test(tests, a_truncated_file_is_refused, 0, KINDS);
+    tcase_add_loop_test(tests, wrong_headers_are_refused, 0, sizeof faults / sizeof *faults);
+    tcase_add_test(tests, dds_has_the_published_layout);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
     return suite;

@@ -15,7 +15,7 @@ struct kind {
     uint32_t width, height;
     bool mips;
     const char *names;
-    bool ids; /* with channels id and t */
+    bool ids; /* channels id and t follow */
 };
 
 static const struct kind kinds[] = {
@@ -33,7 +33,7 @@ static float texel(const struct hatch_channel *channel, uint64_t stream, uint64_
     if (channel->type == HATCH_FLOAT)
         return (float)((double)bits * 0x1p-64);
     if (i % 50 < 30)
-        return 1; /* paper, so that some chunks shrink and some do not */
+        return 1; /* constant, so that compression shrinks some chunks and not others */
     uint16_t half = (uint16_t)bits;
     return (half & 0x7c00) == 0x7c00 ? 0 : hatch_float_from_half(half);
 }
@@ -120,7 +120,7 @@ static void same_part(const struct hatch_mipmap *got, const struct hatch_mipmap 
     }
 }
 
-START_TEST(what_is_written_is_read)
+START_TEST(files_survive_a_round_trip)
 {
     const struct kind *kind = &kinds[_i];
     struct hatch_mipmap parts[PARTS], *got = NULL;
@@ -137,7 +137,7 @@ START_TEST(what_is_written_is_read)
 }
 END_TEST
 
-START_TEST(bytes_do_not_depend_on_the_threads)
+START_TEST(writing_does_not_depend_on_threads)
 {
     struct hatch_mipmap parts[PARTS];
     for (uint32_t i = 0; i < PARTS; i++)
@@ -148,8 +148,8 @@ START_TEST(bytes_do_not_depend_on_the_threads)
 }
 END_TEST
 
-/* Pixels, and the sentence on a damaged file: that of its first damaged part. */
-START_TEST(what_is_read_does_not_depend_on_the_threads)
+/* Neither pixels nor the message for a damaged file, which names its first damaged part. */
+START_TEST(reading_does_not_depend_on_threads)
 {
     struct hatch_mipmap parts[PARTS], *got[2] = {NULL, NULL};
     struct hatch_pool *pool;
@@ -179,7 +179,7 @@ START_TEST(what_is_read_does_not_depend_on_the_threads)
 }
 END_TEST
 
-START_TEST(every_cut_is_refused)
+START_TEST(a_truncated_file_is_refused)
 {
     struct hatch_mipmap parts[2], *got = NULL;
     uint32_t count = 77;
@@ -187,15 +187,15 @@ START_TEST(every_cut_is_refused)
         make_part(&kinds[0], i, &parts[i]);
     struct hatch_buffer file = write_all(parts, 2, 1);
     for (size_t size = 0; size < file.size; size += size < 1500 ? 1 : 97) {
-        struct hatch_bytes cut = {file.data, size};
-        enum hatch_status status = hatch_exr_read(cut, NULL, &keep, &scratch, &got, &count, &err);
+        struct hatch_bytes truncated = {file.data, size};
+        enum hatch_status status = hatch_exr_read(truncated, NULL, &keep, &scratch, &got, &count, &err);
         ck_assert_msg(status == HATCH_BAD_INPUT, "%zu of %zu bytes: status %d", size, file.size, (int)status);
         ck_assert(err.text[0] && !got && count == 77);
     }
 }
 END_TEST
 
-START_TEST(what_is_no_exr_file_is_told_so)
+START_TEST(files_of_other_formats_are_refused)
 {
     struct hatch_mipmap *got = NULL;
     uint32_t count = 0;
@@ -207,7 +207,7 @@ START_TEST(what_is_no_exr_file_is_told_so)
 }
 END_TEST
 
-START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
+START_TEST(a_file_larger_than_the_arena_is_refused_before_any_allocation)
 {
     struct hatch_mipmap part, *got = NULL;
     uint32_t count = 0;
@@ -222,9 +222,8 @@ START_TEST(a_file_larger_than_the_arena_is_refused_before_anything_is_taken)
 }
 END_TEST
 
-/* 40,000 pixels each way where there is one: too many for the file's bytes, however large the
- * arena. */
-START_TEST(a_window_that_lies_is_refused_before_anything_is_taken)
+/* A window of 40,000 x 40,000 pixels in a file of one pixel. */
+START_TEST(a_wrong_window_is_refused_before_any_allocation)
 {
     static const char name[] = "dataWindow\0box2i";
     static const uint8_t corner[] = {0x3f, 0x9c, 0, 0, 0x3f, 0x9c, 0, 0};
@@ -261,8 +260,8 @@ START_TEST(a_writer_stops_at_its_limit)
 }
 END_TEST
 
-/* Where they lie or joined, the bytes are the same, and pieces live on until the writer goes. */
-START_TEST(pieces_are_the_file)
+/* The pieces are valid until the writer is freed. */
+START_TEST(pieces_joined_are_the_file)
 {
     struct hatch_mipmap parts[PARTS];
     for (uint32_t i = 0; i < PARTS; i++)
@@ -326,14 +325,14 @@ static Suite *suite(void)
     Suite *suite = suite_create("io exr");
     TCase *tests = tcase_create("exr");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, what_is_written_is_read, 0, sizeof kinds / sizeof *kinds);
-    tcase_add_loop_test(tests, pieces_are_the_file, 0, sizeof kinds / sizeof *kinds);
-    tcase_add_test(tests, bytes_do_not_depend_on_the_threads);
-    tcase_add_test(tests, what_is_read_does_not_depend_on_the_threads);
-    tcase_add_test(tests, every_cut_is_refused);
-    tcase_add_test(tests, what_is_no_exr_file_is_told_so);
-    tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_anything_is_taken);
-    tcase_add_test(tests, a_window_that_lies_is_refused_before_anything_is_taken);
+    tcase_add_loop_test(tests, files_survive_a_round_trip, 0, sizeof kinds / sizeof *kinds);
+    tcase_add_loop_test(tests, pieces_joined_are_the_file, 0, sizeof kinds / sizeof *kinds);
+    tcase_add_test(tests, writing_does_not_depend_on_threads);
+    tcase_add_test(tests, reading_does_not_depend_on_threads);
+    tcase_add_test(tests, a_truncated_file_is_refused);
+    tcase_add_test(tests, files_of_other_formats_are_refused);
+    tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_any_allocation);
+    tcase_add_test(tests, a_wrong_window_is_refused_before_any_allocation);
     tcase_add_test(tests, a_writer_stops_at_its_limit);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);

@@ -1,4 +1,4 @@
-/* Scenes written as GLB are read again as they were. */
+/* Scenes written as GLB and read again. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,11 +8,11 @@
 #include "io/gltf/gltf.h"
 #include "shapes/shapes.h"
 
-static struct hatch_scene whole, back;
+static struct hatch_scene full, back;
 
 static const uint8_t png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3};
 static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 4};
-static const uint8_t foreign[] = {'R', 'I', 'F', 'F', 0, 0, 0, 0, 'W', 'E', 'B', 'P'};
+static const uint8_t webp[] = {'R', 'I', 'F', 'F', 0, 0, 0, 0, 'W', 'E', 'B', 'P'};
 
 static struct hatch_scene_mesh scene_meshes[5];
 static struct hatch_node nodes[7];
@@ -37,15 +37,15 @@ static void add_joints(struct hatch_mesh *mesh)
     }
 }
 
-/* Two: how far each of them moves a vertex, and turns its normal. */
+/* Two targets, of positions and normals. */
 static void add_targets(struct hatch_mesh *mesh)
 {
-    float *moves, *turns;
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_POSITION, 6, &moves, &err), &err);
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_NORMAL, 6, &turns, &err), &err);
+    float *displacements, *normals;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_POSITION, 6, &displacements, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_NORMAL, 6, &normals, &err), &err);
     for (uint32_t i = 0; i < 6 * mesh->vertex_count; i++) {
-        moves[i] = 0.5f * (float)(i % 7);
-        turns[i] = -0.1f * (float)(i % 5);
+        displacements[i] = 0.5f * (float)(i % 7);
+        normals[i] = -0.1f * (float)(i % 5);
     }
 }
 
@@ -66,7 +66,7 @@ static void make_meshes(void)
     scene_meshes[3].joints_used = 2;
 }
 
-/* Meshes 0 and 1 are drawn together, twice; 2 by nobody; 3 with a skin; 4 under a matrix. */
+/* Nodes 1 and 2 use meshes 0 and 1; no node uses mesh 2; mesh 3 has a skin; mesh 4 a node with a matrix. */
 static void make_nodes(void)
 {
     static const struct hatch_node plain = {.parent = HATCH_NONE,
@@ -98,7 +98,7 @@ static void make_nodes(void)
     nodes[0].light = 0;
 }
 
-static void make_looks(void)
+static void make_materials(void)
 {
     textures[0] = (struct hatch_texture){png, sizeof png};
     textures[1] = (struct hatch_texture){jpeg, sizeof jpeg};
@@ -153,9 +153,10 @@ static void make_motion(void)
     for (uint32_t i = 0; i < 36; i++)
         values[i] = i % 4 == 3 ? 0.6f : 0.8f - 0.8f * (float)(i % 4 > 0);
     skins[0] = (struct hatch_skin){2, joints, inverse_bind};
-    static const enum hatch_interpolation ways[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
+    static const enum hatch_interpolation interpolations[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
     for (uint32_t i = 0; i < 3; i++)
-        channels[i] = (struct hatch_animation_channel){i, (enum hatch_channel_path)i, ways[i], 3, times, values, 0};
+        channels[i] =
+            (struct hatch_animation_channel){i, (enum hatch_channel_path)i, interpolations[i], 3, times, values, 0};
     channels[3] = (struct hatch_animation_channel){4, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2};
     animations[0] = (struct hatch_animation){4, channels, 2.5f};
 }
@@ -165,10 +166,10 @@ static void begin_scene(void)
     begin();
     make_meshes();
     make_nodes();
-    make_looks();
+    make_materials();
     make_motion();
-    whole = (struct hatch_scene){5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
-                                 nodes, materials, textures, cameras, lights, skins, animations};
+    full = (struct hatch_scene){5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
+                                nodes, materials, textures, cameras, lights, skins, animations};
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
@@ -183,21 +184,21 @@ static struct hatch_buffer write_and_read(const struct hatch_scene *scene)
     struct hatch_mesh_notes notes = {0};
     struct hatch_buffer file = written(scene);
     HATCH_TEST_OK(
-        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch, &back, &notes, &err),
-        &err);
+        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &back, &notes, &err), &err);
     return file;
 }
 
-/* One node alone says weights: its mesh rests with them. */
-START_TEST(weights_at_rest_are_taken_in)
+/* The weights of the only node with a mesh are its weights at rest. */
+START_TEST(weights_at_rest_are_applied)
 {
     nodes[4].weights = weights;
-    write_and_read(&whole);
-    const struct hatch_mesh *was = &whole.meshes[4].mesh, *is = &back.meshes[4].mesh;
-    const float *moves = hatch_mesh_find(was, HATCH_MORPH_POSITION, 6);
+    write_and_read(&full);
+    const struct hatch_mesh *was = &full.meshes[4].mesh, *is = &back.meshes[4].mesh;
+    const float *displacements = hatch_mesh_find(was, HATCH_MORPH_POSITION, 6);
     ck_assert_ptr_null(back.nodes[4].weights);
     for (size_t i = 0; i < 3 * (size_t)was->vertex_count; i++)
-        ck_assert_float_eq(is->attributes[0].data[i], was->attributes[0].data[i] + 0.25f * moves[i / 3 * 6 + i % 3]);
+        ck_assert_float_eq(is->attributes[0].data[i],
+                           was->attributes[0].data[i] + 0.25f * displacements[i / 3 * 6 + i % 3]);
     ck_assert_float_eq(back.animations[0].channels[3].values[2], values[2] - 0.25f);
     ck_assert_float_eq(back.animations[0].channels[3].values[3], values[3]);
     ck_assert_float_eq(back.animations[0].channels[3].values[4], values[4]); /* a tangent */
@@ -209,12 +210,12 @@ static void same_floats(const float *a, const float *b, size_t count)
     ck_assert_mem_eq(a, b, count * sizeof *a);
 }
 
-START_TEST(meshes_come_back)
+START_TEST(meshes_survive_a_round_trip)
 {
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.mesh_count, 5);
     for (uint32_t m = 0; m < 5; m++) {
-        const struct hatch_mesh *a = &whole.meshes[m].mesh, *b = &back.meshes[m].mesh;
+        const struct hatch_mesh *a = &full.meshes[m].mesh, *b = &back.meshes[m].mesh;
         ck_assert_uint_eq(b->vertex_count, a->vertex_count);
         ck_assert_uint_eq(b->attribute_count, a->attribute_count);
         ck_assert_mem_eq(b->indices, a->indices, (size_t)a->face_count * 12);
@@ -224,18 +225,18 @@ START_TEST(meshes_come_back)
             ck_assert_msg(data != NULL, "%s is lost", at->name);
             same_floats(data, at->data, (size_t)a->vertex_count * at->components);
         }
-        ck_assert_uint_eq(back.meshes[m].material, whole.meshes[m].material);
-        ck_assert_uint_eq(back.meshes[m].joints_used, whole.meshes[m].joints_used);
+        ck_assert_uint_eq(back.meshes[m].material, full.meshes[m].material);
+        ck_assert_uint_eq(back.meshes[m].joints_used, full.meshes[m].joints_used);
     }
 }
 END_TEST
 
-START_TEST(nodes_come_back)
+START_TEST(nodes_survive_a_round_trip)
 {
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.node_count, 7);
     for (uint32_t n = 0; n < 7; n++)
-        ck_assert_msg(memcmp(&back.nodes[n], &whole.nodes[n], sizeof *nodes) == 0, "node %u", n);
+        ck_assert_msg(memcmp(&back.nodes[n], &full.nodes[n], sizeof *nodes) == 0, "node %u", n);
 }
 END_TEST
 
@@ -249,9 +250,9 @@ static void same_use(const struct hatch_texture_use *a, const struct hatch_textu
     same_floats(a->offset, b->offset, 2);
 }
 
-START_TEST(looks_come_back)
+START_TEST(materials_cameras_and_lights_survive_a_round_trip)
 {
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.texture_count, 2);
     for (uint32_t t = 0; t < 2; t++) {
         ck_assert_uint_eq(back.textures[t].size, textures[t].size);
@@ -280,9 +281,9 @@ START_TEST(looks_come_back)
 }
 END_TEST
 
-START_TEST(motion_comes_back)
+START_TEST(skins_and_animations_survive_a_round_trip)
 {
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.skin_count, 1);
     ck_assert_mem_eq(back.skins[0].joints, joints, sizeof joints);
     same_floats(back.skins[0].inverse_bind, inverse_bind, 32);
@@ -299,30 +300,30 @@ START_TEST(motion_comes_back)
 }
 END_TEST
 
-/* Whatever order the attributes were added in. A minus zero, too: JSON has none. */
+/* Regardless of the attributes' order, and with a minus zero, which JSON readers read as 0. */
 START_TEST(a_copy_has_the_same_bytes)
 {
     nodes[4].matrix[1] = -0.0f;
-    struct hatch_buffer first = write_and_read(&whole);
+    struct hatch_buffer first = write_and_read(&full);
     struct hatch_buffer second = written(&back);
     ck_assert_uint_eq(second.size, first.size);
     ck_assert_mem_eq(second.data, first.data, first.size);
 }
 END_TEST
 
-/* One file mesh for the pair that two nodes draw: as many as there are groups, not nodes. */
-START_TEST(a_mesh_drawn_twice_is_written_once)
+/* Without the second node, the file lacks just that node's reference. */
+START_TEST(a_mesh_of_two_nodes_is_written_once)
 {
-    struct hatch_buffer both = written(&whole);
+    struct hatch_buffer both = written(&full);
     nodes[2].mesh_count = 0;
-    struct hatch_buffer once = written(&whole);
+    struct hatch_buffer once = written(&full);
     ck_assert_uint_le(both.size - once.size, sizeof ",\"mesh\":0" + 3);
     ck_assert_uint_gt(both.size, once.size);
 }
 END_TEST
 
-/* Names are the file's: any UTF-8. Sets of colours and joints go on after the first. */
-START_TEST(names_are_kept)
+/* Any UTF-8, and numbered sets after the first. */
+START_TEST(attribute_names_are_kept)
 {
     static const char *const names[] = {"_A \"name\"\\\n", "_\xc3\xa9t\xc3\xa9", "COLOR_1", "JOINTS_1", "TEXCOORD_7"};
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
@@ -331,7 +332,7 @@ START_TEST(names_are_kept)
         HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, names[i], i == 4 ? 2 : 4, &data[i], &err), &err);
         data[i][1] = 3;
     }
-    write_and_read(&whole);
+    write_and_read(&full);
     for (uint32_t i = 0; i < 5; i++) {
         const float *read = hatch_mesh_find(&back.meshes[4].mesh, names[i], i == 4 ? 2 : 4);
         ck_assert_msg(read != NULL, "%s is lost", names[i]);
@@ -341,34 +342,33 @@ START_TEST(names_are_kept)
 }
 END_TEST
 
-START_TEST(what_is_too_much_is_counted)
+START_TEST(surplus_attributes_are_counted)
 {
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
     struct hatch_mesh_notes notes = {0};
     float *data;
-    while (mesh->attribute_count < HATCH_MESH_ATTRIBUTES_READ + 2 + 2) { /* with morph targets, which do not count */
+    while (mesh->attribute_count < HATCH_MESH_ATTRIBUTES_READ + 2 + 2) { /* 2: morph targets, which do not count */
         char name[] = "_A";
         name[1] = (char)('A' + mesh->attribute_count);
         HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, name, 1, &data, &err), &err);
     }
-    struct hatch_buffer file = written(&whole);
+    struct hatch_buffer file = written(&full);
     HATCH_TEST_OK(
-        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, NULL, &keep, &scratch, &back, &notes, &err),
-        &err);
+        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &back, &notes, &err), &err);
     ck_assert_uint_eq(back.meshes[4].mesh.attribute_count, HATCH_MESH_ATTRIBUTES_READ + 2);
     ck_assert_uint_eq(notes.attributes_dropped, 2);
 }
 END_TEST
 
-/* The box that a viewer trusts is that of the numbers that it gets. */
-START_TEST(the_box_is_exact)
+/* min and max are those of the written values. */
+START_TEST(bounds_are_exact)
 {
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
     float *p = mesh->attributes[0].data;
     p[0] = 1.1754944e-38f;
     p[1] = 3.4028235e38f;
     p[2] = -16777217.0f / 3;
-    struct hatch_buffer file = written(&whole);
+    struct hatch_buffer file = written(&full);
     char want[120];
     float low[3], high[3];
     ck_assert(hatch_mesh_bounds(mesh, low, high));
@@ -382,20 +382,19 @@ START_TEST(the_box_is_exact)
 }
 END_TEST
 
-/* Images that the format does not take, and skins without joints, go; what named them stays whole.
- */
-START_TEST(what_cannot_be_written_is_left_out)
+/* References to them are removed, and later ones renumbered. */
+START_TEST(unsupported_images_and_empty_skins_are_left_out)
 {
-    textures[2] = (struct hatch_texture){foreign, sizeof foreign};
+    textures[2] = (struct hatch_texture){webp, sizeof webp};
     textures[3] = textures[1];
     textures[1] = (struct hatch_texture){NULL, 0};
-    whole.texture_count = 4;
+    full.texture_count = 4;
     materials[1].base.texture = 2;
     materials[3].base.texture = 3;
     nodes[3].skin = HATCH_NONE;
     skins[0].joint_count = 0;
     animations[0].channel_count = 0;
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.texture_count, 2);
     ck_assert_mem_eq(back.textures[1].data, jpeg, sizeof jpeg);
     ck_assert_uint_eq(back.materials[1].base.texture, HATCH_NONE);
@@ -406,19 +405,19 @@ START_TEST(what_cannot_be_written_is_left_out)
 }
 END_TEST
 
-START_TEST(a_scene_of_nothing_is_a_file)
+START_TEST(an_empty_scene_is_written)
 {
-    whole = (struct hatch_scene){0};
-    struct hatch_buffer file = write_and_read(&whole);
+    full = (struct hatch_scene){0};
+    struct hatch_buffer file = write_and_read(&full);
     ck_assert_uint_lt(file.size, 200);
     ck_assert_uint_eq(back.node_count + back.mesh_count, 0);
 }
 END_TEST
 
-START_TEST(a_mesh_without_faces_is_no_mesh)
+START_TEST(meshes_without_faces_are_left_out)
 {
     scene_meshes[0].mesh.face_count = scene_meshes[4].mesh.face_count = 0;
-    write_and_read(&whole);
+    write_and_read(&full);
     ck_assert_uint_eq(back.mesh_count, 3);
     ck_assert_uint_eq(back.nodes[1].mesh_count, 1);
     ck_assert_uint_eq(back.nodes[3].first_mesh, 2);
@@ -426,9 +425,8 @@ START_TEST(a_mesh_without_faces_is_no_mesh)
 }
 END_TEST
 
-/* The numbers of a mesh too large for the format's 32-bit sizes are looked at; its bytes never are.
- */
-START_TEST(four_gigabytes_are_too_many)
+/* The size is checked before the mesh's data, which do not exist, are read. */
+START_TEST(over_four_gigabytes_are_refused)
 {
     struct hatch_mesh *mesh = &scene_meshes[4].mesh;
     static float three[3];
@@ -437,7 +435,7 @@ START_TEST(four_gigabytes_are_too_many)
     mesh->vertex_count = 1;
     mesh->face_count = 1u << 30;
     struct hatch_buffer file = {.arena = &keep};
-    ck_assert_int_eq(hatch_glb_write_scene(&whole, NULL, &scratch, &file, &err), HATCH_LIMIT);
+    ck_assert_int_eq(hatch_glb_write_scene(&full, NULL, &scratch, &file, &err), HATCH_LIMIT);
     ck_assert_msg(strstr(err.text, "a GLB file holds at most 4294967295") != NULL, "%s", err.text);
     ck_assert_uint_eq(file.size, 0);
 }
@@ -452,7 +450,7 @@ static enum hatch_status write_one(void *context, struct hatch_arena *kept, stru
 
 START_TEST(every_failed_allocation_is_a_limit)
 {
-    hatch_test_fail_alloc(write_one, &whole, &whole, sizeof whole);
+    hatch_test_fail_alloc(write_one, &full, &full, sizeof full);
 }
 END_TEST
 
@@ -461,20 +459,20 @@ static Suite *suite(void)
     Suite *suite = suite_create("io glb");
     TCase *tests = tcase_create("glb");
     tcase_add_checked_fixture(tests, begin_scene, end);
-    tcase_add_test(tests, meshes_come_back);
-    tcase_add_test(tests, nodes_come_back);
-    tcase_add_test(tests, looks_come_back);
-    tcase_add_test(tests, motion_comes_back);
-    tcase_add_test(tests, weights_at_rest_are_taken_in);
+    tcase_add_test(tests, meshes_survive_a_round_trip);
+    tcase_add_test(tests, nodes_survive_a_round_trip);
+    tcase_add_test(tests, materials_cameras_and_lights_survive_a_round_trip);
+    tcase_add_test(tests, skins_and_animations_survive_a_round_trip);
+    tcase_add_test(tests, weights_at_rest_are_applied);
     tcase_add_test(tests, a_copy_has_the_same_bytes);
-    tcase_add_test(tests, a_mesh_drawn_twice_is_written_once);
-    tcase_add_test(tests, names_are_kept);
-    tcase_add_test(tests, what_is_too_much_is_counted);
-    tcase_add_test(tests, the_box_is_exact);
-    tcase_add_test(tests, what_cannot_be_written_is_left_out);
-    tcase_add_test(tests, a_scene_of_nothing_is_a_file);
-    tcase_add_test(tests, a_mesh_without_faces_is_no_mesh);
-    tcase_add_test(tests, four_gigabytes_are_too_many);
+    tcase_add_test(tests, a_mesh_of_two_nodes_is_written_once);
+    tcase_add_test(tests, attribute_names_are_kept);
+    tcase_add_test(tests, surplus_attributes_are_counted);
+    tcase_add_test(tests, bounds_are_exact);
+    tcase_add_test(tests, unsupported_images_and_empty_skins_are_left_out);
+    tcase_add_test(tests, an_empty_scene_is_written);
+    tcase_add_test(tests, meshes_without_faces_are_left_out);
+    tcase_add_test(tests, over_four_gigabytes_are_refused);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

@@ -1,4 +1,4 @@
-/* What exporters write that is met less often: each as small as it can be. */
+/* glTF features that few exporters write, each in a minimal file. */
 #include <math.h>
 #include <string.h>
 
@@ -9,12 +9,12 @@
 static struct hatch_scene scene;
 static struct hatch_mesh_notes notes;
 
-/* The companion of every file here. */
+/* Content of "d.bin", the companion of every file here. */
 static const struct {
     float square[12];
-    float up[3];
-    uint16_t corners[6], places[2], more[2];
-    float moves[9], turns[12];
+    float raised[3];
+    uint16_t corners[6], places[2], indices[2];
+    float translations[9], rotations[12];
     float times[3], values[9];
 } data = {{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
           {0, 0, 5},
@@ -32,13 +32,15 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
     (void)context;
     (void)arena;
     if (strcmp(uri, "d.bin") != 0)
-        return hatch_fail(error, HATCH_IO, "%s: not there", uri);
+        return hatch_fail(error, HATCH_IO, "%s: missing", uri);
     *bytes = (struct hatch_bytes){(const uint8_t *)&data, sizeof data};
     return HATCH_OK;
 }
 
-/* Accessors: 0 the square, 1 the square with a corner higher, 2 corners that sparse ones complete, 3 moves,
- * 4 turns, 5 times, 6 values, 7 two moves, 8 as many zeros as one likes. */
+static const struct hatch_gltf_resolver resolver = {resolve, NULL};
+
+/* Accessors: 0 a square, 1 the square with a corner raised by a sparse value, 2 indices, two of them sparse,
+ * 3 translations, 4 rotations, 5 times, 6 values, 7 two translations, 8 many zeros without a view. */
 #define HEAD                                                                                                           \
     "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":212}],\"bufferViews\":["          \
     "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"                             \
@@ -61,7 +63,7 @@ static enum hatch_status resolve(void *context, const char *uri, struct hatch_ar
 static enum hatch_status read_bytes(const void *bytes, size_t size)
 {
     notes = (struct hatch_mesh_notes){0};
-    return hatch_gltf_read((struct hatch_bytes){bytes, size}, resolve, NULL, &keep, &scratch, &scene, &notes, &err);
+    return hatch_gltf_read((struct hatch_bytes){bytes, size}, &resolver, &keep, &scratch, &scene, &notes, &err);
 }
 
 static void reads(const char *json)
@@ -105,20 +107,20 @@ START_TEST(instances_are_nodes)
         ck_assert_float_eq(scene.nodes[i].translation[0], 2 * (float)(i - 1));
         ck_assert_float_eq(scene.nodes[i].scale[2], 1);
     }
-    ck_assert_float_eq(scene.nodes[3].rotation[2], 1); /* brought to length 1 */
+    ck_assert_float_eq(scene.nodes[3].rotation[2], 1); /* normalised */
     float world[5 * 16];
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
     ck_assert_float_eq(world[4 * 16 + 12], 6);
     ck_assert_float_eq(world[4 * 16 + 13], 7);
     refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":7,\"ROTATION\":4"),
-            "node 0, instances' ROTATION: 3 of them, of others there are 2");
+            "node 0, instances' ROTATION: 3 elements, other attributes have 2");
     refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":8"),
             "node 0, instances' TRANSLATION: its accessor has no buffer view");
 }
 END_TEST
 
-/* Two keys at one time: a jump. */
-START_TEST(times_may_stand_still)
+/* A jump. */
+START_TEST(two_keys_may_have_one_time)
 {
     reads(HEAD ",\"nodes\":[{}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
                "\"translation\"}}],\"samplers\":[{\"input\":5,\"output\":6}]}]}");
@@ -130,8 +132,8 @@ START_TEST(times_may_stand_still)
 }
 END_TEST
 
-/* The extension is named, whatever else is strange about the file without it. */
-START_TEST(what_is_required_is_asked_first)
+/* The message names the extension, although the buffer is wrong, too. */
+START_TEST(required_extensions_are_checked_first)
 {
     refuses("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":9}],\"extensionsRequired\":["
             "\"KHR_texture_transform\",\"EXT_meshopt_compression\"]}",
@@ -140,7 +142,7 @@ START_TEST(what_is_required_is_asked_first)
 }
 END_TEST
 
-START_TEST(zeros_behind_the_end_are_nothing)
+START_TEST(trailing_zeros_are_ignored)
 {
     char json[64] = "{\"asset\":{\"version\":\"2.0\"}}";
     HATCH_TEST_OK(read_bytes(json, sizeof json), &err);
@@ -154,7 +156,7 @@ START_TEST(zeros_behind_the_end_are_nothing)
 }
 END_TEST
 
-#define LOOKS(material)                                                                                                \
+#define MATERIALS(material)                                                                                            \
     "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\",\"EXT_texture_webp\"],"           \
     "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp;base64,AAAA\",\"name\":"          \
     "\"bark\"},{\"uri\":\"gone.png\"},{\"uri\":\"no%20one.png\"}],\"textures\":[{\"extensions\":{"                     \
@@ -163,33 +165,33 @@ END_TEST
     "\"materials\":[" material "]}"
 #define COLOUR(texture) "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":" texture "}}}"
 
-START_TEST(images_of_extensions)
+START_TEST(images_of_extensions_are_found)
 {
-    reads(LOOKS(COLOUR("0") "," COLOUR("1")));
+    reads(MATERIALS(COLOUR("0") "," COLOUR("1")));
     ck_assert(scene.materials[0].base.texture == 0 && scene.materials[1].base.texture == 0);
-    ck_assert_uint_eq(notes.images_missing, 0); /* nobody wants them */
-    reads(LOOKS(COLOUR("2") "," COLOUR("2") ",{\"normalTexture\":{\"index\":3}}"));
+    ck_assert_uint_eq(notes.images_missing, 0); /* no material refers to one */
+    reads(MATERIALS(COLOUR("2") "," COLOUR("2") ",{\"normalTexture\":{\"index\":3}}"));
     ck_assert(scene.materials[0].base.texture == HATCH_NONE && !scene.materials[2].normals.used);
     ck_assert_uint_eq(notes.images_missing, 2);
     ck_assert_str_eq(notes.image_missing, "gone.png");
-    reads(LOOKS(COLOUR("3")));
+    reads(MATERIALS(COLOUR("3")));
     ck_assert_str_eq(notes.image_missing, "bark");
 }
 END_TEST
 
-START_TEST(coordinates_of_any_set)
+START_TEST(texture_coordinates_may_be_of_any_set)
 {
-    reads(LOOKS("{\"normalTexture\":{\"index\":1,\"texCoord\":3,\"scale\":0.5}}"));
+    reads(MATERIALS("{\"normalTexture\":{\"index\":1,\"texCoord\":3,\"scale\":0.5}}"));
     const struct hatch_normal_map *normals = &scene.materials[0].normals;
     ck_assert(normals->used && normals->at.texcoord == 3);
     ck_assert_float_eq(normals->strength, 0.5f);
 }
 END_TEST
 
-START_TEST(what_blends_is_cut_at_one_half)
+START_TEST(blended_materials_have_a_cutoff_of_one_half)
 {
-    reads(LOOKS("{\"alphaMode\":\"BLEND\"},{\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}},"
-                "{\"alphaMode\":\"MASK\"}"));
+    reads(MATERIALS("{\"alphaMode\":\"BLEND\"},{\"alphaMode\":\"BLEND\",\"extras\":{\"hatch\":\"outline\"}},"
+                    "{\"alphaMode\":\"MASK\"}"));
     ck_assert(scene.materials[0].blend && !scene.materials[1].blend && !scene.materials[2].blend);
     ck_assert_float_eq(scene.materials[0].alpha_cutoff, 0.5f);
     ck_assert_float_eq(scene.materials[1].alpha_cutoff, 0);
@@ -204,12 +206,12 @@ static Suite *suite(void)
     tcase_add_test(tests, indices_may_be_sparse);
     tcase_add_test(tests, positions_may_be_sparse);
     tcase_add_test(tests, instances_are_nodes);
-    tcase_add_test(tests, times_may_stand_still);
-    tcase_add_test(tests, what_is_required_is_asked_first);
-    tcase_add_test(tests, zeros_behind_the_end_are_nothing);
-    tcase_add_test(tests, images_of_extensions);
-    tcase_add_test(tests, coordinates_of_any_set);
-    tcase_add_test(tests, what_blends_is_cut_at_one_half);
+    tcase_add_test(tests, two_keys_may_have_one_time);
+    tcase_add_test(tests, required_extensions_are_checked_first);
+    tcase_add_test(tests, trailing_zeros_are_ignored);
+    tcase_add_test(tests, images_of_extensions_are_found);
+    tcase_add_test(tests, texture_coordinates_may_be_of_any_set);
+    tcase_add_test(tests, blended_materials_have_a_cutoff_of_one_half);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,4 +1,4 @@
-/* What real files say of materials and lights, and of their own parts. */
+/* Materials, lights and companion files as exporters write them. */
 #include <math.h>
 #include <string.h>
 
@@ -11,21 +11,23 @@ static struct hatch_mesh_notes notes;
 #define HEAD "{\"asset\":{\"version\":\"2.0\"}"
 #define TEXTURE ",\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"}],\"textures\":[{\"source\":0},{\"source\":0}]"
 
-/* Only the file "a+b.bin" is there. */
+/* Only the file "a+b.bin" exists. */
 static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                  struct hatch_err *error)
 {
     (void)context;
     (void)arena;
     if (strcmp(uri, "a+b.bin") != 0)
-        return hatch_fail(error, HATCH_IO, "%s: not there", uri);
+        return hatch_fail(error, HATCH_IO, "%s: missing", uri);
     *bytes = (struct hatch_bytes){(const uint8_t *)"1234", 4};
     return HATCH_OK;
 }
 
+static const struct hatch_gltf_resolver resolver = {resolve, NULL};
+
 static enum hatch_status read_bytes(const void *data, size_t size)
 {
-    return hatch_gltf_read((struct hatch_bytes){data, size}, resolve, NULL, &keep, &scratch, &scene, &notes, &err);
+    return hatch_gltf_read((struct hatch_bytes){data, size}, &resolver, &keep, &scratch, &scene, &notes, &err);
 }
 
 static void reads(const char *json)
@@ -39,7 +41,7 @@ static void refuses(const char *json, const char *sentence)
     ck_assert_str_eq(err.text, sentence);
 }
 
-START_TEST(textures_are_placed)
+START_TEST(texture_transforms_are_read)
 {
     reads(HEAD TEXTURE ",\"extensionsRequired\":[\"KHR_texture_transform\"],\"materials\":[{"
                        "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1,\"extensions\":{"
@@ -55,11 +57,11 @@ START_TEST(textures_are_placed)
     static const char crooked[] =
         HEAD TEXTURE ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":"
                      "{\"KHR_texture_transform\":{\"scale\":[1]}}}}}]}";
-    refuses(crooked, "material 0: scale wants 2 numbers, not 1");
+    refuses(crooked, "material 0: scale: 1 values, want 2");
 }
 END_TEST
 
-START_TEST(the_older_colours_count)
+START_TEST(diffuse_colours_are_read)
 {
     reads(HEAD TEXTURE ",\"extensionsRequired\":[\"KHR_materials_pbrSpecularGlossiness\"],\"materials\":[{"
                        "\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[0.5,0,0,1],"
@@ -73,22 +75,22 @@ START_TEST(the_older_colours_count)
     static const char astray[] =
         HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
                      "\"diffuseTexture\":{\"index\":7}}}}]}";
-    refuses(astray, "material 0: texture 7, there are 2");
+    refuses(astray, "material 0: texture 7 does not exist, there are 2");
 }
 END_TEST
 
-START_TEST(how_a_surface_shines_is_no_reason_to_refuse)
+START_TEST(material_extensions_are_accepted)
 {
     static const char draco[] =
         HEAD ",\"extensionsRequired\":[\"KHR_materials_sheen\",\"KHR_draco_mesh_compression\"]}";
     reads(HEAD ",\"extensionsRequired\":[\"KHR_materials_unlit\",\"KHR_materials_clearcoat\"]}");
     refuses(draco, "extensionsRequired: KHR_draco_mesh_compression is not supported");
     static const char later[] = "{\"asset\":{\"version\":\"2.1\",\"minVersion\":\"2.1\"}}";
-    refuses(later, "asset: needs a reader of glTF 2.1, this one is of 2.0");
+    refuses(later, "asset: needs glTF 2.1, only 2.0 is supported");
 }
 END_TEST
 
-START_TEST(a_sharp_cone_is_a_cone)
+START_TEST(a_spot_may_have_a_sharp_edge)
 {
     reads(HEAD ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\",\"spot\":{"
                "\"innerConeAngle\":0.5,\"outerConeAngle\":0.5}}]}}}");
@@ -97,17 +99,17 @@ START_TEST(a_sharp_cone_is_a_cone)
 }
 END_TEST
 
-START_TEST(a_plus_in_a_name_is_a_plus)
+START_TEST(a_plus_in_a_uri_stays_a_plus)
 {
     reads(HEAD ",\"buffers\":[{\"byteLength\":4,\"uri\":\"a+b.bin\"}]}");
     static const char gone[] = HEAD ",\"buffers\":[{\"byteLength\":4,\"uri\":\"a b.txt\"}]}";
-    refuses(gone, "a b.txt: not there");
+    refuses(gone, "a b.txt: missing");
 }
 END_TEST
 
-START_TEST(a_glb_may_have_no_binary_part)
+START_TEST(a_glb_may_lack_a_binary_chunk)
 {
-    static const char json[] = HEAD "} "; /* 28 bytes: in fours */
+    static const char json[] = HEAD "} "; /* 28 bytes: a multiple of 4 */
     for (int empty = 0; empty < 2; empty++) {
         struct hatch_buffer file = {.arena = &keep};
         HATCH_TEST_OK(hatch_buffer_add(&file, "glTF\2\0\0\0", 8, &err), &err);
@@ -128,12 +130,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("io gltf material");
     TCase *tests = tcase_create("reader");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, textures_are_placed);
-    tcase_add_test(tests, the_older_colours_count);
-    tcase_add_test(tests, how_a_surface_shines_is_no_reason_to_refuse);
-    tcase_add_test(tests, a_sharp_cone_is_a_cone);
-    tcase_add_test(tests, a_plus_in_a_name_is_a_plus);
-    tcase_add_test(tests, a_glb_may_have_no_binary_part);
+    tcase_add_test(tests, texture_transforms_are_read);
+    tcase_add_test(tests, diffuse_colours_are_read);
+    tcase_add_test(tests, material_extensions_are_accepted);
+    tcase_add_test(tests, a_spot_may_have_a_sharp_edge);
+    tcase_add_test(tests, a_plus_in_a_uri_stays_a_plus);
+    tcase_add_test(tests, a_glb_may_lack_a_binary_chunk);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -26,7 +26,7 @@ static struct hatch_bytes text(const char *words)
 static enum hatch_status read_bytes(struct hatch_bytes file)
 {
     enum hatch_mesh_format format = hatch_mesh_format_of(file, NULL);
-    return hatch_mesh_read(file, format, &keep, &scratch, &mesh, origin, &notes, &err);
+    return hatch_mesh_read((struct hatch_mesh_file){file, format}, &keep, &scratch, &mesh, origin, &notes, &err);
 }
 
 static void reads(struct hatch_bytes file, uint32_t vertices, uint32_t faces)
@@ -43,11 +43,11 @@ static double area(void)
     return figures.area;
 }
 
-/* A tetrahedron in every form. */
+/* A tetrahedron, the mesh of the files below. */
 static const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
-static void is_tetrahedron(void)
+static void check_tetrahedron(void)
 {
     ck_assert_uint_eq(mesh.vertex_count, 4);
     ck_assert_uint_eq(mesh.face_count, 4);
@@ -105,23 +105,25 @@ static struct hatch_bytes binary_stl(const char *name)
     return (struct hatch_bytes){file.data, file.size};
 }
 
-static const char plain_obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+static const char ascii_obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                                 "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-static const char plain_off[] = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+static const char ascii_off[] = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                 "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
-START_TEST(one_mesh_in_every_format)
+START_TEST(every_format_gives_the_same_mesh)
 {
-    const struct hatch_bytes files[] = {text(ascii_ply), binary_ply(false), binary_ply(true), text(plain_obj),
-                                        text(plain_off)};
+    const struct hatch_bytes files[] = {text(ascii_ply), binary_ply(false), binary_ply(true), text(ascii_obj),
+                                        text(ascii_off)};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         HATCH_TEST_OK(read_bytes(files[i]), &err);
-        is_tetrahedron();
+        check_tetrahedron();
     }
-    const char *names[] = {"made by nobody", "solid, and yet binary"};
+    const char *names[] = {"a binary file", "solid, although binary"};
     for (int i = 0; i < 2; i++) {
         struct hatch_bytes file = binary_stl(names[i]);
-        HATCH_TEST_OK(hatch_mesh_read(file, HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
+        HATCH_TEST_OK(hatch_mesh_read((struct hatch_mesh_file){file, HATCH_MESH_STL}, &keep, &scratch, &mesh, origin,
+                                      &notes, &err),
+                      &err);
         ck_assert_uint_eq(mesh.vertex_count, 12);
         ck_assert_double_eq_tol(area(), 1.5 + sqrt(3.0) / 2, 1e-7);
     }
@@ -131,7 +133,7 @@ START_TEST(one_mesh_in_every_format)
 }
 END_TEST
 
-START_TEST(formats_are_known_by_content_then_by_name)
+START_TEST(formats_are_found_by_content_then_by_name)
 {
     ck_assert_int_eq(hatch_mesh_format_of(text("ply\n"), "x.obj"), HATCH_MESH_PLY);
     ck_assert_int_eq(hatch_mesh_format_of(text("glTF...."), NULL), HATCH_MESH_GLTF);
@@ -142,27 +144,28 @@ START_TEST(formats_are_known_by_content_then_by_name)
     ck_assert_int_eq(hatch_mesh_format_of(text("\1\2\3"), "a/b.StL"), HATCH_MESH_STL);
     ck_assert_int_eq(hatch_mesh_format_of(text("f 1 2 3"), "b.OBJ"), HATCH_MESH_OBJ);
     ck_assert_int_eq(hatch_mesh_format_of(text(""), NULL), HATCH_MESH_UNKNOWN);
-    ck_assert_int_eq(read_bytes(text("nothing of ours")), HATCH_BAD_INPUT);
+    ck_assert_int_eq(read_bytes(text("none of these")), HATCH_BAD_INPUT);
 }
 END_TEST
 
-/* Cut anywhere a file is refused, but where what is missing is a line's end or a comment. */
-START_TEST(every_cut_is_seen)
+/* Truncated anywhere but before the last line end. */
+START_TEST(a_truncated_file_is_refused)
 {
     const struct {
         struct hatch_bytes file;
-        size_t spare; /* bytes at the end that may be missing */
+        size_t optional; /* bytes at the end that may be missing */
     } files[] = {{text(ascii_ply), 1},
                  {binary_ply(true), 0},
-                 {text(plain_off), 1},
+                 {text(ascii_off), 1},
                  {binary_stl("s"), 0},
-                 {binary_stl("solid cut"), 0}};
+                 {binary_stl("solid s"), 0}};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct hatch_bytes cut = files[i].file;
         enum hatch_mesh_format format = hatch_mesh_format_of(cut, "x.stl");
-        for (cut.size = 0; cut.size < files[i].file.size - files[i].spare; cut.size++)
-            ck_assert_msg(hatch_mesh_read(cut, format, &keep, &scratch, &mesh, origin, &notes, &err) == HATCH_BAD_INPUT,
-                          "file %zu, cut after %zu bytes, is read", i, cut.size);
+        for (cut.size = 0; cut.size < files[i].file.size - files[i].optional; cut.size++)
+            ck_assert_msg(hatch_mesh_read((struct hatch_mesh_file){cut, format}, &keep, &scratch, &mesh, origin, &notes,
+                                          &err) == HATCH_BAD_INPUT,
+                          "file %zu, truncated after %zu bytes, is read", i, cut.size);
     }
 }
 END_TEST
@@ -175,37 +178,37 @@ static void refused(const char *file, const char *place)
     ck_assert_mem_eq(&before, &mesh, sizeof mesh);
 }
 
-START_TEST(what_is_wrong_is_named_with_its_place)
+START_TEST(errors_name_their_place)
 {
-    refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: corner 4: vertex 4 of 3");
-    refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4: corner -4: vertex -4 of 3");
-    refused("v 0 0 0\nf 1/2 1 1\n", "texture coordinate 2 of 0");
-    refused("v 0 0 0\nf 1//2 1 1\n", "normal 2 of 0");
+    refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: corner 4: vertex 4 does not exist, there are 3");
+    refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4: corner -4: vertex -4 does not exist, there are 3");
+    refused("v 0 0 0\nf 1/2 1 1\n", "texture coordinate 2 does not exist, there are 0");
+    refused("v 0 0 0\nf 1//2 1 1\n", "normal 2 does not exist, there are 0");
     refused("v 0 0 0\nf 1/1/1/1 1 1\n", "texture");
-    refused("v 0 0 0\nv 1 0 0\nf\n", "line 3: a face of no corners");
+    refused("v 0 0 0\nv 1 0 0\nf\n", "line 3: a face without corners");
     refused("v 0 0 0\nv 1 0 0\nf 1 2\n", "no faces");
     refused("v 0 0\nf 1 1 1\n", "line 1: v has too few numbers");
-    refused("v 0 0 0x10\n", "0x10 is no number");
-    refused("v 0 0 nan\n", "nan is no number");
+    refused("v 0 0 0x10\n", "0x10 is not a number");
+    refused("v 0 0 nan\n", "nan is not a number");
     refused("v 0 0 1e39\n", "1e39 is too large");
-    refused("v 0 0 1,5\n", "1,5 is no number");
-    refused("v 0 0 0\nsurf 1 2\n", "line 2: unknown word surf");
+    refused("v 0 0 1,5\n", "1,5 is not a number");
+    refused("v 0 0 0\nsurf 1 2\n", "line 2: unknown keyword surf");
     refused("v 0 0 0\n\n# nothing\n", "no faces");
-    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: corner 3, there are 3 vertices");
-    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "line 6: a face of 0 corners");
-    refused("OFFX\n3 1 0\n", "X is no number of vertices");
+    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: vertex 3 does not exist, there are 3");
+    refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "line 6: a face with 0 corners");
+    refused("OFFX\n3 1 0\n", "X is not a number of vertices");
     refused("OFF\n3 9999 0\n0 0 0\n1 0 0\n", "9999 faces do not fit");
-    refused("OFF BINARY\n3 1 0\n", "BINARY is no number of vertices");
+    refused("OFF BINARY\n3 1 0\n", "BINARY is not a number of vertices");
     refused("solid\nfacet normal 0 0 0\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n",
-            "line 5: a facet of 2 corners");
-    refused("solid\nhello\n", "line 2: unknown word hello");
+            "line 5: a facet with 2 corners");
+    refused("solid\nhello\n", "line 2: unknown keyword hello");
     refused("ply\nformat ascii 2.0\nend_header\n", "line 2: unknown format ascii");
     refused("ply\nelement vertex 1\nproperty float x\nend_header\n0\n", "no format");
-    refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n", "no x, y and z");
+    refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n", "no properties x, y and z");
     refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n", "unknown type");
     refused("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
             "end_header\n3 0 1 2\n",
-            "element face: no vertices before it");
+            "element face: must follow the element vertex");
     refused("ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nproperty float y\n"
             "property float z\nend_header\n0 0 0\n",
             "element vertex: 99999");
@@ -215,24 +218,24 @@ START_TEST(what_is_wrong_is_named_with_its_place)
 }
 END_TEST
 
-#define PLY_THREE                                                                                                      \
+#define PLY_TRIANGLE                                                                                                   \
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                                    \
     "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"                             \
     "0 0 0\n1 0 0\n0 1 0\n"
 
 START_TEST(ply_faces_are_checked)
 {
-    refused(PLY_THREE "3 0 1 3\n", "line 13: face 0: a corner is no vertex");
-    refused(PLY_THREE "3 0 1 -1\n", "face 0: a corner is no vertex");
-    refused(PLY_THREE "2 0 1\n", "no faces");
-    refused(PLY_THREE "3 0 1\n", "the file is cut");
-    refused(PLY_THREE "200 0 1 2\n", "a list longer than the file");
-    refused(PLY_THREE "3 0 1 x\n", "not a number");
-    reads(text(PLY_THREE "3 0 1 2\n"), 3, 1);
+    refused(PLY_TRIANGLE "3 0 1 3\n", "line 13: face 0: a corner is not a vertex index");
+    refused(PLY_TRIANGLE "3 0 1 -1\n", "face 0: a corner is not a vertex index");
+    refused(PLY_TRIANGLE "2 0 1\n", "no faces");
+    refused(PLY_TRIANGLE "3 0 1\n", "the file is truncated");
+    refused(PLY_TRIANGLE "200 0 1 2\n", "a list is longer than the file");
+    refused(PLY_TRIANGLE "3 0 1 x\n", "not a number");
+    reads(text(PLY_TRIANGLE "3 0 1 2\n"), 3, 1);
 }
 END_TEST
 
-START_TEST(faces_that_are_lines_are_left_out)
+START_TEST(faces_of_less_than_three_corners_are_dropped)
 {
     const char *files[] = {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 3\n",
                            "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 2\n",
@@ -247,8 +250,8 @@ START_TEST(faces_that_are_lines_are_left_out)
 }
 END_TEST
 
-/* As programs write files, not as formats are described. */
-START_TEST(what_real_files_have)
+/* Deviations from the formats that are common. */
+START_TEST(files_of_other_programs_are_read)
 {
     static const char ply[] = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                               "property float z\nproperty float quality\nelement face 1\n"
@@ -260,15 +263,19 @@ START_TEST(what_real_files_have)
     reads(text(ply), 3, 1);
     static const char stl[] = " \n\tSOLID x\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
                               "Vertex 0 1 0\nENDLOOP\nENDFACET\nENDSOLID x\n";
-    HATCH_TEST_OK(hatch_mesh_read(text(stl), HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_read((struct hatch_mesh_file){text(stl), HATCH_MESH_STL}, &keep, &scratch, &mesh, origin,
+                                  &notes, &err),
+                  &err);
     ck_assert_uint_eq(mesh.face_count, 1);
     static const char one_line[] = "solid a vertex of a loop facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
                                    "vertex 0 1 0 endloop endfacet facet normal 0 0 1 outer loop vertex 1 0 0 vertex "
                                    "1 1 0 vertex 0 1 0 endloop endfacet endsolid a vertex";
-    HATCH_TEST_OK(hatch_mesh_read(text(one_line), HATCH_MESH_STL, &keep, &scratch, &mesh, origin, &notes, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_read((struct hatch_mesh_file){text(one_line), HATCH_MESH_STL}, &keep, &scratch, &mesh,
+                                  origin, &notes, &err),
+                  &err);
     ck_assert_uint_eq(mesh.face_count, 2);
     ck_assert_float_eq(mesh.attributes[0].data[3 * 4 + 1], 1);
-    struct hatch_bytes file = binary_stl("solid, with more at the end");
+    struct hatch_bytes file = binary_stl("solid, with trailing bytes");
     struct hatch_buffer longer = {.arena = &keep};
     HATCH_TEST_OK(hatch_buffer_add(&longer, file.data, file.size, &err), &err);
     HATCH_TEST_OK(hatch_buffer_add(&longer, "more", 4, &err), &err);
@@ -293,7 +300,7 @@ START_TEST(ply_attributes_and_strips)
 }
 END_TEST
 
-START_TEST(obj_corners_become_vertices_once_each)
+START_TEST(obj_index_triples_become_vertices)
 {
     reads(text("mtllib x\nv 0 0 0 1 1 1\nv 1 0 0\r\nv 1 1 0\n\tv 0 1 0\nv 9 9 9\nvt 0 0\nvt 1 0.25\n"
                "vn 0 0 5\nf 1/1/1 2/2/1 \\\n 3/1/1\nf -5/1/1 3/1/1 4/2/-1 # last\nl 1 2\n"),
@@ -302,7 +309,7 @@ START_TEST(obj_corners_become_vertices_once_each)
     ck_assert_mem_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2), uv, sizeof uv);
     ck_assert_float_eq(hatch_mesh_find(&mesh, "NORMAL", 3)[11], 1);
     ck_assert_uint_eq(notes.unreferenced_dropped, 1);
-    /* A seam in the texture doubles a vertex; a face without it leaves the attribute out. */
+    /* A texture seam doubles a vertex. Without texture coordinates in one face the attribute is dropped. */
     reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/1 2/1\n"), 4, 2);
     ck_assert_ptr_nonnull(hatch_mesh_find(&mesh, "TEXCOORD_0", 2));
     reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf 1 3 2\n"), 6, 2);
@@ -310,11 +317,11 @@ START_TEST(obj_corners_become_vertices_once_each)
 }
 END_TEST
 
-/* A polygon in the plane x + y + z = 0, seen from outside and from behind, started anywhere. */
-static void cuts(const double (*outline)[2], uint32_t count, double want)
+/* A polygon in the plane x + y + z = 0, in both orientations, from every first corner. want: area in xy. */
+static void triangulates(const double (*outline)[2], uint32_t count, double want)
 {
     for (uint32_t start = 0; start < count; start++)
-        for (int turned = 0; turned < 2; turned++) {
+        for (int reversed = 0; reversed < 2; reversed++) {
             struct hatch_buffer file = {.arena = &keep};
             for (uint32_t i = 0; i < count; i++)
                 HATCH_TEST_OK(hatch_buffer_print(&file, &err, "v %.9g %.9g %.9g\n", outline[i][0], outline[i][1],
@@ -323,14 +330,14 @@ static void cuts(const double (*outline)[2], uint32_t count, double want)
             HATCH_TEST_OK(hatch_buffer_print(&file, &err, "f"), &err);
             for (uint32_t i = 0; i < count; i++)
                 HATCH_TEST_OK(
-                    hatch_buffer_print(&file, &err, " %u", (turned ? 2 * count + start - i : start + i) % count + 1),
+                    hatch_buffer_print(&file, &err, " %u", (reversed ? 2 * count + start - i : start + i) % count + 1),
                     &err);
             reads((struct hatch_bytes){file.data, file.size}, count, count - 2);
             ck_assert_double_eq_tol(area(), want * sqrt(3.0), 1e-5 * want);
         }
 }
 
-START_TEST(polygons_are_cut_without_loss)
+START_TEST(triangles_cover_their_polygon)
 {
     const double arrow[][2] = {{0, 0}, {4, 0}, {0, 4}, {1, 1}};
     const double comb[][2] = {{0, 0}, {7, 0}, {7, 3}, {6, 1}, {5, 3}, {4, 1}, {3, 3}, {2, 1}, {0, 3}};
@@ -342,14 +349,14 @@ START_TEST(polygons_are_cut_without_loss)
         star[i][1] = radius * sin(angle);
         star_area += 0.5 * 3 * sin(3.14159265358979 / 20);
     }
-    cuts(arrow, 4, 6);
-    cuts(comb, 9, 14);
-    cuts(straight, 7, 4);
-    cuts((const double(*)[2])star, 40, star_area);
+    triangulates(arrow, 4, 6);
+    triangulates(comb, 9, 14);
+    triangulates(straight, 7, 4);
+    triangulates((const double(*)[2])star, 40, star_area);
 }
 END_TEST
 
-START_TEST(a_large_polygon_takes_no_time)
+START_TEST(a_large_convex_polygon_is_fast)
 {
     struct hatch_buffer file = {.arena = &keep};
     for (int i = 0; i < 20000; i++) {
@@ -368,18 +375,19 @@ END_TEST
 static enum hatch_status read_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
                                   struct hatch_err *error)
 {
-    struct hatch_mesh_notes said = {0};
+    struct hatch_mesh_notes noted = {0};
     struct hatch_bytes file = *(const struct hatch_bytes *)context;
     const char *name = file.data[0] == 's' ? "x.stl" : NULL;
-    return hatch_mesh_read(file, hatch_mesh_format_of(file, name), kept, temporary, &mesh, origin, &said, error);
+    return hatch_mesh_read((struct hatch_mesh_file){file, hatch_mesh_format_of(file, name)}, kept, temporary, &mesh,
+                           origin, &noted, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_bytes files[] = {
         text(ascii_ply),
-        text(plain_obj),
-        text(plain_off),
+        text(ascii_obj),
+        text(ascii_off),
         binary_stl("s"),
         text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
@@ -388,8 +396,8 @@ START_TEST(every_failed_allocation_is_a_limit)
 }
 END_TEST
 
-/* A tetrahedron in a survey's coordinates: as floats its corners would be one point, and with them its form. */
-START_TEST(what_lies_far_out_keeps_its_shape)
+/* A tetrahedron in a survey's coordinates, whose corners coincide when rounded to floats. */
+START_TEST(a_mesh_far_from_the_origin_keeps_its_shape)
 {
     static const double at[3] = {5e8, 0, -4e6};
     static const char *const files[] = {
@@ -411,7 +419,7 @@ START_TEST(what_lies_far_out_keeps_its_shape)
     reads(text("solid\nfacet\nvertex 500000000 0 0\nvertex 500000001 0 0\nvertex 500000000 1 0\nendfacet\nendsolid\n"),
           3, 1);
     ck_assert_double_eq(area(), 0.5);
-    reads(text(plain_obj), 4, 4);
+    reads(text(ascii_obj), 4, 4);
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq(origin[k], 0);
 }
@@ -422,18 +430,18 @@ static Suite *suite(void)
     Suite *suite = suite_create("io mesh");
     TCase *tests = tcase_create("readers");
     tcase_add_checked_fixture(tests, begin_reading, end);
-    tcase_add_test(tests, one_mesh_in_every_format);
-    tcase_add_test(tests, formats_are_known_by_content_then_by_name);
-    tcase_add_test(tests, every_cut_is_seen);
-    tcase_add_test(tests, what_is_wrong_is_named_with_its_place);
+    tcase_add_test(tests, every_format_gives_the_same_mesh);
+    tcase_add_test(tests, formats_are_found_by_content_then_by_name);
+    tcase_add_test(tests, a_truncated_file_is_refused);
+    tcase_add_test(tests, errors_name_their_place);
     tcase_add_test(tests, ply_faces_are_checked);
     tcase_add_test(tests, ply_attributes_and_strips);
-    tcase_add_test(tests, faces_that_are_lines_are_left_out);
-    tcase_add_test(tests, what_real_files_have);
-    tcase_add_test(tests, obj_corners_become_vertices_once_each);
-    tcase_add_test(tests, polygons_are_cut_without_loss);
-    tcase_add_test(tests, a_large_polygon_takes_no_time);
-    tcase_add_test(tests, what_lies_far_out_keeps_its_shape);
+    tcase_add_test(tests, faces_of_less_than_three_corners_are_dropped);
+    tcase_add_test(tests, files_of_other_programs_are_read);
+    tcase_add_test(tests, obj_index_triples_become_vertices);
+    tcase_add_test(tests, triangles_cover_their_polygon);
+    tcase_add_test(tests, a_large_convex_polygon_is_fast);
+    tcase_add_test(tests, a_mesh_far_from_the_origin_keeps_its_shape);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

@@ -19,17 +19,17 @@ static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
     return figures;
 }
 
-START_TEST(openmesh_counts_as_we_do)
+START_TEST(openmesh_counts_the_same_elements)
 {
     for (int shape = HATCH_SHAPE_SPHERE; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 900);
-        struct hatch_mesh_figures ours = measure(&mesh);
-        struct hatch_connectivity theirs;
-        HATCH_TEST_OK(hatch_mesh_connectivity(&mesh, &scratch, &theirs, &err), &err);
-        ck_assert_uint_eq(theirs.left_out, 0);
-        ck_assert_uint_eq(theirs.points, ours.points);
-        ck_assert_uint_eq(theirs.boundary_loops, ours.boundary_loops);
-        ck_assert_int_eq((int64_t)theirs.points - theirs.edges + theirs.faces, ours.euler);
+        struct hatch_mesh_figures figures = measure(&mesh);
+        struct hatch_connectivity counted;
+        HATCH_TEST_OK(hatch_mesh_connectivity(&mesh, &scratch, &counted, &err), &err);
+        ck_assert_uint_eq(counted.left_out, 0);
+        ck_assert_uint_eq(counted.points, figures.points);
+        ck_assert_uint_eq(counted.boundary_loops, figures.boundary_loops);
+        ck_assert_int_eq((int64_t)counted.points - counted.edges + counted.faces, figures.euler);
     }
 }
 END_TEST
@@ -50,7 +50,7 @@ START_TEST(a_third_face_at_an_edge_is_left_out)
 }
 END_TEST
 
-START_TEST(a_decimated_sphere_is_a_sphere_at_any_size)
+START_TEST(a_decimated_sphere_keeps_its_shape_at_any_size)
 {
     for (float scale = 1e-20f; scale < 1e21f; scale *= 1e20f) {
         struct hatch_mesh mesh = make(HATCH_SHAPE_SPHERE, 6000), small;
@@ -74,7 +74,7 @@ START_TEST(a_decimated_sphere_is_a_sphere_at_any_size)
 }
 END_TEST
 
-START_TEST(decimation_gives_the_same_bytes_and_leaves_small_meshes)
+START_TEST(decimation_is_deterministic_and_leaves_small_meshes)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TORUS, 2000), a, b;
     HATCH_TEST_OK(hatch_mesh_decimate(&mesh, 300, &keep, &scratch, &a, NULL, &err), &err);
@@ -106,10 +106,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("io openmesh");
     TCase *tests = tcase_create("openmesh");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, openmesh_counts_as_we_do);
+    tcase_add_test(tests, openmesh_counts_the_same_elements);
     tcase_add_test(tests, a_third_face_at_an_edge_is_left_out);
-    tcase_add_test(tests, a_decimated_sphere_is_a_sphere_at_any_size);
-    tcase_add_test(tests, decimation_gives_the_same_bytes_and_leaves_small_meshes);
+    tcase_add_test(tests, a_decimated_sphere_keeps_its_shape_at_any_size);
+    tcase_add_test(tests, decimation_is_deterministic_and_leaves_small_meshes);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

@@ -28,8 +28,8 @@ static struct hatch_bytes encode(const struct hatch_image *image, enum hatch_png
 
 static const char *const channel_sets[] = {"Y", "YA", "RGB", "RGBA"};
 
-/* Reading gives the centre of the code that was written: half a step of sRGB away at most. */
-START_TEST(colours_survive_within_half_a_step)
+/* A read value is at most half a step of sRGB from the written one. */
+START_TEST(colours_are_exact_to_half_a_step)
 {
     const char *names = channel_sets[_i / 2];
     uint32_t depth = _i % 2 ? 16 : 8;
@@ -48,11 +48,11 @@ START_TEST(colours_survive_within_half_a_step)
     }
     struct hatch_bytes again = encode(&got, HATCH_PNG_SRGB, depth);
     ck_assert_msg(again.size == file.size && memcmp(again.data, file.data, file.size) == 0,
-                  "the picture that was read encodes to other bytes");
+                  "the image that was read encodes to other bytes");
 }
 END_TEST
 
-START_TEST(raw_numbers_are_rounded_to_nearest_and_clamped)
+START_TEST(raw_values_are_rounded_to_nearest_and_clamped)
 {
     static const float values[] = {-1, 0, 0.49f / 255, 0.51f / 255, 0.5f, 1, 2, NAN};
     static const float want[] = {0, 0, 0, 1, 128, 255, 255, 0};
@@ -64,13 +64,13 @@ START_TEST(raw_numbers_are_rounded_to_nearest_and_clamped)
 }
 END_TEST
 
-START_TEST(every_cut_and_every_damaged_byte_is_refused_or_harmless)
+START_TEST(truncated_files_are_refused_and_damaged_ones_harmless)
 {
     struct hatch_image image = ramp(20, 20, "RGB"), got;
     struct hatch_bytes file = encode(&image, HATCH_PNG_SRGB, 8);
     for (size_t size = 0; size < file.size; size++) {
-        struct hatch_bytes cut = {file.data, size};
-        ck_assert_int_eq(hatch_png_read(cut, &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
+        struct hatch_bytes truncated = {file.data, size};
+        ck_assert_int_eq(hatch_png_read(truncated, &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
     }
     uint8_t *copy = HATCH_NEW(&keep, uint8_t, file.size, &err);
     uint32_t accepted = 0;
@@ -84,14 +84,14 @@ START_TEST(every_cut_and_every_damaged_byte_is_refused_or_harmless)
 }
 END_TEST
 
-/* A header of 33 bytes is all that is true of this file. */
-START_TEST(a_header_that_lies_is_refused_before_anything_is_taken)
+/* The header of 33 bytes claims 60,000 x 60,000 pixels; no image data follow. */
+START_TEST(a_wrong_header_is_refused_before_any_allocation)
 {
-    static const uint8_t lie[] = {0x89, 'P',  'N',  'G',  13,   10,   26, 10, 0,    0,    0,   13,  'I', 'H',
-                                  'D',  'R',  0,    0,    0xea, 0x60, 0,  0,  0xea, 0x60, 8,   2,   0,   0,
-                                  0,    0x0f, 0xb0, 0xe2, 0x15, 0,    0,  0,  1,    'I',  'D', 'A', 'T'};
+    static const uint8_t wrong_header[] = {0x89, 'P',  'N',  'G',  13,   10,   26, 10, 0,    0,    0,   13,  'I', 'H',
+                                           'D',  'R',  0,    0,    0xea, 0x60, 0,  0,  0xea, 0x60, 8,   2,   0,   0,
+                                           0,    0x0f, 0xb0, 0xe2, 0x15, 0,    0,  0,  1,    'I',  'D', 'A', 'T'};
     uint8_t file[100] = {0};
-    memcpy(file, lie, sizeof lie);
+    memcpy(file, wrong_header, sizeof wrong_header);
     struct hatch_bytes bytes = {file, sizeof file};
     struct hatch_image got;
     struct hatch_arena small, large;
@@ -138,10 +138,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("io png");
     TCase *tests = tcase_create("png");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, colours_survive_within_half_a_step, 0, 8);
-    tcase_add_test(tests, raw_numbers_are_rounded_to_nearest_and_clamped);
-    tcase_add_test(tests, every_cut_and_every_damaged_byte_is_refused_or_harmless);
-    tcase_add_test(tests, a_header_that_lies_is_refused_before_anything_is_taken);
+    tcase_add_loop_test(tests, colours_are_exact_to_half_a_step, 0, 8);
+    tcase_add_test(tests, raw_values_are_rounded_to_nearest_and_clamped);
+    tcase_add_test(tests, truncated_files_are_refused_and_damaged_ones_harmless);
+    tcase_add_test(tests, a_wrong_header_is_refused_before_any_allocation);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
     return suite;

@@ -33,7 +33,7 @@ static void read_page(const char *content)
     HATCH_TEST_OK(read_text(page(content)), &err);
 }
 
-/* Where point i of a stroke lies, user units; the last one for i -1. */
+/* Point i of a stroke, user units; i -1: the last one. */
 static void point(uint32_t stroke, int i, double *xy)
 {
     const struct hatch_stroke *s = &list.items[stroke];
@@ -47,7 +47,7 @@ static void check_point(uint32_t stroke, int i, double x, double y)
     double xy[2];
     ck_assert_uint_lt(stroke, list.count);
     point(stroke, i, xy);
-    /* the tile wraps: only the place in it counts */
+    /* modulo the tile, which wraps */
     ck_assert_double_eq_tol(remainder(xy[0] - x, 100), 0, 1e-3);
     ck_assert_double_eq_tol(remainder(xy[1] - y, 100), 0, 1e-3);
 }
@@ -59,7 +59,7 @@ static void check_dot(uint32_t stroke, double x, double y)
     ck_assert_double_eq_tol(100 * (double)list.items[stroke].y, y, 1e-3);
 }
 
-/* One stroke each, from (10, 20) to (50, 60), whatever its grammar. */
+/* Each is one stroke from (10, 20) to (50, 60). */
 static const char *const same_ends[] = {
     "<path stroke='black' d='M10 20L50 60'/>",
     "<path stroke='black' d='m10,20,40,40'/>",
@@ -87,11 +87,11 @@ static const char *const same_ends[] = {
     "<path transform='skewY(45) translate(0,-10)' stroke='black' d='M10 20 50 20'/>",
 };
 
-START_TEST(every_way_to_say_it_says_it)
+START_TEST(equivalent_paths_have_the_same_ends)
 {
     read_page(same_ends[_i]);
     ck_assert_uint_eq(list.count, 1);
-    if (_i == 10) { /* relative arcs end at 50, 60 from where they began */
+    if (_i == 10) { /* the relative arc ends 50, 60 from its start */
         check_point(0, -1, 60, 80);
         return;
     }
@@ -100,8 +100,7 @@ START_TEST(every_way_to_say_it_says_it)
 }
 END_TEST
 
-/* Circle, ellipse, rectangle and polygon are as long as geometry says. */
-START_TEST(shapes_have_their_lengths)
+START_TEST(shapes_have_the_right_lengths)
 {
     read_page("<g stroke='black'><circle cx='50' cy='50' r='20'/><rect x='1' y='2' width='30' height='20'/>"
               "<rect width='30' height='20' rx='5'/><polygon points='0 0 30 0 30 40'/>"
@@ -114,7 +113,7 @@ START_TEST(shapes_have_their_lengths)
 END_TEST
 
 /* Every point of an arc lies on its ellipse. */
-START_TEST(arcs_keep_to_their_ellipse)
+START_TEST(arcs_lie_on_their_ellipse)
 {
     for (int flags = 0; flags < 4; flags++) {
         char text[200];
@@ -122,16 +121,16 @@ START_TEST(arcs_keep_to_their_ellipse)
         read_page(text);
         double first[2], length = (double)list.items[0].length * 100;
         ck_assert(flags / 2 ? length > 80 : length < 80);
-        /* In the ellipse's own frame and by its radii, points have one distance from the middle: two
-         * middles are possible, and either lies as far from the chord as the other. */
+        /* In the ellipse's frame, scaled by its radii, all points have distance 1 from the centre, of which
+         * there are two candidates, symmetric about the chord. */
         double best = INFINITY;
         for (int side = -1; side <= 1; side += 2) {
             double c = cos(M_PI / 6), s = sin(M_PI / 6), worst = 0;
             double ax = (c * 60 + s * 40) / 30, ay = (c * 40 - s * 60) / 15;
             double bx = (c * 40 + s * 60) / 30, by = (c * 60 - s * 40) / 15;
             double dx = bx - ax, dy = by - ay, half = (dx * dx + dy * dy) / 4;
-            double aside = side * sqrt((1 - half) / (4 * half));
-            double mx = (ax + bx) / 2 - dy * aside, my = (ay + by) / 2 + dx * aside;
+            double distance = side * sqrt((1 - half) / (4 * half));
+            double mx = (ax + bx) / 2 - dy * distance, my = (ay + by) / 2 + dx * distance;
             for (uint32_t i = 0; i < list.items[0].path->count; i++) {
                 point(0, (int)i, first);
                 double x = (c * first[0] + s * first[1]) / 30 - mx, y = (c * first[1] - s * first[0]) / 15 - my;
@@ -146,9 +145,9 @@ END_TEST
 
 static const struct {
     const char *content;
-    float rgb[3]; /* as written: sRGB */
+    float rgb[3]; /* sRGB */
     float width, tone;
-} looks[] = {
+} styled[] = {
     {"<path d='M0 0 9 9' stroke='#ff8000'/>", {1, 128 / 255.0f, 0}, 1, 1},
     {"<path d='M0 0 9 9' stroke='#f80' stroke-width='3'/>", {1, 136 / 255.0f, 0}, 3, 1},
     {"<path d='M0 0 9 9' stroke='rgb(51, 102,255)'/>", {0.2f, 0.4f, 1}, 1, 1},
@@ -165,7 +164,7 @@ static const struct {
     {"<path d='M0 0 9 9' stroke='black' stroke-width='5%'/>", {0, 0, 0}, 5, 1},
     {"<path d='M0 0 9 9' stroke='black' stroke-width='.25em'/>", {0, 0, 0}, 4, 1},
     {"<path d='M0 0 9 9' stroke='black' stroke-width='.25ex'/>", {0, 0, 0}, 2, 1},
-    /* style sheets: stronger than attributes, weaker than style; ids over classes over elements, then the later */
+    /* style sheets precede the style attribute and follow other attributes; order by specificity, then place */
     {"<defs><style>.cls-1{fill:none;stroke:lime;stroke-width:3px;}</style></defs><path class='cls-1' d='M0 0 9 9'/>",
      {0, 1, 0},
      3,
@@ -202,7 +201,7 @@ static const struct {
      1,
      1},
     {"<style>.a{stroke:lime</style><path class='a' d='M0 0 9 9'/>", {0, 1, 0}, 1, 1},
-    /* clones: in the clone's look where they have none */
+    /* clones inherit the style of <use> */
     {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' stroke-width='2'/>", {0, 1, 0}, 2, 1},
     {"<use xlink:href='#p' xmlns:xlink='x' stroke='red'/><defs><g id='p' stroke='lime'><path d='M0 0 9 9'/></g></defs>",
      {0, 1, 0},
@@ -211,21 +210,20 @@ static const struct {
     {"<defs><path id='p' d='M0 0 9 9'/></defs><use href='#p' stroke='lime' transform='scale(2)'/>", {0, 1, 0}, 2, 1},
 };
 
-START_TEST(a_stroke_has_its_look)
+START_TEST(a_stroke_has_its_computed_style)
 {
-    read_page(looks[_i].content);
+    read_page(styled[_i].content);
     ck_assert_uint_eq(list.count, 1);
     const struct hatch_stroke *stroke = &list.items[0];
     for (int c = 0; c < 3; c++)
-        ck_assert_float_eq_tol(hatch_linear_to_srgb(stroke->rgb[c]), looks[_i].rgb[c], 1e-4f);
-    ck_assert_float_eq_tol(stroke->width_px, looks[_i].width * 2, 1e-3f);
-    ck_assert_float_eq_tol(stroke->tone, looks[_i].tone, 1e-6f);
+        ck_assert_float_eq_tol(hatch_linear_to_srgb(stroke->rgb[c]), styled[_i].rgb[c], 1e-4f);
+    ck_assert_float_eq_tol(stroke->width_px, styled[_i].width * 2, 1e-3f);
+    ck_assert_float_eq_tol(stroke->tone, styled[_i].tone, 1e-6f);
     ck_assert_uint_eq(stroke->id, 1);
 }
 END_TEST
 
-/* What is no stroke is counted, and nothing of it is drawn. */
-START_TEST(the_rest_is_counted)
+START_TEST(ignored_elements_are_counted)
 {
     read_page("<defs><path d='M0 0 9 9' stroke='red'/></defs><rect width='9' height='9'/>"
               "<path fill='none' stroke='none' d='M0 0 9 9'/><text>a<tspan>b</tspan></text>"
@@ -255,13 +253,13 @@ static void check_ends(uint32_t stroke, double x0, double y0, double x1, double 
     check_point(stroke, -1, x1, y1);
 }
 
-START_TEST(clones_stand_where_they_are_put)
+START_TEST(clones_are_drawn_at_their_position)
 {
     read_page("<g id='g' stroke='red'><path id='p' d='M10 20 14 20'/></g><use href='#g' x='5' y='6'/>"
               "<use href='#p' x='5' transform='scale(2)' stroke='red'/>"
               "<symbol id='s' viewBox='0 0 10 20'><path stroke='red' d='M0 0 10 20'/></symbol>"
               "<use href='#s' x='30' y='40' width='20' height='20'/><symbol id='t'><path stroke='red' d='M1 1 2 2'/>"
-              "</symbol><use href='#t'/><use href='#nobody'/><use/>");
+              "</symbol><use href='#t'/><use href='#missing'/><use/>");
     ck_assert_uint_eq(list.count, 5);
     check_ends(0, 10, 20, 14, 20);
     check_ends(1, 15, 26, 19, 26);
@@ -272,7 +270,7 @@ START_TEST(clones_stand_where_they_are_put)
 }
 END_TEST
 
-START_TEST(dashes_are_strokes)
+START_TEST(dashes_become_strokes)
 {
     read_page("<path stroke='red' stroke-dasharray='4,2' d='M10 10H17V13'/>");
     ck_assert_uint_eq(list.count, 2);
@@ -284,12 +282,12 @@ START_TEST(dashes_are_strokes)
     check_ends(1, 18, 10, 20, 10);
     read_page("<path stroke='red' style='stroke-dasharray:1 1 2; stroke-dashoffset:-1' "
               "transform='scale(2)' d='M5 5H10'/>");
-    ck_assert_uint_eq(list.count, 2); /* 1 on, 1 off, 2 on, 1 off, 1 on, 2 off; from its last unit on */
+    ck_assert_uint_eq(list.count, 2); /* dash 1, gap 1, dash 2, gap 1, dash 1, gap 2, begun one unit before its end */
     check_ends(0, 12, 10, 14, 10);
     check_ends(1, 16, 10, 20, 10);
     read_page("<g stroke-dasharray='0 5'><path stroke='red' d='M0 10H10'/>"
               "<path stroke='red' stroke-linecap='round' d='M0 10H14'/></g>");
-    ck_assert_uint_eq(list.count, 3); /* dots, which only caps show */
+    ck_assert_uint_eq(list.count, 3); /* dots, visible only with caps */
     for (uint32_t i = 0; i < 3; i++)
         check_dot(i, 5 * i, 10);
     read_page("<g stroke-dasharray='2'><path stroke='red' stroke-dasharray='none' d='M0 10H10'/>"
@@ -298,7 +296,7 @@ START_TEST(dashes_are_strokes)
 }
 END_TEST
 
-START_TEST(clones_without_an_end_are_refused)
+START_TEST(exponential_and_deep_clones_are_refused)
 {
     static char text[200000];
     size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><g id='a0'><path d='M0 0 1 1'/></g>");
@@ -310,7 +308,7 @@ START_TEST(clones_without_an_end_are_refused)
     }
     snprintf(text + at, sizeof text - at, "</svg>");
     ck_assert_int_eq(read_text(text), HATCH_LIMIT);
-    ck_assert_str_eq(err.text, "line 1: clones of more than 1000000 elements");
+    ck_assert_str_eq(err.text, "line 1: clones draw more than 1000000 elements");
     at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
     for (int i = 0; i < 1000; i++)
         at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
@@ -320,7 +318,7 @@ START_TEST(clones_without_an_end_are_refused)
 }
 END_TEST
 
-START_TEST(dashes_and_rules_have_a_limit)
+START_TEST(dashes_and_rules_are_limited)
 {
     static char text[200000];
     ck_assert_int_eq(read_text(page("<path stroke='red' stroke-dasharray='1e-5' d='M0 0H90'/>")), HATCH_LIMIT);
@@ -330,7 +328,7 @@ START_TEST(dashes_and_rules_have_a_limit)
         at += (size_t)snprintf(text + at, sizeof text - at, ".a%d{stroke:red}", i);
     snprintf(text + at, sizeof text - at, "</style></svg>");
     ck_assert_int_eq(read_text(text), HATCH_LIMIT);
-    ck_assert_str_eq(err.text, "more than 4096 rules of style");
+    ck_assert_str_eq(err.text, "more than 4096 CSS rules");
 }
 END_TEST
 
@@ -340,47 +338,49 @@ static const struct {
     {"", "line 1: no element found"},
     {"<svg viewBox='0 0 1 1'>", "line 1: no element found"},
     {"<svg viewBox='0 0 1 1'>\n</g>", "line 2: mismatched tag"},
-    {"<html/>", "line 1: 'html' where <svg> must stand"},
+    {"<html/>", "line 1: the root element is <html>, want <svg>"},
     {"<svg viewBox='0 0 1'/>", "line 1: viewBox: want four numbers"},
-    {"<svg viewBox='0 0 210 297'/>", "line 1: a page of 210 x 297, but a tile is a square"},
-    {"<svg viewBox='0 0 0 0'/>", "line 1: the page is 0 x 0"},
+    {"<svg viewBox='0 0 210 297'/>", "line 1: the page is 210 x 297, want a square"},
+    {"<svg viewBox='0 0 0 0'/>", "line 1: the page is 0 x 0, want a positive size"},
     {"<svg width='1e999' height='1'/>", "line 1: '1e999' is not a length"},
-    {"<svg viewBox='0 0 9 9'>\n<path stroke='red' d='L1 1'/></svg>", "line 2: path data: 'L' at character 1"},
+    {"<svg viewBox='0 0 9 9'>\n<path stroke='red' d='L1 1'/></svg>",
+     "line 2: path data: unexpected 'L' at character 1"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1C1 1'/></svg>",
-     "line 1: path data: a number is missing or wrong at character 9"},
+     "line 1: path data: a number is missing or malformed at character 9"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e400 1'/></svg>",
-     "line 1: path data: a number is missing or wrong at character 6"},
+     "line 1: path data: a number is missing or malformed at character 6"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1A5 5 0 2 1 3 3'/></svg>",
-     "line 1: path data: a number is missing or wrong at character 12"},
-    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1zz5'/></svg>", "line 1: path data: '5' at character 7"},
-    {"<svg viewBox='0 0 9 9'><g transform='turn(3)'/></svg>", "line 1: transform 'turn(3)' is not understood"},
+     "line 1: path data: a number is missing or malformed at character 12"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1zz5'/></svg>",
+     "line 1: path data: unexpected '5' at character 7"},
+    {"<svg viewBox='0 0 9 9'><g transform='turn(3)'/></svg>", "line 1: transform 'turn(3)' is malformed or unknown"},
     {"<svg viewBox='0 0 9 9'><g transform='scale(1 2 3)'/></svg>",
-     "line 1: transform 'scale(1 2 3)' is not understood"},
-    {"<svg viewBox='0 0 9 9'><g stroke='reddish'/></svg>", "line 1: stroke 'reddish' is not understood"},
+     "line 1: transform 'scale(1 2 3)' is malformed or unknown"},
+    {"<svg viewBox='0 0 9 9'><g stroke='reddish'/></svg>", "line 1: stroke 'reddish' is malformed or unknown"},
     {"<svg viewBox='0 0 9 9'><g stroke-width='-1'/></svg>", "line 1: stroke-width -1 is negative"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-width='5' d='M1 1 2 2'/></svg>",
-     "line 1: a stroke 0.555556 of the page wide, want 0.25 at most"},
+     "line 1: a stroke as wide as 0.555556 of the page, want at most 0.25"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e6 2'/></svg>", "line 1: a line that reaches over 64 tiles"},
     {"<svg viewBox='0 0 9 9'><use href='other.svg#a'/></svg>",
-     "line 1: a clone of 'other.svg#a': other files are not opened"},
+     "line 1: a clone of 'other.svg#a': other files are not read"},
     {"<svg viewBox='0 0 9 9'>\n<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g></svg>",
-     "line 2: a clone of 'a' in itself"},
-    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: a clone of 'u' in itself"},
-    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: a clone of 'all' in itself"},
+     "line 2: 'a' contains a clone of itself"},
+    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: 'u' contains a clone of itself"},
+    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: 'all' contains a clone of itself"},
     {"<svg viewBox='0 0 9 9'><use x='far' href='#a'/></svg>", "line 1: x: 'far' is not a length"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 -2' d='M0 0 9 9'/></svg>",
      "line 1: stroke-dasharray: -2 is negative"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 b' d='M0 0 9 9'/></svg>",
      "line 1: 'b' is not a length"},
     {"<svg viewBox='0 0 9 9'><style>.a{stroke:reddish}</style>\n<g class='a'/></svg>",
-     "line 2: stroke 'reddish' is not understood"},
+     "line 2: stroke 'reddish' is malformed or unknown"},
     {"<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg viewBox='0 0 9 9'>&a;</svg>",
-     "line 1: entity 'a' lies outside the file"},
+     "line 1: entity 'a' is external, which is not allowed"},
     {"<!DOCTYPE svg [<!ENTITY a 'ha'>\n<!ENTITY b '&a;&a;'>]><svg viewBox='0 0 9 9'>&b;</svg>",
-     "line 2: entity 'b' is made of entities"},
+     "line 2: entity 'b' refers to entities, which is not allowed"},
 };
 
-START_TEST(bad_drawings_are_named_with_the_line)
+START_TEST(errors_name_their_line)
 {
     list.count = notes.strokes = 77;
     ck_assert_int_eq(read_text(bad[_i].text), HATCH_BAD_INPUT);
@@ -389,14 +389,14 @@ START_TEST(bad_drawings_are_named_with_the_line)
 }
 END_TEST
 
-START_TEST(a_page_of_gigabytes_is_a_limit)
+START_TEST(a_huge_page_is_refused)
 {
     ck_assert_int_eq(read_text("<svg width='1e9' height='1e9'/>"), HATCH_LIMIT);
-    ck_assert_str_eq(err.text, "line 1: a page of 1e+09 x 1e+09 units, want 1e+06 at most");
+    ck_assert_str_eq(err.text, "line 1: a page of 1e+09 x 1e+09 units, want at most 1e+06");
 }
 END_TEST
 
-START_TEST(plain_entities_and_units_of_the_page_are_read)
+START_TEST(entities_and_units_are_read)
 {
     HATCH_TEST_OK(read_text("<!DOCTYPE svg [<!ENTITY c 'navy'>]><svg width='10cm' height='100mm'>"
                             "<path stroke='&c;' d='M0 0 188.976 0'/></svg>"),
@@ -417,7 +417,7 @@ START_TEST(deep_groups_are_refused)
 }
 END_TEST
 
-START_TEST(drawings_are_told_from_tables)
+START_TEST(drawings_are_distinguished_from_tables)
 {
     static const char *const drawings[] = {"<svg/>", " \n<?xml?>", "\xef\xbb\xbf<svg/>", "\xff\xfe<"};
     static const char *const tables[] = {"", "x\ty\n", "# <svg>\nx", " "};
@@ -428,17 +428,17 @@ START_TEST(drawings_are_told_from_tables)
 }
 END_TEST
 
-static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work, struct hatch_err *said)
+static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *work, struct hatch_err *error)
 {
     const char *text = page("<style>.a{stroke-dasharray:3 4}</style><g id='g' stroke='red'>"
                             "<circle cx='9' cy='9' r='5'/>"
                             "<path class='a' d='M0 0 9 9'/></g><use href='#g'/>");
     (void)context;
     return hatch_svg_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, SIZE, to, work, &list, &notes,
-                          said);
+                          error);
 }
 
-START_TEST(every_failed_allocation_is_a_status)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     list.count = 0;
     hatch_test_fail_alloc(make, NULL, &list, sizeof list);
@@ -450,21 +450,21 @@ static Suite *suite(void)
     Suite *suite = suite_create("io svg");
     TCase *tests = tcase_create("svg");
     tcase_add_checked_fixture(tests, begin, end_rewound);
-    tcase_add_loop_test(tests, every_way_to_say_it_says_it, 0, sizeof same_ends / sizeof *same_ends);
-    tcase_add_test(tests, shapes_have_their_lengths);
-    tcase_add_test(tests, arcs_keep_to_their_ellipse);
-    tcase_add_loop_test(tests, a_stroke_has_its_look, 0, sizeof looks / sizeof *looks);
-    tcase_add_test(tests, the_rest_is_counted);
-    tcase_add_loop_test(tests, bad_drawings_are_named_with_the_line, 0, sizeof bad / sizeof *bad);
-    tcase_add_test(tests, a_page_of_gigabytes_is_a_limit);
-    tcase_add_test(tests, plain_entities_and_units_of_the_page_are_read);
+    tcase_add_loop_test(tests, equivalent_paths_have_the_same_ends, 0, sizeof same_ends / sizeof *same_ends);
+    tcase_add_test(tests, shapes_have_the_right_lengths);
+    tcase_add_test(tests, arcs_lie_on_their_ellipse);
+    tcase_add_loop_test(tests, a_stroke_has_its_computed_style, 0, sizeof styled / sizeof *styled);
+    tcase_add_test(tests, ignored_elements_are_counted);
+    tcase_add_loop_test(tests, errors_name_their_line, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, a_huge_page_is_refused);
+    tcase_add_test(tests, entities_and_units_are_read);
     tcase_add_test(tests, deep_groups_are_refused);
-    tcase_add_test(tests, clones_stand_where_they_are_put);
-    tcase_add_test(tests, clones_without_an_end_are_refused);
-    tcase_add_test(tests, dashes_are_strokes);
-    tcase_add_test(tests, dashes_and_rules_have_a_limit);
-    tcase_add_test(tests, drawings_are_told_from_tables);
-    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, clones_are_drawn_at_their_position);
+    tcase_add_test(tests, exponential_and_deep_clones_are_refused);
+    tcase_add_test(tests, dashes_become_strokes);
+    tcase_add_test(tests, dashes_and_rules_are_limited);
+    tcase_add_test(tests, drawings_are_distinguished_from_tables);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -12,7 +12,7 @@ static struct hatch_mesh shape(enum hatch_shape kind, bool field)
     return shape_with(kind, (struct hatch_shape_options){.faces = 2000, .jitter = 0.5f, .seed = 3, .field = field});
 }
 
-/* A plane whose lines all lie at one angle to x, which is where u rises. */
+/* A plane with a constant field, at an angle to x, the direction of rising u. */
 static struct hatch_mesh plane(double degrees)
 {
     struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false);
@@ -36,7 +36,7 @@ static struct hatch_field_figures measure(const struct hatch_mesh *mesh, const s
     return figures;
 }
 
-START_TEST(angles_of_a_turned_field_are_the_turn)
+START_TEST(a_rotated_field_has_the_rotation_as_error)
 {
     struct hatch_mesh a = plane(45), b = plane(0), c = plane(170);
     struct hatch_field_figures f = measure(&a, &b, 1);
@@ -44,11 +44,11 @@ START_TEST(angles_of_a_turned_field_are_the_turn)
     for (int i = 0; i < 4; i++)
         ck_assert_double_eq_tol(f.degrees[i], 45, 1e-5);
     f = measure(&c, &b, 1);
-    ck_assert_double_eq_tol(f.degrees[3], 10, 1e-5); /* lines have no head */
+    ck_assert_double_eq_tol(f.degrees[3], 10, 1e-5); /* lines have no sign */
 }
 END_TEST
 
-START_TEST(u_rises_along_x)
+START_TEST(the_angle_to_rising_u_is_measured)
 {
     struct hatch_mesh a = plane(0), b = plane(-30);
     ck_assert_double_eq_tol(measure(&a, NULL, 1).uv_degrees[2], 0, 1e-4);
@@ -61,7 +61,7 @@ START_TEST(u_rises_along_x)
 }
 END_TEST
 
-START_TEST(a_flat_field_is_smooth_without_singularities)
+START_TEST(a_constant_field_is_smooth_without_singularities)
 {
     struct hatch_mesh mesh = plane(20);
     struct hatch_field_figures f = measure(&mesh, NULL, 1);
@@ -74,7 +74,7 @@ START_TEST(a_flat_field_is_smooth_without_singularities)
 }
 END_TEST
 
-/* Lines at half the angle around a place that is no vertex: an index of a half, and the border turns the rest. */
+/* Lines at half the polar angle around a position inside a face: index 1/2; the border contributes the other half. */
 START_TEST(singularities_are_counted)
 {
     struct hatch_mesh mesh = plane(0);
@@ -94,7 +94,7 @@ START_TEST(singularities_are_counted)
 }
 END_TEST
 
-START_TEST(true_fields_of_closed_shapes_have_their_euler_characteristic)
+START_TEST(indices_sum_to_the_euler_characteristic)
 {
     struct hatch_mesh ellipsoid = shape(HATCH_SHAPE_ELLIPSOID, true), torus = shape(HATCH_SHAPE_TORUS, true);
     struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
@@ -114,36 +114,36 @@ START_TEST(true_fields_of_closed_shapes_have_their_euler_characteristic)
 }
 END_TEST
 
-START_TEST(only_the_surest_share_counts)
+START_TEST(only_the_most_confident_share_is_compared)
 {
     struct hatch_mesh a = plane(0), b = plane(10);
     float *field = hatch_mesh_find(&b, "_HATCH_DIR", 4);
-    uint32_t sure = 0;
+    uint32_t confident = 0;
     for (uint32_t v = 0; v < b.vertex_count; v++) {
-        bool is_sure = v % 4 == 0;
-        sure += is_sure;
-        field[4 * v + 3] = is_sure ? 0.9f : v % 4 == 1 ? 0.0f : 0.2f;
-        field[4 * v] = is_sure ? field[4 * v] : 0.0f;
+        bool is_confident = v % 4 == 0;
+        confident += is_confident;
+        field[4 * v + 3] = is_confident ? 0.9f : v % 4 == 1 ? 0.0f : 0.2f;
+        field[4 * v] = is_confident ? field[4 * v] : 0.0f;
     }
     struct hatch_field_figures f = measure(&a, &b, 1);
     ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
-    ck_assert_uint_lt(f.compared, f.points); /* confidence 0 is left out */
-    double share = (double)sure / (double)f.compared - 0.001;
+    ck_assert_uint_lt(f.compared, f.points); /* those of confidence 0 are not compared */
+    double share = (double)confident / (double)f.compared - 0.001;
     f = measure(&a, &b, share);
-    ck_assert_uint_eq(f.compared, sure);
+    ck_assert_uint_eq(f.compared, confident);
     ck_assert_double_eq_tol(f.degrees[3], 10, 1e-4);
 }
 END_TEST
 
-START_TEST(points_meet_by_place_else_by_number)
+START_TEST(points_are_matched_by_position_else_by_number)
 {
     struct hatch_mesh a = plane(0), b = plane(0), few = shape(HATCH_SHAPE_TORUS, true);
     struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
     float *field = hatch_mesh_find(&b, "_HATCH_DIR", 4), *at = b.attributes[0].data;
     uint32_t last = b.vertex_count - 1;
-    field[4 * last] = 0; /* the line at the place of one vertex is across */
+    field[4 * last] = 0; /* one vertex's line is at 90 degrees */
     field[4 * last + 1] = 1;
-    for (int k = 0; k < 4; k++) { /* that vertex gets another number */
+    for (int k = 0; k < 4; k++) { /* renumber that vertex */
         float swapped = field[k];
         field[k] = field[4 * last + (uint32_t)k];
         field[4 * last + (uint32_t)k] = swapped;
@@ -158,23 +158,23 @@ START_TEST(points_meet_by_place_else_by_number)
     struct hatch_field_figures f = measure(&a, &b, 1);
     ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
     ck_assert_double_eq_tol(f.degrees[2], 0, 1e-4);
-    for (uint32_t v = 0; v < last; v++) /* one stays: it is no reason to compare one alone */
+    for (uint32_t v = 0; v < last; v++) /* one position remains common: too few to match by position */
         at[3 * v + 2] += 0.01f;
     f = measure(&a, &b, 1);
     ck_assert_uint_eq(f.compared, f.points);
     ck_assert_double_eq_tol(f.degrees[3], 90, 1e-4);
     ck_assert_int_eq(hatch_measure_field_add(&sum, &a, &few, &err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.text, "no point is where"));
+    ck_assert_ptr_nonnull(strstr(err.text, "no point is at the position"));
 }
 END_TEST
 
 START_TEST(a_mesh_without_a_field_is_refused)
 {
-    struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false), with = plane(0);
+    struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false), with_field = plane(0);
     struct hatch_field_sum sum = {.arena = &keep, .scratch = &scratch};
     ck_assert_int_eq(hatch_measure_field_add(&sum, &mesh, NULL, &err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(err.text, "_HATCH_DIR"));
-    ck_assert_int_eq(hatch_measure_field_add(&sum, &with, &mesh, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_measure_field_add(&sum, &with_field, &mesh, &err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(err.text, "reference: "));
 }
 END_TEST
@@ -200,13 +200,13 @@ static Suite *suite(void)
     Suite *made = suite_create("measure field");
     TCase *tests = tcase_create("field");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, angles_of_a_turned_field_are_the_turn);
-    tcase_add_test(tests, u_rises_along_x);
-    tcase_add_test(tests, a_flat_field_is_smooth_without_singularities);
+    tcase_add_test(tests, a_rotated_field_has_the_rotation_as_error);
+    tcase_add_test(tests, the_angle_to_rising_u_is_measured);
+    tcase_add_test(tests, a_constant_field_is_smooth_without_singularities);
     tcase_add_test(tests, singularities_are_counted);
-    tcase_add_test(tests, true_fields_of_closed_shapes_have_their_euler_characteristic);
-    tcase_add_test(tests, only_the_surest_share_counts);
-    tcase_add_test(tests, points_meet_by_place_else_by_number);
+    tcase_add_test(tests, indices_sum_to_the_euler_characteristic);
+    tcase_add_test(tests, only_the_most_confident_share_is_compared);
+    tcase_add_test(tests, points_are_matched_by_position_else_by_number);
     tcase_add_test(tests, a_mesh_without_a_field_is_refused);
     tcase_add_test(tests, figures_survive_every_failed_allocation);
     suite_add_tcase(made, tests);

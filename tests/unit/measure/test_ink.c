@@ -8,7 +8,7 @@ enum { SIDE = 96 };
 
 static struct hatch_ink_figures figures;
 
-/* Stripes of 16 pixels, the first 8 of which have that darkness, with an edge of one pixel at both sides. */
+/* Stripes of 16 pixels: 8 pixels of ink, the outer ones of which are edges, and 8 of paper. */
 static struct hatch_image stripes(const char *channels, float darkness, float edge)
 {
     struct hatch_image image;
@@ -27,7 +27,7 @@ static void measure(const struct hatch_image *picture, const struct hatch_image 
     HATCH_TEST_OK(hatch_measure_ink(picture, reference, &scratch, &figures, &err), &err);
 }
 
-START_TEST(edges_of_ink_are_no_grey_strokes)
+START_TEST(edges_of_ink_do_not_count_as_grey_strokes)
 {
     struct hatch_image image = stripes(_i ? "RGBA" : "Y", 1, 0.5f);
     measure(&image, NULL);
@@ -38,7 +38,7 @@ START_TEST(edges_of_ink_are_no_grey_strokes)
 }
 END_TEST
 
-START_TEST(a_stroke_that_is_grey_is_grey_as_a_whole)
+START_TEST(grey_strokes_are_measured)
 {
     struct hatch_image image = stripes("Y", 0.6f, 0.3f);
     measure(&image, NULL);
@@ -63,8 +63,8 @@ START_TEST(paper_has_no_strokes)
 }
 END_TEST
 
-/* Windows are two stripes wide: they all have the same mean. */
-START_TEST(tone_is_that_of_windows)
+/* Windows are two stripes wide, so that all have the same mean. */
+START_TEST(tone_is_compared_by_windows)
 {
     struct hatch_image image = stripes("Y", 1, 0.5f), even = stripes("RGB", 0, 0);
     for (uint32_t i = 0; i < SIDE * SIDE * 3; i++)
@@ -75,7 +75,7 @@ START_TEST(tone_is_that_of_windows)
 }
 END_TEST
 
-START_TEST(edges_are_those_of_the_reference)
+START_TEST(edges_are_compared_where_the_reference_has_them)
 {
     struct hatch_image image = stripes("Y", 1, 1), smooth = stripes("Y", 1, 0.5f);
     measure(&image, &smooth);
@@ -92,7 +92,7 @@ static enum hatch_status measure_again(void *context, struct hatch_arena *into, 
     return hatch_measure_ink(context, context, temporary, &figures, why);
 }
 
-START_TEST(every_allocation_may_fail)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_image image = stripes("Y", 1, 1);
     hatch_test_fail_alloc(measure_again, &image, &figures, sizeof figures);
@@ -104,12 +104,12 @@ static Suite *suite(void)
     Suite *made = suite_create("measure ink");
     TCase *tests = tcase_create("ink");
     tcase_add_checked_fixture(tests, begin, end_rewound);
-    tcase_add_loop_test(tests, edges_of_ink_are_no_grey_strokes, 0, 2);
-    tcase_add_test(tests, a_stroke_that_is_grey_is_grey_as_a_whole);
+    tcase_add_loop_test(tests, edges_of_ink_do_not_count_as_grey_strokes, 0, 2);
+    tcase_add_test(tests, grey_strokes_are_measured);
     tcase_add_test(tests, paper_has_no_strokes);
-    tcase_add_test(tests, tone_is_that_of_windows);
-    tcase_add_test(tests, edges_are_those_of_the_reference);
-    tcase_add_test(tests, every_allocation_may_fail);
+    tcase_add_test(tests, tone_is_compared_by_windows);
+    tcase_add_test(tests, edges_are_compared_where_the_reference_has_them);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,4 +1,4 @@
-/* Lapped patches made by hand, whose figures are known. */
+/* Lapped textures of few patches, whose figures are known. */
 #include <math.h>
 #include <string.h>
 
@@ -20,33 +20,33 @@ static struct hatch_lapped_figures figures;
 static const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 static const uint32_t faces[2][3] = {{0, 1, 2}, {0, 2, 3}};
 
-/* What a patch is: which faces, how u and v grow with x and y, where its mask lies. */
+/* A patch on some of the faces. */
 struct made {
-    uint32_t first, count;
-    double u_of_x, v_of_y;
-    double mask_from, mask_size; /* mask coordinates are from + size * (x, y) */
+    uint32_t first, count;       /* faces */
+    double u_of_x, v_of_y;       /* derivatives of the texture coordinates */
+    double mask_from, mask_size; /* mask coordinates: from + size * (x, y) */
     double field_deg;
 };
 
-static void add_patch(const struct made *how)
+static void add_patch(const struct made *from)
 {
     struct hatch_mesh *mesh = &patches[scene.mesh_count++].mesh;
     float *uv, *mask, *field;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, how->count, mesh, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, from->count, mesh, &err), &err);
     HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "TEXCOORD_0", 2, &uv, &err), &err);
     HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "TEXCOORD_1", 2, &mask, &err), &err);
     HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "_HATCH_DIR", 4, &field, &err), &err);
-    for (uint32_t i = 0; i < how->count * 3; i++) /* corners turned round from patch to patch */
-        mesh->indices[i] = faces[how->first + i / 3][(i + scene.mesh_count) % 3];
-    double angle = how->field_deg * 3.14159265358979323846 / 180;
+    for (uint32_t i = 0; i < from->count * 3; i++) /* each patch begins at another corner */
+        mesh->indices[i] = faces[from->first + i / 3][(i + scene.mesh_count) % 3];
+    double angle = from->field_deg * 3.14159265358979323846 / 180;
     for (uint32_t v = 0; v < 4; v++) {
         double x = (double)corners[v][0], y = (double)corners[v][1];
         memcpy(&mesh->attributes[0].data[3 * v], corners[v], sizeof corners[v]);
-        uv[2 * v] = (float)(how->u_of_x * x);
-        uv[2 * v + 1] = (float)(how->v_of_y * y);
-        mask[2 * v] = (float)(how->mask_from + how->mask_size * x);
-        mask[2 * v + 1] = (float)(how->mask_from + how->mask_size * y);
-        field[4 * v] = (float)cos(angle) * (v % 2 ? -1 : 1); /* a line has no head */
+        uv[2 * v] = (float)(from->u_of_x * x);
+        uv[2 * v + 1] = (float)(from->v_of_y * y);
+        mask[2 * v] = (float)(from->mask_from + from->mask_size * x);
+        mask[2 * v + 1] = (float)(from->mask_from + from->mask_size * y);
+        field[4 * v] = (float)cos(angle) * (v % 2 ? -1 : 1); /* lines have no sign */
         field[4 * v + 1] = (float)sin(angle) * (v % 2 ? -1 : 1);
         field[4 * v + 3] = 1;
     }
@@ -64,7 +64,7 @@ static void begin_patches(void)
                                  .meshes = patches,
                                  .nodes = nodes,
                                  .materials = &material};
-    /* Opaque in its left half. */
+    /* Opaque in the left half. */
     HATCH_TEST_OK(hatch_image_make(&keep, SIDE, SIDE, "YA", &masks[0], &err), &err);
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
         masks[0].pixels[2 * i + 1] = i % SIDE < SIDE / 2;
@@ -76,7 +76,7 @@ static void measure(void)
 }
 
 static const struct made plain = {0, 2, 3, -3, 0, 1, 0};
-static const struct made first_face = {0, 1, 3, -3, 0.1, 0.2, 0}; /* its mask lies in the opaque half */
+static const struct made first_face = {0, 1, 3, -3, 0.1, 0.2, 0}; /* in the opaque half of the mask */
 
 START_TEST(half_a_mask_covers_half)
 {
@@ -85,7 +85,7 @@ START_TEST(half_a_mask_covers_half)
     ck_assert_uint_eq(figures.patches, 1);
     ck_assert_uint_eq(figures.faces, 2);
     ck_assert_double_eq(figures.overlap, 1);
-    /* Opacity is 1 up to the middle of the last opaque texel. */
+    /* Opacity is 1 up to the centre of the last opaque texel. */
     double want = (SIDE / 2 - 0.5) / SIDE;
     ck_assert_double_eq_tol(figures.covered, want, 0.004);
     ck_assert_double_eq(figures.opacity_min, 0);
@@ -103,7 +103,7 @@ START_TEST(a_mask_without_alpha_covers_all)
 }
 END_TEST
 
-/* Outside of its square the mask is as at the border: here nothing to the right, all to the left. */
+/* Beyond the border the mask continues its border: transparent to the right, opaque to the left. */
 START_TEST(masks_are_clamped)
 {
     struct made left = plain, right = plain;
@@ -118,7 +118,7 @@ START_TEST(masks_are_clamped)
 }
 END_TEST
 
-START_TEST(two_patches_cover_what_either_does)
+START_TEST(two_patches_cover_the_union)
 {
     add_patch(&plain);
     add_patch(&first_face);
@@ -126,12 +126,12 @@ START_TEST(two_patches_cover_what_either_does)
     ck_assert_uint_eq(figures.faces, 2);
     ck_assert_uint_eq(figures.patch_faces, 3);
     ck_assert_double_eq(figures.overlap, 1.5);
-    double c = (SIDE / 2 - 0.5) / SIDE; /* of the face above x = y, what lies left of c */
+    double c = (SIDE / 2 - 0.5) / SIDE; /* and of the face above x = y, the part left of c */
     ck_assert_double_eq_tol(figures.covered, 0.5 + c - c * c / 2, 0.004);
 }
 END_TEST
 
-/* Halves of opacity over each other are three quarters, and no cover. */
+/* Opacities of 1/2 compose to 3/4, which does not count as covered. */
 START_TEST(opacities_compose)
 {
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
@@ -144,7 +144,7 @@ START_TEST(opacities_compose)
 }
 END_TEST
 
-/* One is opaque on the left, the other on the right: each is read at the right place. */
+/* One is opaque on the left, the other on the right. */
 START_TEST(complements_cover_all)
 {
     struct made right = plain;
@@ -157,7 +157,7 @@ START_TEST(complements_cover_all)
 }
 END_TEST
 
-START_TEST(a_patch_under_a_core_is_hidden)
+START_TEST(a_patch_under_an_opaque_one_is_hidden)
 {
     struct made half = first_face;
     half.mask_from = 0;
@@ -168,13 +168,13 @@ START_TEST(a_patch_under_a_core_is_hidden)
     ck_assert_uint_eq(figures.hidden, 1);
     ck_assert_double_eq(figures.covered, 1);
     ck_assert_double_eq(figures.overlap, 2);
-    add_patch(&half); /* over it, not under */
+    add_patch(&half); /* visible, since drawn last */
     measure();
     ck_assert_uint_eq(figures.hidden, 1);
 }
 END_TEST
 
-START_TEST(stretch_is_the_ratio)
+START_TEST(stretch_is_the_ratio_of_singular_values)
 {
     struct made wide = plain;
     wide.u_of_x = 7.5;
@@ -184,7 +184,7 @@ START_TEST(stretch_is_the_ratio)
         ck_assert_double_eq_tol(figures.stretch[i], 2.5, 1e-12);
         ck_assert_double_eq_tol(figures.area[i], 1, 1e-12);
     }
-    /* Of three faces, two have 2.5 and one 1: texture areas 22.5, 22.5 and 9, the whole's is 18. */
+    /* Two faces have stretch 2.5, one has 1; their texture areas per area are 22.5, 22.5 and 9, mean 18. */
     add_patch(&first_face);
     measure();
     ck_assert_double_eq_tol(figures.stretch[HATCH_LAPPED_P50], 2.5, 1e-12);
@@ -205,11 +205,12 @@ START_TEST(mirrored_and_flat_faces_are_flipped)
     add_patch(&flat);
     measure();
     ck_assert_uint_eq(figures.flipped, 3);
-    ck_assert_double_eq_tol(figures.stretch[HATCH_LAPPED_MAX], 1, 1e-12); /* a flat face has none */
+    ck_assert_double_eq_tol(figures.stretch[HATCH_LAPPED_MAX], 1,
+                            1e-12); /* a face without texture area has no stretch */
 }
 END_TEST
 
-START_TEST(angles_are_those_to_rising_u)
+START_TEST(angles_are_measured_to_rising_u)
 {
     struct made turned = plain;
     turned.field_deg = 10;
@@ -217,14 +218,14 @@ START_TEST(angles_are_those_to_rising_u)
     measure();
     for (int i = 0; i < HATCH_LAPPED_SHARES; i++)
         ck_assert_double_eq_tol(figures.angle_deg[i], 10, 1e-5);
-    patches[0].mesh.attribute_count--; /* no _HATCH_DIR */
+    patches[0].mesh.attribute_count--; /* removes _HATCH_DIR */
     measure();
     ck_assert_double_nan(figures.angle_deg[HATCH_LAPPED_P50]);
 }
 END_TEST
 
-/* Two faces of area 1/2 along the field, and one of a sixteenth of that across it. */
-START_TEST(angles_are_weighed_by_area_too)
+/* Two faces of area 1/2 at 0 degrees, one of a sixteenth of that at 30 degrees. */
+START_TEST(angles_are_also_weighted_by_area)
 {
     struct made small = first_face;
     small.field_deg = 30;
@@ -241,8 +242,8 @@ START_TEST(angles_are_weighed_by_area_too)
 }
 END_TEST
 
-/* A sheared square: the direction in which u rises and v stays is not the gradient of u. */
-START_TEST(u_rises_where_v_stays)
+/* In a sheared square the direction in which u rises and v is constant is not the gradient of u. */
+START_TEST(rising_u_keeps_v_constant)
 {
     add_patch(&plain);
     float *uv = hatch_mesh_find(&patches[0].mesh, "TEXCOORD_0", 2);
@@ -256,7 +257,7 @@ START_TEST(u_rises_where_v_stays)
 }
 END_TEST
 
-START_TEST(meshes_at_one_place_are_not_one)
+START_TEST(coincident_meshes_of_two_nodes_stay_separate)
 {
     add_patch(&first_face);
     add_patch(&first_face);
@@ -269,18 +270,18 @@ START_TEST(meshes_at_one_place_are_not_one)
 }
 END_TEST
 
-START_TEST(what_is_no_lapped_file_is_refused)
+START_TEST(scenes_without_patches_are_refused)
 {
     add_patch(&plain);
     struct hatch_lapped_figures before = figures;
-    struct hatch_mesh whole = patches[0].mesh;
+    struct hatch_mesh full = patches[0].mesh;
     patches[0].mesh.attribute_count = 2;
     ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "patch 0: no TEXCOORD_0 or no TEXCOORD_1");
-    patches[0].mesh = whole;
+    patches[0].mesh = full;
     masks[0].pixels = NULL;
     ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
-    ck_assert_str_eq(err.text, "patch 0: no mask");
+    ck_assert_str_eq(err.text, "patch 0: no outline (alpha mask)");
     patches[0].material = HATCH_NONE;
     ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
     ck_assert_msg(strstr(err.text, "no patches") != NULL, "%s", err.text);
@@ -311,17 +312,17 @@ static Suite *suite(void)
     tcase_add_test(tests, half_a_mask_covers_half);
     tcase_add_test(tests, a_mask_without_alpha_covers_all);
     tcase_add_test(tests, masks_are_clamped);
-    tcase_add_test(tests, two_patches_cover_what_either_does);
+    tcase_add_test(tests, two_patches_cover_the_union);
     tcase_add_test(tests, opacities_compose);
     tcase_add_test(tests, complements_cover_all);
-    tcase_add_test(tests, a_patch_under_a_core_is_hidden);
-    tcase_add_test(tests, stretch_is_the_ratio);
+    tcase_add_test(tests, a_patch_under_an_opaque_one_is_hidden);
+    tcase_add_test(tests, stretch_is_the_ratio_of_singular_values);
     tcase_add_test(tests, mirrored_and_flat_faces_are_flipped);
-    tcase_add_test(tests, angles_are_those_to_rising_u);
-    tcase_add_test(tests, angles_are_weighed_by_area_too);
-    tcase_add_test(tests, u_rises_where_v_stays);
-    tcase_add_test(tests, meshes_at_one_place_are_not_one);
-    tcase_add_test(tests, what_is_no_lapped_file_is_refused);
+    tcase_add_test(tests, angles_are_measured_to_rising_u);
+    tcase_add_test(tests, angles_are_also_weighted_by_area);
+    tcase_add_test(tests, rising_u_keeps_v_constant);
+    tcase_add_test(tests, coincident_meshes_of_two_nodes_stay_separate);
+    tcase_add_test(tests, scenes_without_patches_are_refused);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

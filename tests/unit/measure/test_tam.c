@@ -33,7 +33,7 @@ static uint64_t missing(void)
     return count;
 }
 
-START_TEST(the_mean_is_one_less_the_reflectance)
+START_TEST(the_mean_is_one_minus_reflectance)
 {
     map_fill(&map);
     for (uint32_t i = 0; i < 64 * 64; i++)
@@ -74,8 +74,8 @@ START_TEST(one_lighter_pixel_is_counted)
 }
 END_TEST
 
-/* White noise wraps as it runs; a ramp's end does not meet its beginning. */
-START_TEST(a_pasted_seam_stands_out)
+/* White noise has no seam; a ramp jumps from its end to its start. */
+START_TEST(a_seam_is_detected)
 {
     map_fill(&map);
     for (uint32_t i = 0; i < 64 * 64; i++)
@@ -108,8 +108,8 @@ START_TEST(a_flat_image_has_no_seam_and_no_spread)
 }
 END_TEST
 
-/* The mean over n independent pixels has 1/√n of their deviation: closed form of the spread. */
-START_TEST(the_spread_of_white_noise_falls_with_the_box)
+/* The mean of n independent pixels has 1/√n of their standard deviation. */
+START_TEST(the_spread_of_white_noise_falls_with_the_box_size)
 {
     struct hatch_image image;
     double spread[HATCH_EVENNESS_BOXES];
@@ -121,14 +121,14 @@ START_TEST(the_spread_of_white_noise_falls_with_the_box)
         double side = 256.0 / hatch_evenness_divisors[box];
         ck_assert_double_eq_tol(spread[box] * sqrt(12) * side, 1, 0.02 + side / 256);
     }
-    image.width = image.height = 16; /* the box of N/32 would be half a pixel */
+    image.width = image.height = 16; /* a box of 1/32 is half a pixel */
     HATCH_TEST_OK(hatch_measure_spreads(&image, &map_scratch, spread, &map_err), &map_err);
     ck_assert_double_eq(spread[0], 0);
     ck_assert_double_gt(spread[1], 0.2);
 }
 END_TEST
 
-/* Draws the list anew but for one stroke, which is left out of one image. */
+/* Draws one image again from the list, without one stroke. */
 static void redraw(const struct hatch_stroke *without, uint32_t tone, uint32_t level)
 {
     struct hatch_canvas canvas;
@@ -148,7 +148,7 @@ START_TEST(a_stroke_missing_from_one_image_is_found)
 {
     map_fill(&map);
     ck_assert_uint_eq(missing(), 0);
-    redraw(NULL, 0, 0); /* drawn from the script the image is what it was */
+    redraw(NULL, 0, 0); /* the same image, drawn from the list */
     ck_assert_uint_eq(missing(), 0);
     for (uint32_t i = 0; i < 5; i++)
         for (uint32_t level = 0; level <= map.strokes.items[i].level; level++) {
@@ -186,7 +186,7 @@ START_TEST(a_script_of_another_map_is_refused)
 }
 END_TEST
 
-START_TEST(one_strokes_darkness_is_its_area)
+START_TEST(the_darkness_of_a_stroke_is_its_area)
 {
     double darkness = 0;
     map_style(NULL, "brush stipple\nwidth 4\nlength 0.5 0.5", &map);
@@ -196,14 +196,13 @@ START_TEST(one_strokes_darkness_is_its_area)
         HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, level, &map_scratch, &darkness, &map_err),
                       &map_err);
         uint32_t size = 64 >> level;
-        /* an ellipse of 4 pixels by half a tile; the last strokes of an image are shorter */
+        /* an ellipse of 4 pixels by half a tile; tolerance: the last strokes of an image are shorter */
         ck_assert_double_eq_tol(darkness / (0.785 * 4 * 0.5 * size / (size * size)), 1, 0.1);
     }
 }
 END_TEST
 
-/* Strokes thrown at random are as even as strokes thrown at random. */
-START_TEST(random_strokes_have_the_evenness_of_random_strokes)
+START_TEST(random_strokes_have_evenness_one)
 {
     double ratio[6 * HATCH_EVENNESS_BOXES], mean = 0;
     map.options.size_px = 128;
@@ -248,7 +247,7 @@ static enum hatch_status all(void *context, struct hatch_arena *keep, struct hat
     return hatch_measure_evenness(&map.tam, &strokes, 2, scratch, ratio, err);
 }
 
-START_TEST(every_failed_allocation_is_a_status)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     map_fill(&map);
     ck_assert_uint_ge(hatch_test_fail_alloc(all, NULL, NULL, 0), 50);
@@ -260,18 +259,18 @@ static Suite *suite(void)
     Suite *suite = suite_create("measure tam");
     TCase *tests = tcase_create("tam figures");
     tcase_add_checked_fixture(tests, begin, map_end);
-    tcase_add_test(tests, the_mean_is_one_less_the_reflectance);
+    tcase_add_test(tests, the_mean_is_one_minus_reflectance);
     tcase_add_test(tests, colours_are_measured_by_their_mean);
     tcase_add_test(tests, one_lighter_pixel_is_counted);
-    tcase_add_test(tests, a_pasted_seam_stands_out);
+    tcase_add_test(tests, a_seam_is_detected);
     tcase_add_test(tests, a_flat_image_has_no_seam_and_no_spread);
-    tcase_add_test(tests, the_spread_of_white_noise_falls_with_the_box);
+    tcase_add_test(tests, the_spread_of_white_noise_falls_with_the_box_size);
     tcase_add_test(tests, a_stroke_missing_from_one_image_is_found);
     tcase_add_test(tests, growing_strokes_nest);
     tcase_add_test(tests, a_script_of_another_map_is_refused);
-    tcase_add_test(tests, one_strokes_darkness_is_its_area);
-    tcase_add_test(tests, random_strokes_have_the_evenness_of_random_strokes);
-    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, the_darkness_of_a_stroke_is_its_area);
+    tcase_add_test(tests, random_strokes_have_evenness_one);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }

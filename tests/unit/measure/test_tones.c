@@ -9,8 +9,8 @@ static struct hatch_tone_figures figures;
 
 static void measure(const struct hatch_tam *map, hatch_tone_sample sample, const void *subject, float lod)
 {
-    HATCH_TEST_OK(hatch_measure_tones(map, sample, subject, lod, 64000, NULL, &map_scratch, &figures, &map_err),
-                  &map_err);
+    const struct hatch_tone_test test = {map, sample, subject, lod, 64000};
+    HATCH_TEST_OK(hatch_measure_tones(&test, NULL, &map_scratch, &figures, &map_err), &map_err);
 }
 
 static float darker_by_a_tenth(const void *subject, float u, float v, float tone, float lod)
@@ -36,7 +36,7 @@ static float stripe(float u, float v, uint32_t level, float tone, uint32_t chann
     return u < tone ? 0 : 1;
 }
 
-START_TEST(a_map_is_what_it_is)
+START_TEST(a_map_has_no_error_against_itself)
 {
     struct hatch_tam map = made_map(64, 64, 1, _i ? "RGB" : "Y", stripe);
     measure(&map, hatch_tone_sample_map, &map, 0.5f * (float)_i);
@@ -45,7 +45,7 @@ START_TEST(a_map_is_what_it_is)
 }
 END_TEST
 
-START_TEST(what_is_darker_by_a_tenth_errs_by_a_tenth)
+START_TEST(a_constant_error_is_measured)
 {
     struct hatch_tam map = made_map(64, 64, 1, "Y", made_ramp);
     measure(&map, darker_by_a_tenth, &map, 1);
@@ -56,23 +56,23 @@ START_TEST(what_is_darker_by_a_tenth_errs_by_a_tenth)
 }
 END_TEST
 
-START_TEST(shares_of_grey_are_counted)
+START_TEST(shares_of_grey_are_measured)
 {
     struct hatch_tam map = made_map(64, 64, 1, "Y", paper);
     measure(&map, half_grey, &map, 0);
-    ck_assert_double_eq_tol(figures.grey, 0.5, 0.01); /* of the inked half, one half is grey */
+    ck_assert_double_eq_tol(figures.grey, 0.5, 0.01); /* half of the inked samples */
     ck_assert_double_eq_tol(figures.grey_all, 0.5, 0.01);
     ck_assert_double_eq_tol(figures.error, 0.375, 0.01);
     struct hatch_tam ramp = made_map(64, 255, 1, "Y", made_ramp);
     measure(&ramp, hatch_tone_sample_map, &ramp, 0);
-    ck_assert_double_eq(figures.grey, 0); /* greys of the map are no fault of the sampler */
+    ck_assert_double_eq(figures.grey, 0); /* the map itself is grey there */
     ck_assert_double_eq_tol(figures.grey_all, 0.8 / 0.9, 0.02);
 }
 END_TEST
 
-/* The method of few columns: strokes that are half there. Of the stripes between two of four columns a
- * quarter of the tile is grey, of which a sample of darkness .1 to .9 counts. */
-START_TEST(few_columns_are_grey)
+/* Blending few columns makes grey strokes: between two of four columns a stripe of a quarter tile is grey where
+ * its darkness is 0.1 to 0.9. */
+START_TEST(few_columns_make_grey_strokes)
 {
     static struct hatch_mipmap columns[4];
     struct hatch_tam map = made_map(64, 64, 1, "Y", stripe), few = map;
@@ -91,15 +91,15 @@ START_TEST(few_columns_are_grey)
 }
 END_TEST
 
-START_TEST(threads_do_not_matter)
+START_TEST(the_result_does_not_depend_on_threads)
 {
     struct hatch_pool *pool;
     struct hatch_tam map = made_map(64, 64, 1, "Y", stripe);
     measure(&map, half_grey, &map, 0);
     struct hatch_tone_figures alone = figures;
     HATCH_TEST_OK(hatch_pool_make(3, &map_arena, &pool, &map_err), &map_err);
-    HATCH_TEST_OK(hatch_measure_tones(&map, half_grey, &map, 0, 64000, pool, &map_scratch, &figures, &map_err),
-                  &map_err);
+    const struct hatch_tone_test test = {&map, half_grey, &map, 0, 64000};
+    HATCH_TEST_OK(hatch_measure_tones(&test, pool, &map_scratch, &figures, &map_err), &map_err);
     hatch_pool_free(pool);
     ck_assert(memcmp(&alone, &figures, sizeof alone) == 0);
 }
@@ -109,10 +109,11 @@ static enum hatch_status measure_again(void *context, struct hatch_arena *keep, 
                                        struct hatch_err *err)
 {
     (void)keep;
-    return hatch_measure_tones(context, half_grey, context, 0, 64, NULL, scratch, &figures, err);
+    const struct hatch_tone_test test = {context, half_grey, context, 0, 64};
+    return hatch_measure_tones(&test, NULL, scratch, &figures, err);
 }
 
-START_TEST(every_failed_allocation_is_told)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_tam map = made_map(64, 4, 1, "Y", stripe);
     hatch_test_fail_alloc(measure_again, &map, &figures, sizeof figures);
@@ -124,12 +125,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("measure tones");
     TCase *tests = tcase_create("tones");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_loop_test(tests, a_map_is_what_it_is, 0, 2);
-    tcase_add_test(tests, what_is_darker_by_a_tenth_errs_by_a_tenth);
-    tcase_add_test(tests, shares_of_grey_are_counted);
-    tcase_add_test(tests, few_columns_are_grey);
-    tcase_add_test(tests, threads_do_not_matter);
-    tcase_add_test(tests, every_failed_allocation_is_told);
+    tcase_add_loop_test(tests, a_map_has_no_error_against_itself, 0, 2);
+    tcase_add_test(tests, a_constant_error_is_measured);
+    tcase_add_test(tests, shares_of_grey_are_measured);
+    tcase_add_test(tests, few_columns_make_grey_strokes);
+    tcase_add_test(tests, the_result_does_not_depend_on_threads);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }
