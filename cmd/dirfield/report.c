@@ -136,7 +136,7 @@ static void put_mesh(struct dirfield_report *report, const struct dirfield_part 
     row[SINGULARITIES] = part->singular.count;
     all[SMOOTHNESS] += row[SMOOTHNESS] = part->field.energy[0];
     all[DISAGREEMENT] += row[DISAGREEMENT] = part->field.energy[1];
-    all[ENERGY] += row[ENERGY] = part->field.solved;
+    all[ENERGY] += row[ENERGY] = part->field.solution_energy;
     row[ITERATIONS] = part->field.iterations;
     row[RESIDUAL] = part->field.residual;
     all[ITERATIONS] = fmax(all[ITERATIONS], row[ITERATIONS]);

@@ -50,9 +50,11 @@ static enum hatch_status check_sides(const struct hatch_surface *surface, double
 static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_options *options,
                                   struct dirfield_part *part, struct hatch_curvature *curvature, struct hatch_err *err)
 {
+    struct hatch_curvature_options fits = options->curvature;
+    fits.pool = cmd_pool(args);
     if (!(options->coarse_faces > 0))
-        return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature, cmd_pool(args), &part->work,
-                                        &args->scratch, curvature, err);
+        return hatch_curvature_estimate(part->surface, &part->frames, &fits, &part->work, &args->scratch, curvature,
+                                        err);
     struct hatch_mesh coarse;
     uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * part->share));
     HATCH_TRY(hatch_mesh_decimate(&part->mesh->mesh, faces, &part->work, &args->scratch, &coarse, NULL, err));
@@ -89,30 +91,33 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     struct hatch_err err;
     struct hatch_curvature curvature;
     double begun_ms = cmd_elapsed_ms(), *hard;
-    bool *made_up = HATCH_NEW(&part->work, bool, part->surface->component_count, &err);
-    check(part, made_up ? HATCH_OK : HATCH_LIMIT, &err);
+    bool *filled = HATCH_NEW(&part->work, bool, part->surface->component_count, &err);
+    check(part, filled ? HATCH_OK : HATCH_LIMIT, &err);
     check(part, check_sides(part->surface, options->turn_deg, &err), &err);
     check(part, hatch_frames_begin(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
     end_phase(part, PHASE_FRAMES, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
     check(part, estimate(args, options, part, &curvature, &err), &err);
-    hatch_curvature_doubt_creases(part->surface, CMD_FIELD_HARD_RAD, &curvature);
-    check(part, hatch_frames_lean(part->surface, curvature.normal, &args->scratch, &part->frames, &err), &err);
+    hatch_curvature_clear_crease_confidence(part->surface, CMD_FIELD_HARD_RAD, &curvature);
+    check(part, hatch_frames_set_normals(part->surface, curvature.normal, &args->scratch, &part->frames, &err), &err);
     constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
-    hatch_field_follow_folds(part->surface, &part->frames, CMD_FIELD_HARD_RAD, hard, curvature.direction,
-                             curvature.confidence);
-    hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);
+    hatch_field_fill_from_dihedrals(part->surface, &part->frames, CMD_FIELD_HARD_RAD, hard, curvature.direction,
+                                    curvature.confidence);
+    hatch_field_fill_unconstrained(part->surface, &part->frames, hard, curvature.direction, curvature.confidence,
+                                   filled);
     turn(&part->frames, part->surface, options->turn_deg, hard, curvature.direction);
     end_phase(part, PHASE_CURVATURE, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
-    const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard, true};
-    check(part,
-          hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args), &part->work,
-                            &args->scratch, &part->field, &err),
-          &err);
-    hatch_field_own_up(part->surface, made_up, &part->field);
+    const struct hatch_field_problem problem = {.surface = part->surface,
+                                                .frames = &part->frames,
+                                                .direction = curvature.direction,
+                                                .confidence = curvature.confidence,
+                                                .constraint_weight = hard,
+                                                .principal = true};
+    check(part, hatch_field_solve(&problem, &options->field, &part->work, &args->scratch, &part->field, &err), &err);
+    hatch_field_clear_filled_confidence(part->surface, filled, &part->field);
     end_phase(part, PHASE_FIELD, begun_ms);
     check(part,
           hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work, &args->scratch,
