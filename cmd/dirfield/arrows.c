@@ -1,14 +1,13 @@
-/* --arrows: the field to look at in any viewer. Not every viewer draws a PLY's edges; all draw its
- * triangles. */
+/* --arrows. Rhombi are made of triangles, since many viewers do not draw the edges of a PLY. */
 #include <math.h>
 
 #include "dirfield.h"
 #include "math/vector.h"
 
-/* In mean lengths of the edges at the point. */
+/* In mean edge lengths at the point. */
 #define HALF_LENGTH 0.4
 #define HALF_WIDTH 0.07
-#define LIFT 0.04 /* off the surface, which would hide half of each otherwise */
+#define LIFT 0.04 /* off the surface, which would otherwise hide half of each rhombus */
 
 #define CORNERS 4u
 #define VERTEX_BYTES 15u /* three floats, three bytes */
@@ -23,7 +22,7 @@ void dirfield_arrows_begin(struct dirfield_arrows *arrows, struct cmd_args *args
     *arrows = (struct dirfield_arrows){.vertices = {.arena = &args->keep}};
 }
 
-/* From blue-violet for none over green to yellow for full confidence: as different in grey as in colour. */
+/* Violet for confidence 0, green for 1/2, yellow for 1; lightness rises evenly. */
 static void color_of(double confidence, uint8_t rgb[3])
 {
     static const double stops[3][3] = {{68, 1, 84}, {33, 145, 140}, {253, 231, 37}};
@@ -47,27 +46,27 @@ static void put_corner(struct dirfield_arrows *arrows, const struct dirfield_pos
                        const uint8_t rgb[3])
 {
     struct hatch_err err;
-    double shown[3];
-    dirfield_to_scene(pose, at, shown);
+    double in_scene[3];
+    dirfield_to_scene(pose, at, in_scene);
     for (int k = 0; k < 3; k++) {
         union {
             float number;
             uint32_t bits;
-        } word = {.number = (float)shown[k]};
+        } word = {.number = (float)in_scene[k]};
         check(hatch_buffer_add_u32le(&arrows->vertices, word.bits, &err), &err);
     }
     check(hatch_buffer_add(&arrows->vertices, rgb, 3, &err), &err);
 }
 
-static void put_rhomb(struct dirfield_arrows *arrows, const struct dirfield_part *part,
-                      const struct dirfield_pose *pose, uint32_t point)
+static void put_rhombus(struct dirfield_arrows *arrows, const struct dirfield_job *job,
+                        const struct dirfield_pose *pose, uint32_t point)
 {
-    const double *along = &part->field.direction[3 * (size_t)point];
-    const double *normal = &part->frames.normal[3 * (size_t)point];
-    double middle[3], across[3], corner[3], length = edge_length(part->surface, point);
+    const double *along = &job->field.direction[3 * (size_t)point];
+    const double *normal = &job->frames.normal[3 * (size_t)point];
+    double middle[3], across[3], corner[3], length = edge_length(job->surface, point);
     uint8_t rgb[3];
-    color_of(part->field.confidence[point], rgb);
-    hatch_surface_position(part->surface, point, middle);
+    color_of(job->field.confidence[point], rgb);
+    hatch_surface_position(job->surface, point, middle);
     hatch_vec_add_scaled(middle, LIFT * length, normal, middle);
     hatch_vec_cross(normal, along, across);
     for (uint32_t c = 0; c < CORNERS; c++) {
@@ -78,15 +77,14 @@ static void put_rhomb(struct dirfield_arrows *arrows, const struct dirfield_part
     arrows->count++;
 }
 
-void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct dirfield_part *part)
+void dirfield_arrows_add(struct dirfield_arrows *arrows, const struct dirfield_job *job)
 {
     struct hatch_err err;
-    for (uint32_t i = 0; i < part->pose_count; i++) {
-        check(
-            hatch_buffer_reserve(&arrows->vertices, (size_t)part->surface->point_count * CORNERS * VERTEX_BYTES, &err),
-            &err);
-        for (uint32_t p = 0; p < part->surface->point_count; p++)
-            put_rhomb(arrows, part, &part->poses[i], p);
+    for (uint32_t i = 0; i < job->pose_count; i++) {
+        check(hatch_buffer_reserve(&arrows->vertices, (size_t)job->surface->point_count * CORNERS * VERTEX_BYTES, &err),
+              &err);
+        for (uint32_t p = 0; p < job->surface->point_count; p++)
+            put_rhombus(arrows, job, &job->poses[i], p);
     }
 }
 

@@ -11,18 +11,18 @@
 enum { VERTEX, X, Y, Z, DX, DY, DZ, WEIGHT, KEYS };
 
 static const char *const key_names[KEYS] = {"vertex", "x", "y", "z", "dx", "dy", "dz", "weight"};
+#define WANTED_COLUMNS "want vertex, or x y z, and dx dy dz weight"
 
-/* column_of[key]: where a row has it, or -1. */
 struct header {
-    int column_of[KEYS];
+    int column_of[KEYS]; /* number of the key's column, or -1 */
     uint32_t columns;
 };
 
-/* The scene's points by the numbers of the file's vertices. */
-struct places {
-    struct dirfield_part *parts;
-    uint32_t part_count;
-    uint32_t **vertex_points; /* per part; NULL: by position */
+/* The points that rows may name. */
+struct targets {
+    struct dirfield_job *jobs;
+    uint32_t job_count;
+    uint32_t **vertex_points; /* per job, the point of each vertex; NULL when rows name positions */
 };
 
 static enum hatch_status parse_header(struct hatch_text line, struct header *header, struct hatch_err *err)
@@ -36,15 +36,15 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
             key++;
         if (key == KEYS || header->column_of[key] >= 0)
             return hatch_fail(err, HATCH_BAD_INPUT, "header: '%.*s' %s", (int)(field.length < 40 ? field.length : 40),
-                              field.at, key == KEYS ? "is no column of constraints" : "stands twice");
+                              field.at, key == KEYS ? "is not a column; " WANTED_COLUMNS : "appears twice");
         header->column_of[key] = (int)header->columns;
     }
     bool by_vertex = header->column_of[VERTEX] >= 0;
     for (int k = 0; k < KEYS; k++) {
         bool wanted = k == VERTEX ? by_vertex : k > Z || !by_vertex;
         if (wanted != (header->column_of[k] >= 0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "header: %s '%s', want vertex, or x y z, and dx dy dz weight",
-                              wanted ? "no" : "vertex and", key_names[k]);
+            return hatch_fail(err, HATCH_BAD_INPUT, "header: %s '%s'; " WANTED_COLUMNS,
+                              wanted ? "no column" : "'vertex' excludes", key_names[k]);
     }
     return HATCH_OK;
 }
@@ -67,19 +67,19 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
                           WEIGHT_MAX);
     double length = hatch_vec_length(&values[DX]);
     if (!(length > 0 && isfinite(length)))
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the direction has no length", row);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the direction dx dy dz must not be zero", row);
     return HATCH_OK;
 }
 
-static enum hatch_status find_vertex(const struct places *places, double vertex, uint32_t row,
-                                     struct dirfield_part **part, uint32_t *point, struct hatch_err *err)
+static enum hatch_status find_vertex(const struct targets *targets, double vertex, uint32_t row,
+                                     struct dirfield_job **job, uint32_t *point, struct hatch_err *err)
 {
     double first = 0;
-    for (uint32_t i = 0; i < places->part_count; i++) {
-        *part = &places->parts[i];
-        double count = (*part)->mesh->file_vertices;
+    for (uint32_t i = 0; i < targets->job_count; i++) {
+        *job = &targets->jobs[i];
+        double count = (*job)->mesh->file_vertices;
         if (vertex >= first && vertex < first + count && vertex == floor(vertex)) {
-            *point = places->vertex_points[i][(size_t)(vertex - first)];
+            *point = targets->vertex_points[i][(size_t)(vertex - first)];
             if (*point == HATCH_NO_SIDE)
                 return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no face uses vertex %.0f", row, vertex);
             return HATCH_OK;
@@ -90,92 +90,95 @@ static enum hatch_status find_vertex(const struct places *places, double vertex,
                       first - 1);
 }
 
-/* How far a position of the scene is from a part's nearest point, where a pose shows it. */
-static double distance(const struct dirfield_part *part, const struct dirfield_pose *pose, const double position[3],
+/* Returns the distance in the scene from a position to the nearest point of a posed mesh; INFINITY when the pose is
+ * singular.
+ *   point  out: the point of the surface */
+static double distance(const struct dirfield_job *job, const struct dirfield_pose *pose, const double position[3],
                        uint32_t *point)
 {
-    double offset[3], local[3], at[3], shown[3];
+    double offset[3], local[3], at[3], in_scene[3];
     hatch_vec_sub(position, pose->offset, offset);
     if (!dirfield_to_mesh(pose, offset, local))
         return INFINITY;
-    *point = hatch_surface_nearest(part->surface, local);
-    hatch_surface_position(part->surface, *point, at);
-    dirfield_to_scene(pose, at, shown);
-    return hatch_vec_distance(shown, position);
+    *point = hatch_surface_nearest(job->surface, local);
+    hatch_surface_position(job->surface, *point, at);
+    dirfield_to_scene(pose, at, in_scene);
+    return hatch_vec_distance(in_scene, position);
 }
 
-/* The nearest point of all that the scene shows; false when it shows none. */
-static bool find_nearest(const struct places *places, const double position[3], struct dirfield_part **part,
+/* Finds the nearest point of all posed meshes. Returns false when there is none. */
+static bool find_nearest(const struct targets *targets, const double position[3], struct dirfield_job **job,
                          const struct dirfield_pose **pose, uint32_t *point)
 {
     double least = INFINITY;
-    for (uint32_t i = 0; i < places->part_count; i++)
-        for (uint32_t k = 0; k < places->parts[i].pose_count; k++) {
+    for (uint32_t i = 0; i < targets->job_count; i++)
+        for (uint32_t k = 0; k < targets->jobs[i].pose_count; k++) {
             uint32_t candidate = 0;
-            double length = distance(&places->parts[i], &places->parts[i].poses[k], position, &candidate);
+            double length = distance(&targets->jobs[i], &targets->jobs[i].poses[k], position, &candidate);
             if (!(length < least))
                 continue;
             least = length;
-            *part = &places->parts[i];
-            *pose = &places->parts[i].poses[k];
+            *job = &targets->jobs[i];
+            *pose = &targets->jobs[i].poses[k];
             *point = candidate;
         }
     return least < INFINITY;
 }
 
-/* Where two rows meet at one point, the later one counts: it stands later in the part's list. */
-static enum hatch_status add(struct cmd_args *args, struct dirfield_part *part, struct dirfield_constraint constraint,
+/* Appends a constraint. Of two at one point the later one counts, since it comes later in the list. */
+static enum hatch_status add(struct cmd_args *args, struct dirfield_job *job, struct dirfield_constraint constraint,
                              struct hatch_err *err)
 {
-    uint32_t count = part->constraint_count;
+    uint32_t count = job->constraint_count;
     if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8 ... */
         struct dirfield_constraint *grown =
             HATCH_NEW(&args->keep, struct dirfield_constraint, count ? 2 * (size_t)count : 1, err);
         if (!grown)
             return HATCH_LIMIT;
         if (count)
-            memcpy(grown, part->constraints, count * sizeof *grown);
-        part->constraints = grown;
+            memcpy(grown, job->constraints, count * sizeof *grown);
+        job->constraints = grown;
     }
-    part->constraints[part->constraint_count++] = constraint;
+    job->constraints[job->constraint_count++] = constraint;
     return HATCH_OK;
 }
 
-static enum hatch_status place(struct cmd_args *args, const struct places *places, const double values[KEYS],
-                               uint32_t row, struct hatch_err *err)
+static enum hatch_status add_row(struct cmd_args *args, const struct targets *targets, const double values[KEYS],
+                                 uint32_t row, struct hatch_err *err)
 {
-    struct dirfield_part *part = NULL;
+    struct dirfield_job *job = NULL;
     const struct dirfield_pose *pose = NULL;
     struct dirfield_constraint made = {.line = row, .weight = values[WEIGHT]};
     hatch_vec_copy(&values[DX], made.direction);
-    if (places->vertex_points) {
-        HATCH_TRY(find_vertex(places, values[VERTEX], row, &part, &made.point, err));
+    if (targets->vertex_points) {
+        HATCH_TRY(find_vertex(targets, values[VERTEX], row, &job, &made.point, err));
     } else {
-        if (!find_nearest(places, &values[X], &part, &pose, &made.point))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the scene shows no mesh", row);
+        if (!find_nearest(targets, &values[X], &job, &pose, &made.point))
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no node of the scene has a mesh; name points by vertex",
+                              row);
         dirfield_to_mesh(pose, &values[DX], made.direction);
     }
-    return add(args, part, made, err);
+    return add(args, job, made, err);
 }
 
-static enum hatch_status list_vertices(struct cmd_args *args, struct places *places, struct hatch_err *err)
+static enum hatch_status map_vertices(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
 {
-    places->vertex_points = HATCH_NEW(&args->keep, uint32_t *, places->part_count, err);
-    if (!places->vertex_points)
+    targets->vertex_points = HATCH_NEW(&args->keep, uint32_t *, targets->job_count, err);
+    if (!targets->vertex_points)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; i < places->part_count; i++) {
-        struct dirfield_part *part = &places->parts[i];
-        uint32_t vertices = part->mesh->mesh.vertex_count;
+    for (uint32_t i = 0; i < targets->job_count; i++) {
+        struct dirfield_job *job = &targets->jobs[i];
+        uint32_t vertices = job->mesh->mesh.vertex_count;
         uint32_t *points = HATCH_NEW(&args->keep, uint32_t, vertices, err);
         if (!points)
             return HATCH_LIMIT;
-        hatch_surface_vertex_points(part->surface, vertices, points);
-        places->vertex_points[i] = points;
+        hatch_surface_vertex_points(job->surface, vertices, points);
+        targets->vertex_points[i] = points;
     }
     return HATCH_OK;
 }
 
-static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, struct places *places,
+static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, struct targets *targets,
                                struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(text), line;
@@ -187,18 +190,18 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
         if (header.columns == 0) {
             HATCH_TRY(parse_header(line, &header, err));
             if (header.column_of[VERTEX] >= 0)
-                HATCH_TRY(list_vertices(args, places, err));
+                HATCH_TRY(map_vertices(args, targets, err));
             continue;
         }
         HATCH_TRY(parse_row(line, &header, row, values, err));
-        HATCH_TRY(place(args, places, values, row, err));
+        HATCH_TRY(add_row(args, targets, values, row, err));
     }
-    return header.columns ? HATCH_OK : hatch_fail(err, HATCH_BAD_INPUT, "no header line");
+    return header.columns ? HATCH_OK : hatch_fail(err, HATCH_BAD_INPUT, "no header line; " WANTED_COLUMNS);
 }
 
-void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_part *parts, uint32_t count)
+void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_job *jobs, uint32_t count)
 {
     struct hatch_err err;
-    struct places places = {.parts = parts, .part_count = count};
-    cmd_check(parse(args, cmd_read(args, path), &places, &err), cmd_input_name(path), &err);
+    struct targets targets = {.jobs = jobs, .job_count = count};
+    cmd_check(parse(args, cmd_read(args, path), &targets, &err), cmd_input_name(path), &err);
 }

@@ -1,4 +1,4 @@
-/* dirfield: finds the direction in which strokes should run over a surface. */
+/* dirfield: computes the direction in which strokes should run over a surface. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "dirfield.h"
 
-#define DESCENT_TOLERANCE 1e-5 /* radians: descent creeps */
+#define DESCENT_TOLERANCE 1e-5 /* radians */
 
 static int method, solver;
 static bool solver_given, fit_given;
@@ -18,21 +18,22 @@ static const char *const method_choices[] = {"linear", "hz", NULL};
 static const char *const solver_choices[] = {"multigrid", "cholesky", NULL};
 
 static const struct cmd_option options[] = {
-    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "linear (default) or hz: see the manual", &method, method_choices,
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "linear (default) or hz (Hertzmann and Zorin)", &method, method_choices,
      NULL},
-    {0, "solver", CMD_CHOICE, 0, 0, "SOLVER", "of linear: multigrid (default) or cholesky", &solver, solver_choices,
-     &solver_given},
-    {'S', "smooth", CMD_REAL, 0, 1, "X", "0: the curvature as it is, to 1: as smooth as can be (default 0.5)", &smooth,
-     NULL, NULL},
+    {0, "solver", CMD_CHOICE, 0, 0, "SOLVER", "of method linear: multigrid (default) or cholesky", &solver,
+     solver_choices, &solver_given},
+    {'S', "smooth", CMD_REAL, 0, 1, "X", "smoothing, from 0 (none) to 1 (default 0.5)", &smooth, NULL, NULL},
     {'d', "direction", CMD_TEXT, 0, 0, "WHICH", "max (default), min, or degrees from max", &direction, NULL, NULL},
-    {'c', "constraints", CMD_TEXT, 0, 0, "FILE", "directions given by hand: see the manual", &constraints, NULL, NULL},
-    {0, "coarse", CMD_INT, 1, 20000000, "FACES", "curvature of the mesh simplified to so many faces", &coarse, NULL,
+    {'c', "constraints", CMD_TEXT, 0, 0, "FILE", "table of directions to keep at points or vertices", &constraints,
+     NULL, NULL},
+    {0, "coarse", CMD_INT, 1, 20000000, "FACES", "fit curvature to a mesh simplified to FACES faces", &coarse, NULL,
      NULL},
-    {0, "radius", CMD_REAL, 0.5, 100, "EDGES", "fit over this far, in mean edges (default: as noise asks)", &radius,
-     NULL, &fit_given},
-    {0, "degree", CMD_INT, 2, 4, "N", "of the fitted polynomial (default: as noise asks)", &degree, NULL, &fit_given},
-    {'r', "report", CMD_TEXT, 0, 0, "FILE", "singularities, confidence, times: a table", &report_path, NULL, NULL},
-    {'a', "arrows", CMD_TEXT, 0, 0, "FILE.ply", "the field as coloured slivers, to look at", &arrows_path, NULL, NULL},
+    {0, "radius", CMD_REAL, 0.5, 100, "EDGES", "radius of the fits, in mean edges (default: auto)", &radius, NULL,
+     &fit_given},
+    {0, "degree", CMD_INT, 2, 4, "N", "degree of the fits (default: auto)", &degree, NULL, &fit_given},
+    {'r', "report", CMD_TEXT, 0, 0, "FILE", "write a table of singularities and confidence", &report_path, NULL, NULL},
+    {'a', "arrows", CMD_TEXT, 0, 0, "FILE.ply", "write the field as a mesh of coloured slivers", &arrows_path, NULL,
+     NULL},
     {0},
 };
 
@@ -66,13 +67,13 @@ static double turn_of(const char *text)
     return degrees;
 }
 
-static void read_options(struct dirfield_options *how)
+static void read_options(struct dirfield_options *parsed)
 {
     if (solver_given && method == HATCH_FIELD_HZ)
-        cmd_usage("--solver goes with --method linear");
+        cmd_usage("--solver needs --method linear");
     if (fit_given && coarse)
-        cmd_usage("--radius and --degree do not go with --coarse, which fits to each face's neighbours");
-    *how = (struct dirfield_options){
+        cmd_usage("--coarse excludes --radius and --degree: it fits to the neighbours of each face");
+    *parsed = (struct dirfield_options){
         .turn_deg = turn_of(direction),
         .constraints = constraints,
         .coarse_faces = (double)coarse,
@@ -83,17 +84,17 @@ static void read_options(struct dirfield_options *how)
                   .tolerance = method == HATCH_FIELD_HZ ? DESCENT_TOLERANCE : CMD_FIELD_TOLERANCE,
                   .iterations_max = CMD_FIELD_ITERATIONS},
     };
-    snprintf(how->comment, sizeof how->comment, "dirfield --method %s --smooth %g --direction %s",
+    snprintf(parsed->comment, sizeof parsed->comment, "dirfield --method %s --smooth %g --direction %s",
              method_choices[method], smooth, direction);
 }
 
 int main(int argc, char **argv)
 {
     struct cmd_args args;
-    struct dirfield_options how;
+    struct dirfield_options parsed;
     struct cmd_file files[DIRFIELD_FILES] = {{.output = NULL}};
     cmd_begin(&program, argc, argv, &args);
-    read_options(&how);
+    read_options(&parsed);
     const char *input = args.operand_count ? args.operands[0] : NULL;
     if (constraints && strcmp(constraints, "-") == 0 && (!input || strcmp(input, "-") == 0))
         cmd_usage("the mesh and the constraints cannot both come from standard input");
@@ -104,7 +105,7 @@ int main(int argc, char **argv)
         files[DIRFIELD_REPORT].output = cmd_open_output(report_path, false);
     if (arrows_path)
         files[DIRFIELD_ARROWS].output = cmd_open_output(arrows_path, true);
-    dirfield_run(&args, &how, input, files);
+    dirfield_run(&args, &parsed, input, files);
 
     size_t count = 0;
     for (size_t i = 0; i < DIRFIELD_FILES; i++)

@@ -1,4 +1,3 @@
-/* Where the scene's nodes show a mesh. */
 #include "dirfield.h"
 #include "math/vector.h"
 
@@ -7,7 +6,7 @@ static bool shows(const struct hatch_node *node, uint32_t mesh)
     return mesh >= node->first_mesh && mesh - node->first_mesh < node->mesh_count;
 }
 
-/* Skinned meshes stand as they were bound, whatever their node says. */
+/* The transform of the node does not apply to a skinned mesh (glTF). */
 static struct dirfield_pose pose_of(const struct hatch_node *node, const float *world)
 {
     struct dirfield_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
@@ -20,27 +19,27 @@ static struct dirfield_pose pose_of(const struct hatch_node *node, const float *
 }
 
 static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, const float *world,
-                       struct dirfield_part *part)
+                       struct dirfield_job *job)
 {
     struct hatch_err err;
     for (uint32_t n = 0; n < scene->node_count; n++)
-        part->pose_count += shows(&scene->nodes[n], part->number);
-    part->poses = HATCH_NEW(&args->keep, struct dirfield_pose, part->pose_count, &err);
-    cmd_check(part->poses ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+        job->pose_count += shows(&scene->nodes[n], job->number);
+    job->poses = HATCH_NEW(&args->keep, struct dirfield_pose, job->pose_count, &err);
+    cmd_check(job->poses ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     uint32_t found = 0;
     for (uint32_t n = 0; n < scene->node_count; n++)
-        if (shows(&scene->nodes[n], part->number))
-            part->poses[found++] = pose_of(&scene->nodes[n], &world[(size_t)n * 16]);
+        if (shows(&scene->nodes[n], job->number))
+            job->poses[found++] = pose_of(&scene->nodes[n], &world[(size_t)n * 16]);
 }
 
-void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_part *parts)
+void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_job *jobs)
 {
     struct hatch_err err;
     float *world = HATCH_NEW(&args->keep, float, (size_t)scene->node_count * 16, &err);
     cmd_check(world ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        find_poses(args, scene, world, &parts[i]);
+        find_poses(args, scene, world, &jobs[i]);
 }
 
 void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], double scene[3])
@@ -49,7 +48,7 @@ void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], d
         scene[row] = pose->offset[row] + hatch_vec_dot(pose->matrix[row], mesh);
 }
 
-/* Cramer's rule, with the rows' products as cofactors. */
+/* Cramer's rule; cofactors are cross products of the rows. */
 bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3])
 {
     double cofactors[3][3];

@@ -1,5 +1,4 @@
-/* --report: what was found, a row for each mesh, each of its components and each singularity, and one for
- * all. */
+/* --report: a table with a row for each mesh, each component, each singularity, and one for all meshes together. */
 #include <math.h>
 #include <string.h>
 
@@ -40,7 +39,7 @@ static const char *const columns[COLUMNS + 1] = {
     NULL};
 /* clang-format on */
 
-_Static_assert(COLUMNS <= DIRFIELD_REPORT_COLUMNS, "the last row has no room");
+_Static_assert(COLUMNS <= DIRFIELD_REPORT_COLUMNS, "DIRFIELD_REPORT_COLUMNS is too small");
 
 void dirfield_report_begin(struct dirfield_report *report, struct cmd_args *args, uint32_t points)
 {
@@ -51,7 +50,7 @@ void dirfield_report_begin(struct dirfield_report *report, struct cmd_args *args
     cmd_check(report->confidence ? HATCH_OK : HATCH_LIMIT, NULL, &err);
 }
 
-/* A row without figures: what is not known, or means nothing for the kind, is not a number. */
+/* Columns that do not apply to the kind of row stay NaN. */
 static void begin_row(double row[COLUMNS])
 {
     for (int i = 0; i < COLUMNS; i++)
@@ -71,13 +70,13 @@ static void put_quartiles(struct hatch_weighted *values, uint32_t count, double 
     hatch_percentiles(values, count, quartiles, 3, &row[CONFIDENCE]);
 }
 
-/* Components follow one another by points and by faces. */
-static struct hatch_weighted *add_confidence(struct dirfield_report *report, const struct dirfield_part *part,
+/* Appends the confidence of a component's points. */
+static struct hatch_weighted *add_confidence(struct dirfield_report *report, const struct dirfield_job *job,
                                              const struct hatch_component *component)
 {
     struct hatch_weighted *values = &report->confidence[report->points];
     for (uint32_t i = 0; i < component->point_count; i++)
-        values[i] = (struct hatch_weighted){part->field.confidence[component->first_point + i], 1};
+        values[i] = (struct hatch_weighted){job->field.confidence[component->first_point + i], 1};
     report->points += component->point_count;
     return values;
 }
@@ -87,77 +86,77 @@ static uint32_t component_of_face(const struct hatch_surface *surface, uint32_t 
     return surface->point_component[surface->corners[3 * (size_t)face]];
 }
 
-static void put_component(struct dirfield_report *report, const struct dirfield_part *part, uint32_t c,
+static void put_component(struct dirfield_report *report, const struct dirfield_job *job, uint32_t c,
                           uint32_t singularities)
 {
-    const struct hatch_component *component = &part->surface->components[c];
+    const struct hatch_component *component = &job->surface->components[c];
     double row[COLUMNS];
     begin_row(row);
-    row[MESH] = part->number;
+    row[MESH] = job->number;
     row[COMPONENT] = c;
     row[POINTS] = component->point_count;
     row[FACES] = component->face_count;
     row[BORDERS] = component->border_loops;
     row[EULER] = component->euler;
-    row[INDEX_SUM] = part->singular.component_half_turns[c] / 2.0;
+    row[INDEX_SUM] = job->singular.component_half_turns[c] / 2.0;
     row[SINGULARITIES] = singularities;
-    put_quartiles(add_confidence(report, part, component), component->point_count, row);
+    put_quartiles(add_confidence(report, job, component), component->point_count, row);
     put_row(report, "component", row);
     for (int i = POINTS; i <= SINGULARITIES; i++)
         report->all[i] += row[i];
 }
 
-static void put_singularity(struct dirfield_report *report, const struct dirfield_part *part, uint32_t i)
+static void put_singularity(struct dirfield_report *report, const struct dirfield_job *job, uint32_t i)
 {
-    uint32_t face = part->singular.faces[i];
+    uint32_t face = job->singular.faces[i];
     double row[COLUMNS], corner[3], middle[3] = {0, 0, 0};
     begin_row(row);
-    row[MESH] = part->number;
-    row[COMPONENT] = component_of_face(part->surface, face);
-    row[INDEX] = part->singular.half_turns[i] / 2.0;
+    row[MESH] = job->number;
+    row[COMPONENT] = component_of_face(job->surface, face);
+    row[INDEX] = job->singular.half_turns[i] / 2.0;
     for (size_t c = 0; c < 3; c++) {
-        hatch_surface_position(part->surface, part->surface->corners[3 * (size_t)face + c], corner);
+        hatch_surface_position(job->surface, job->surface->corners[3 * (size_t)face + c], corner);
         hatch_vec_add_scaled(middle, 1.0 / 3, corner, middle);
     }
-    if (part->pose_count > 0)
-        dirfield_to_scene(&part->poses[0], middle, &row[X]);
+    if (job->pose_count > 0)
+        dirfield_to_scene(&job->poses[0], middle, &row[X]);
     else
         hatch_vec_copy(middle, &row[X]);
     put_row(report, "singularity", row);
 }
 
-static void put_mesh(struct dirfield_report *report, const struct dirfield_part *part)
+static void put_mesh(struct dirfield_report *report, const struct dirfield_job *job)
 {
     double row[COLUMNS], *all = report->all;
     begin_row(row);
-    row[MESH] = part->number;
-    row[POINTS] = part->surface->point_count;
-    row[FACES] = part->surface->face_count;
-    row[SINGULARITIES] = part->singular.count;
-    all[SMOOTHNESS] += row[SMOOTHNESS] = part->field.energy[0];
-    all[DISAGREEMENT] += row[DISAGREEMENT] = part->field.energy[1];
-    all[ENERGY] += row[ENERGY] = part->field.solved;
-    row[ITERATIONS] = part->field.iterations;
-    row[RESIDUAL] = part->field.residual;
+    row[MESH] = job->number;
+    row[POINTS] = job->surface->point_count;
+    row[FACES] = job->surface->face_count;
+    row[SINGULARITIES] = job->singular.count;
+    all[SMOOTHNESS] += row[SMOOTHNESS] = job->field.energy[0];
+    all[DISAGREEMENT] += row[DISAGREEMENT] = job->field.energy[1];
+    all[ENERGY] += row[ENERGY] = job->field.solution_energy;
+    row[ITERATIONS] = job->field.iterations;
+    row[RESIDUAL] = job->field.residual;
     all[ITERATIONS] = fmax(all[ITERATIONS], row[ITERATIONS]);
     all[RESIDUAL] = fmax(all[RESIDUAL], row[RESIDUAL]);
     for (int phase = PHASE_FRAMES; phase < PHASE_COUNT; phase++)
-        all[TIMES + phase] += row[TIMES + phase] = part->ms[phase];
+        all[TIMES + phase] += row[TIMES + phase] = job->ms[phase];
     put_row(report, "mesh", row);
 }
 
-/* Singular faces rise, and so do the components of faces. */
-void dirfield_report_add(struct dirfield_report *report, const struct dirfield_part *part)
+/* Singularities are sorted by face, and faces by component. */
+void dirfield_report_add(struct dirfield_report *report, const struct dirfield_job *job)
 {
     uint32_t first = 0;
-    put_mesh(report, part);
-    for (uint32_t c = 0; c < part->surface->component_count; c++) {
+    put_mesh(report, job);
+    for (uint32_t c = 0; c < job->surface->component_count; c++) {
         uint32_t end = first;
-        while (end < part->singular.count && component_of_face(part->surface, part->singular.faces[end]) == c)
+        while (end < job->singular.count && component_of_face(job->surface, job->singular.faces[end]) == c)
             end++;
-        put_component(report, part, c, end - first);
+        put_component(report, job, c, end - first);
         for (; first < end; first++)
-            put_singularity(report, part, first);
+            put_singularity(report, job, first);
     }
 }
 

@@ -1,4 +1,4 @@
-/* All meshes of a scene, one after another. */
+/* The meshes of a scene, one after another. */
 #include "shared/surface.h"
 #include "dirfield.h"
 #include "io/glb/glb.h"
@@ -9,75 +9,75 @@ struct run {
     const char *input;
     struct cmd_file *files;
     struct hatch_scene scene;
-    struct dirfield_part *parts;
+    struct dirfield_job *jobs;
     struct dirfield_report report;
     struct dirfield_arrows arrows;
-    double faces, undirected; /* faces of parts without a direction of their own */
+    double faces, unconstrained_faces; /* the latter in components without data */
     uint64_t singularities;
 };
 
-static void make_parts(struct run *run)
+static void make_jobs(struct run *run)
 {
     struct hatch_err err;
     const struct hatch_surface *surfaces = cmd_make_surfaces(run->args, run->input, &run->scene);
     uint32_t count = run->scene.mesh_count;
-    run->parts = HATCH_NEW(&run->args->keep, struct dirfield_part, count, &err);
-    cmd_check(run->parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    run->jobs = HATCH_NEW(&run->args->keep, struct dirfield_job, count, &err);
+    cmd_check(run->jobs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
-        run->parts[i] =
-            (struct dirfield_part){cmd_input_name(run->input), i, &run->scene.meshes[i], &surfaces[i], .share = 0};
+        run->jobs[i] =
+            (struct dirfield_job){cmd_input_name(run->input), i, &run->scene.meshes[i], &surfaces[i], .share = 0};
         run->faces += surfaces[i].face_count;
     }
     for (uint32_t i = 0; i < count; i++)
-        run->parts[i].share = surfaces[i].face_count / run->faces;
-    dirfield_find_poses(run->args, &run->scene, run->parts);
+        run->jobs[i].share = surfaces[i].face_count / run->faces;
+    dirfield_find_poses(run->args, &run->scene, run->jobs);
 }
 
-static void begin_extras(struct run *run)
+static void begin_reports(struct run *run)
 {
     uint32_t points = 0;
     for (uint32_t i = 0; i < run->scene.mesh_count; i++)
-        points += run->parts[i].surface->point_count;
+        points += run->jobs[i].surface->point_count;
     dirfield_report_begin(&run->report, run->args, points);
     if (run->files[DIRFIELD_ARROWS].output)
         dirfield_arrows_begin(&run->arrows, run->args);
 }
 
-/* Faces of components whose field follows from no data: its confidence is 0 everywhere. */
-static double undirected_faces(const struct dirfield_part *part)
+/* Returns the number of faces in components without data, whose confidence is 0 everywhere. */
+static double count_unconstrained_faces(const struct dirfield_job *job)
 {
     double faces = 0;
-    for (uint32_t c = 0; c < part->surface->component_count; c++) {
-        const struct hatch_component *component = &part->surface->components[c];
+    for (uint32_t c = 0; c < job->surface->component_count; c++) {
+        const struct hatch_component *component = &job->surface->components[c];
         uint32_t p = component->first_point, end = p + component->point_count;
-        while (p < end && !(part->field.confidence[p] > 0))
+        while (p < end && !(job->field.confidence[p] > 0))
             p++;
         faces += p == end ? component->face_count : 0;
     }
     return faces;
 }
 
-static void work(struct run *run, struct dirfield_part *part)
+static void process(struct run *run, struct dirfield_job *job)
 {
-    hatch_arena_init(&part->work, run->args->max_memory);
-    dirfield_solve(run->args, run->options, part);
-    cmd_attach_field(run->args, part->name, part->surface, part->field.direction, part->field.confidence, part->mesh);
+    hatch_arena_init(&job->work, run->args->max_memory);
+    dirfield_solve(run->args, run->options, job);
+    cmd_attach_field(run->args, job->name, job->surface, job->field.direction, job->field.confidence, job->mesh);
     if (run->files[DIRFIELD_REPORT].output)
-        dirfield_report_add(&run->report, part);
+        dirfield_report_add(&run->report, job);
     if (run->files[DIRFIELD_ARROWS].output)
-        dirfield_arrows_add(&run->arrows, part);
-    run->undirected += undirected_faces(part);
-    run->singularities += part->singular.count;
-    hatch_arena_free(&part->work);
+        dirfield_arrows_add(&run->arrows, job);
+    run->unconstrained_faces += count_unconstrained_faces(job);
+    run->singularities += job->singular.count;
+    hatch_arena_free(&job->work);
 }
 
-static void say(const struct run *run)
+static void print_notes(const struct run *run)
 {
-    if (run->undirected > 0)
+    if (run->unconstrained_faces > 0)
         cmd_warn(cmd_input_name(run->input),
-                 "%.3g %% of the faces lie on parts that have no direction of their own, as planes and spheres: "
-                 "their lines only lie across the longest side",
-                 100 * run->undirected / run->faces);
+                 "%.3g %% of the faces are in components without a principal direction (planes, spheres, boxes): "
+                 "their directions lie across the longest side, with confidence 0",
+                 100 * run->unconstrained_faces / run->faces);
     cmd_note("%llu %s", (unsigned long long)run->singularities,
              cmd_noun(run->singularities, "singularity", "singularities"));
 }
@@ -107,13 +107,13 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     struct run run = {.args = args, .options = options, .input = input, .files = files};
     cmd_read_scene(args, input, CMD_SCENE_AS_IS, &run.scene);
     double begun_ms = cmd_elapsed_ms();
-    make_parts(&run);
+    make_jobs(&run);
     double surfaces_ms = cmd_elapsed_ms() - begun_ms;
     if (options->constraints)
-        dirfield_read_constraints(args, options->constraints, run.parts, run.scene.mesh_count);
-    begin_extras(&run);
+        dirfield_read_constraints(args, options->constraints, run.jobs, run.scene.mesh_count);
+    begin_reports(&run);
     for (uint32_t i = 0; i < run.scene.mesh_count; i++)
-        work(&run, &run.parts[i]);
+        process(&run, &run.jobs[i]);
     encode(&run, surfaces_ms);
-    say(&run);
+    print_notes(&run);
 }

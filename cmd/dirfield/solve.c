@@ -4,118 +4,122 @@
 #include "io/openmesh/openmesh.h"
 #include "math/vector.h"
 
-#define STANDING 1e-3 /* a direction whose tangent part is shorter than this share stands on the surface */
+#define TANGENT_MIN 1e-3 /* length of the tangent component of a constraint, as a share of its length */
 
-static void end_phase(struct dirfield_part *part, enum dirfield_phase phase, double begun_ms)
+static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, double begun_ms)
 {
-    part->ms[phase] = cmd_elapsed_ms() - begun_ms;
+    job->ms[phase] = cmd_elapsed_ms() - begun_ms;
     cmd_progress("directions", (double)(phase + 1) / PHASE_COUNT);
 }
 
-static void check(const struct dirfield_part *part, enum hatch_status status, struct hatch_err *err)
+static void check(const struct dirfield_job *job, enum hatch_status status, struct hatch_err *err)
 {
-    if (status != HATCH_OK && part->number > 0)
-        hatch_fail_at(err, "mesh %u: ", part->number);
-    cmd_check(status, part->name, err);
+    if (status != HATCH_OK && job->number > 0)
+        hatch_fail_at(err, "mesh %u: ", job->number);
+    cmd_check(status, job->name, err);
 }
 
-/* What was found, not what was given by hand. Right angles are exact, and need no side to be seen from. */
-static void turn(const struct hatch_frames *frames, const struct hatch_surface *surface, double degrees,
-                 const double *hard, double *direction)
+/* Rotates the directions that are not given by hand. Multiples of 90 degrees are exact, and independent of the
+ * orientation. */
+static void rotate_directions(const struct hatch_frames *frames, const struct hatch_surface *surface, double degrees,
+                              const double *constraint_weight, double *direction)
 {
     double right_angles = degrees / 90, radians = degrees * (3.14159265358979323846 / 180);
     bool exact = right_angles == floor(right_angles), across = exact && fmod(right_angles, 2) != 0;
-    double along = exact ? !across : cos(radians), aside = exact ? across : sin(radians);
+    double cosine = exact ? !across : cos(radians), sine = exact ? across : sin(radians);
     for (size_t p = 0; p < surface->point_count; p++) {
         double *d = &direction[3 * p], left[3];
-        if (hard && hard[p] > 0)
+        if (constraint_weight && constraint_weight[p] > 0)
             continue;
         hatch_vec_cross(&frames->normal[3 * p], d, left);
         for (int k = 0; k < 3; k++)
-            d[k] = along * d[k] + aside * left[k];
+            d[k] = cosine * d[k] + sine * left[k];
     }
 }
 
-static enum hatch_status check_sides(const struct hatch_surface *surface, double degrees, struct hatch_err *err)
+static enum hatch_status check_orientable(const struct hatch_surface *surface, double degrees, struct hatch_err *err)
 {
     for (uint32_t c = 0; c < surface->component_count && fmod(degrees, 90) != 0; c++)
         if (!surface->components[c].orientable)
             return hatch_fail(err, HATCH_BAD_INPUT,
-                              "component %u has but one side, from which no turn by %g degrees can be seen: "
-                              "--direction max and min are possible",
-                              c, degrees);
+                              "component %u is a one-sided surface: use --direction max or min, not %g degrees", c,
+                              degrees);
     return HATCH_OK;
 }
 
 static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_options *options,
-                                  struct dirfield_part *part, struct hatch_curvature *curvature, struct hatch_err *err)
+                                  struct dirfield_job *job, struct hatch_curvature *curvature, struct hatch_err *err)
 {
+    struct hatch_curvature_options fits = options->curvature;
+    fits.pool = cmd_pool(args);
     if (!(options->coarse_faces > 0))
-        return hatch_curvature_estimate(part->surface, &part->frames, &options->curvature, cmd_pool(args), &part->work,
-                                        &args->scratch, curvature, err);
+        return hatch_curvature_estimate(job->surface, &job->frames, &fits, &job->work, &args->scratch, curvature, err);
     struct hatch_mesh coarse;
-    uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * part->share));
-    HATCH_TRY(hatch_mesh_decimate(&part->mesh->mesh, faces, &part->work, &args->scratch, &coarse, NULL, err));
-    return hatch_curvature_coarse(part->surface, &part->frames, &coarse, &part->work, &args->scratch, curvature, err);
+    uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * job->share));
+    HATCH_TRY(hatch_mesh_decimate(&job->mesh->mesh, faces, &job->work, &args->scratch, &coarse, NULL, err));
+    return hatch_curvature_coarse(job->surface, &job->frames, &coarse, &job->work, &args->scratch, curvature, err);
 }
 
-/* What was given by hand replaces what was found. */
-static void constrain(const char *file, struct dirfield_part *part, double *direction, double **hard)
+/* Replaces directions by those given by hand.
+ *   weight  out: per point, as constraint_weight of hatch_field_problem; NULL without constraints */
+static void constrain(const char *file, struct dirfield_job *job, double *direction, double **weight)
 {
     struct hatch_err err;
-    *hard = NULL;
-    if (part->constraint_count == 0)
+    *weight = NULL;
+    if (job->constraint_count == 0)
         return;
-    *hard = HATCH_NEW(&part->work, double, part->surface->point_count, &err);
-    cmd_check(*hard ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t i = 0; i < part->constraint_count; i++) {
-        const struct dirfield_constraint *given = &part->constraints[i];
-        const double *normal = &part->frames.normal[3 * (size_t)given->point];
+    *weight = HATCH_NEW(&job->work, double, job->surface->point_count, &err);
+    cmd_check(*weight ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < job->constraint_count; i++) {
+        const struct dirfield_constraint *given = &job->constraints[i];
+        const double *normal = &job->frames.normal[3 * (size_t)given->point];
         double *d = &direction[3 * (size_t)given->point], unit[3];
         hatch_vec_copy(given->direction, unit);
         hatch_vec_normalize(unit);
         hatch_vec_add_scaled(unit, -hatch_vec_dot(unit, normal), normal, d);
-        if (!(hatch_vec_normalize(d) > STANDING)) {
-            hatch_fail(&err, HATCH_BAD_INPUT, "line %u: the direction stands on the surface, as its normal does",
-                       given->line);
+        if (!(hatch_vec_normalize(d) > TANGENT_MIN)) {
+            hatch_fail(&err, HATCH_BAD_INPUT, "line %u: the direction is perpendicular to the surface", given->line);
             cmd_die(file, &err);
         }
-        (*hard)[given->point] = given->weight;
+        (*weight)[given->point] = given->weight;
     }
 }
 
-void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_part *part)
+void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_job *job)
 {
     struct hatch_err err;
     struct hatch_curvature curvature;
-    double begun_ms = cmd_elapsed_ms(), *hard;
-    bool *made_up = HATCH_NEW(&part->work, bool, part->surface->component_count, &err);
-    check(part, made_up ? HATCH_OK : HATCH_LIMIT, &err);
-    check(part, check_sides(part->surface, options->turn_deg, &err), &err);
-    check(part, hatch_frames_begin(part->surface, &part->work, &args->scratch, &part->frames, &err), &err);
-    end_phase(part, PHASE_FRAMES, begun_ms);
+    double begun_ms = cmd_elapsed_ms(), *constraint_weight;
+    bool *filled = HATCH_NEW(&job->work, bool, job->surface->component_count, &err);
+    check(job, filled ? HATCH_OK : HATCH_LIMIT, &err);
+    check(job, check_orientable(job->surface, options->turn_deg, &err), &err);
+    check(job, hatch_frames_begin(job->surface, &job->work, &args->scratch, &job->frames, &err), &err);
+    end_phase(job, PHASE_FRAMES, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
-    check(part, estimate(args, options, part, &curvature, &err), &err);
-    hatch_curvature_doubt_creases(part->surface, CMD_FIELD_HARD_RAD, &curvature);
-    check(part, hatch_frames_lean(part->surface, curvature.normal, &args->scratch, &part->frames, &err), &err);
-    constrain(cmd_input_name(options->constraints), part, curvature.direction, &hard);
-    hatch_field_follow_folds(part->surface, &part->frames, CMD_FIELD_HARD_RAD, hard, curvature.direction,
-                             curvature.confidence);
-    hatch_field_make_up(part->surface, &part->frames, hard, curvature.direction, curvature.confidence, made_up);
-    turn(&part->frames, part->surface, options->turn_deg, hard, curvature.direction);
-    end_phase(part, PHASE_CURVATURE, begun_ms);
+    check(job, estimate(args, options, job, &curvature, &err), &err);
+    hatch_curvature_clear_crease_confidence(job->surface, CMD_FIELD_HARD_RAD, &curvature);
+    check(job, hatch_frames_set_normals(job->surface, curvature.normal, &args->scratch, &job->frames, &err), &err);
+    constrain(cmd_input_name(options->constraints), job, curvature.direction, &constraint_weight);
+    hatch_field_fill_from_dihedrals(job->surface, &job->frames, CMD_FIELD_HARD_RAD, constraint_weight,
+                                    curvature.direction, curvature.confidence);
+    hatch_field_fill_unconstrained(job->surface, &job->frames, constraint_weight, curvature.direction,
+                                   curvature.confidence, filled);
+    rotate_directions(&job->frames, job->surface, options->turn_deg, constraint_weight, curvature.direction);
+    end_phase(job, PHASE_CURVATURE, begun_ms);
 
     begun_ms = cmd_elapsed_ms();
-    const struct hatch_field_data data = {curvature.direction, curvature.confidence, hard, true};
-    check(part,
-          hatch_field_solve(part->surface, &part->frames, &data, &options->field, cmd_pool(args), &part->work,
-                            &args->scratch, &part->field, &err),
-          &err);
-    hatch_field_own_up(part->surface, made_up, &part->field);
-    end_phase(part, PHASE_FIELD, begun_ms);
-    check(part,
-          hatch_field_singularities(part->surface, &part->frames, part->field.direction, &part->work, &args->scratch,
-                                    &part->singular, &err),
+    const struct hatch_field_problem problem = {.surface = job->surface,
+                                                .frames = &job->frames,
+                                                .direction = curvature.direction,
+                                                .confidence = curvature.confidence,
+                                                .constraint_weight = constraint_weight,
+                                                .principal = true};
+    check(job, hatch_field_solve(&problem, &options->field, &job->work, &args->scratch, &job->field, &err), &err);
+    hatch_field_clear_filled_confidence(job->surface, filled, &job->field);
+    end_phase(job, PHASE_FIELD, begun_ms);
+    check(job,
+          hatch_field_singularities(job->surface, &job->frames, job->field.direction, &job->work, &args->scratch,
+                                    &job->singular, &err),
           &err);
 }

@@ -28,9 +28,9 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
         cmd_add_field(args, part->name, part->surface, part->mesh);
         return;
     }
-    cmd_check(
-        hatch_surface_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh, &vertex_point, &err),
-        part->name, &err);
+    cmd_check(hatch_surface_to_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh, &vertex_point,
+                                    &err),
+              part->name, &err);
     cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_CREASE_RAD, &err), part->name, &err);
     part->mesh->mesh = mesh;
 }

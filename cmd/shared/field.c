@@ -26,8 +26,8 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     struct hatch_err err;
     struct hatch_mesh made;
     uint32_t *vertex_point;
-    cmd_check(hatch_surface_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err), name,
-              &err);
+    cmd_check(hatch_surface_to_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err),
+              name, &err);
     float *directions = hatch_mesh_find(&made, "_HATCH_DIR", 4);
     if (!directions)
         cmd_check(hatch_mesh_add(&args->keep, &made, "_HATCH_DIR", 4, &directions, &err), name, &err);
@@ -44,7 +44,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
 static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface, struct hatch_arena *work,
                                struct hatch_field *field, struct hatch_err *err)
 {
-    static const struct hatch_curvature_options as_noise_asks = {0};
+    const struct hatch_curvature_options adaptive = {.pool = cmd_pool(args)};
     static const struct hatch_field_options options = {.method = HATCH_FIELD_LINEAR,
                                                        .solver = HATCH_FIELD_MULTIGRID,
                                                        .smooth = CMD_FIELD_SMOOTH,
@@ -52,19 +52,23 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
                                                        .iterations_max = CMD_FIELD_ITERATIONS};
     struct hatch_frames frames;
     struct hatch_curvature curvature;
-    bool *made_up = HATCH_NEW(work, bool, surface->component_count, err);
-    if (!made_up)
+    bool *filled = HATCH_NEW(work, bool, surface->component_count, err);
+    if (!filled)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
-    HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
-                                       &curvature, err));
-    hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
-    HATCH_TRY(hatch_frames_lean(surface, curvature.normal, &args->scratch, &frames, err));
-    hatch_field_follow_folds(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction, curvature.confidence);
-    hatch_field_make_up(surface, &frames, NULL, curvature.direction, curvature.confidence, made_up);
-    const struct hatch_field_data data = {curvature.direction, curvature.confidence, NULL, true};
-    HATCH_TRY(hatch_field_solve(surface, &frames, &data, &options, cmd_pool(args), work, &args->scratch, field, err));
-    hatch_field_own_up(surface, made_up, field);
+    HATCH_TRY(hatch_curvature_estimate(surface, &frames, &adaptive, work, &args->scratch, &curvature, err));
+    hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, &curvature);
+    HATCH_TRY(hatch_frames_set_normals(surface, curvature.normal, &args->scratch, &frames, err));
+    hatch_field_fill_from_dihedrals(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction,
+                                    curvature.confidence);
+    hatch_field_fill_unconstrained(surface, &frames, NULL, curvature.direction, curvature.confidence, filled);
+    const struct hatch_field_problem problem = {.surface = surface,
+                                                .frames = &frames,
+                                                .direction = curvature.direction,
+                                                .confidence = curvature.confidence,
+                                                .principal = true};
+    HATCH_TRY(hatch_field_solve(&problem, &options, work, &args->scratch, field, err));
+    hatch_field_clear_filled_confidence(surface, filled, field);
     return HATCH_OK;
 }
 

@@ -4,25 +4,25 @@
 #include "math/vector.h"
 #include "curvature/work.h"
 
-/* What a face of the simplified mesh says; lengths in the mesh's units. */
+/* The fit at a face of the simplified mesh, in units of that mesh. */
 struct sample {
     double center[3], normal[3];
-    struct hatch_principal principal; /* values in 1 / unit of the mesh */
-    double deviation_rad, confidence, radius;
+    struct hatch_principal_curvatures principal;
+    double standard_error_rad, confidence, radius;
 };
 
-/* Faces by the cube that their centre is in. Cubes share a slot at random: that costs time, no more. */
+/* Samples by the cell that contains their centre. Cells are hashed; those in one slot only cost time. */
 struct grid {
-    uint32_t *head, *next; /* HATCH_NO_SIDE ends a list */
+    uint32_t *head, *next; /* per slot and per sample; HATCH_NO_SIDE ends a list */
     uint32_t mask;
-    double edge; /* of a cube */
+    double cell; /* edge length of a cell */
 };
 
-#define REACH_MAX 4
+#define REACH_MAX 4 /* cells, in each direction; a power of 2 */
 
 #define POINTS_MAX 256u
 
-/* The face's points and their neighbours, each once. At most capacity of them count. */
+/* Collects the face's points and their neighbours, each once, at most capacity. */
 static uint32_t gather(const struct hatch_surface *coarse, uint32_t face, uint32_t *points, uint32_t capacity)
 {
     uint32_t count = 0;
@@ -39,9 +39,8 @@ static uint32_t gather(const struct hatch_surface *coarse, uint32_t face, uint32
     return count;
 }
 
-#define POINTS_MAX 256u
-
-/* The frame of a face's plane, as large as its neighbourhood, and the sums of that. */
+/* Computes the frame of a face's plane, its radius that of the neighbourhood, and the sums of the neighbourhood.
+ * Returns the number of points. */
 static uint32_t sum_face(const struct hatch_surface *coarse, uint32_t face, struct hatch_jet_frame *frame,
                          struct hatch_jet_sums *sums)
 {
@@ -69,7 +68,7 @@ static uint32_t sum_face(const struct hatch_surface *coarse, uint32_t face, stru
     return count;
 }
 
-/* The quadric over the face's plane, through all of these points as nearly as it can. */
+/* Fits a quadric over the face's plane to its neighbourhood. */
 static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct sample *sample)
 {
     const struct hatch_component *component =
@@ -79,22 +78,22 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
     struct hatch_jet_system system;
     uint32_t count = sum_face(coarse, face, &frame, &sums);
     hatch_jet_factorise(&sums, 2, &system);
-    *sample = (struct sample){.radius = frame.radius * component->scale, .deviation_rad = atan(1)};
+    *sample = (struct sample){.radius = frame.radius * component->scale, .standard_error_rad = atan(1)};
     for (int k = 0; k < 3; k++)
         sample->center[k] = component->center[k] + component->scale * frame.origin[k];
     hatch_vec_copy(frame.axes[2], sample->normal);
     hatch_vec_copy(frame.axes[0], sample->principal.direction);
     if (system.degree < 2 || count <= hatch_jet_terms(2))
         return;
-    struct hatch_bend bend;
-    struct hatch_bend_variance variance;
-    hatch_bend_of_system(&frame, &system, 2, &bend, &variance);
-    hatch_bend_principal(&bend, &sample->principal);
-    double square = hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2));
-    variance.across *= square * frame.radius * frame.radius;
-    variance.mean *= square * frame.radius * frame.radius;
-    sample->deviation_rad = hatch_bend_deviation(&sample->principal, &variance);
-    sample->confidence = hatch_bend_confidence(&sample->principal, &variance);
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance;
+    hatch_curvature_tensor_of_system(&frame, &system, 2, &tensor, &variance);
+    hatch_curvature_tensor_principal(&tensor, &sample->principal);
+    double noise = hatch_jet_residual(&system, 2) / (count - hatch_jet_terms(2));
+    variance.off_diagonal *= noise * frame.radius * frame.radius;
+    variance.mean *= noise * frame.radius * frame.radius;
+    sample->standard_error_rad = hatch_curvature_direction_error(&sample->principal, &variance);
+    sample->confidence = hatch_curvature_confidence(&sample->principal, &variance);
     for (int k = 0; k < 2; k++)
         sample->principal.value[k] /= component->scale;
 }
@@ -103,15 +102,15 @@ static uint32_t slot(const struct grid *grid, const double position[3], const in
 {
     uint64_t key = 0;
     for (int k = 0; k < 3; k++)
-        key = hatch_random_mix(key + (uint64_t)((int64_t)floor(position[k] / grid->edge) + step[k]));
+        key = hatch_random_mix(key + (uint64_t)((int64_t)floor(position[k] / grid->cell) + step[k]));
     return (uint32_t)key & grid->mask;
 }
 
-static enum hatch_status make_grid(const struct sample *samples, uint32_t count, double edge,
+static enum hatch_status make_grid(const struct sample *samples, uint32_t count, double cell,
                                    struct hatch_arena *scratch, struct grid *grid, struct hatch_err *err)
 {
     const int here[3] = {0, 0, 0};
-    grid->edge = edge;
+    grid->cell = cell;
     grid->mask = 1;
     while (grid->mask / 2 < count)
         grid->mask = 2 * grid->mask + 1;
@@ -134,23 +133,24 @@ struct search {
     uint32_t count;
     const struct grid *grid;
     double position[3], normal[3];
-    uint32_t best; /* the lowest number among equals */
-    double least;
+    uint32_t best; /* sample; of equally near ones the lowest */
+    double best_distance;
 };
 
-/* A face that looks the other way (the far side of something thin) counts as three times as far. */
-static void look_at(struct search *search, uint32_t face)
+/* Compares a sample with the best so far. One that faces the other way (the far side of a thin part) counts as three
+ * times as far. */
+static void visit(struct search *search, uint32_t face)
 {
     const struct sample *sample = &search->samples[face];
     double distance = hatch_vec_distance(sample->center, search->position);
     distance *= hatch_vec_dot(sample->normal, search->normal) > 0 ? 1 : 3;
-    if (distance < search->least || (distance <= search->least && face < search->best)) {
-        search->least = distance;
+    if (distance < search->best_distance || (distance <= search->best_distance && face < search->best)) {
+        search->best_distance = distance;
         search->best = face;
     }
 }
 
-static void look_around(struct search *search, int reach)
+static void visit_cells(struct search *search, int reach)
 {
     for (int x = -reach; x <= reach; x++)
         for (int y = -reach; y <= reach; y++)
@@ -158,28 +158,28 @@ static void look_around(struct search *search, int reach)
                 const int step[3] = {x, y, z};
                 uint32_t f = search->grid->head[slot(search->grid, search->position, step)];
                 for (; f != HATCH_NO_SIDE; f = search->grid->next[f])
-                    look_at(search, f);
+                    visit(search, f);
             }
 }
 
-/* The face whose centre is nearest, looked for in more and more cubes, then, far from all, everywhere. */
+/* Finds the nearest sample: in a growing neighbourhood of cells, then, far from all samples, among all. */
 static const struct sample *nearest(struct search *search)
 {
-    search->least = INFINITY;
+    search->best_distance = INFINITY;
     search->best = HATCH_NO_SIDE;
     for (int reach = 1; reach <= REACH_MAX; reach *= 2) {
-        look_around(search, reach);
-        if (search->least <= reach * search->grid->edge)
+        visit_cells(search, reach);
+        if (search->best_distance <= reach * search->grid->cell)
             return &search->samples[search->best];
     }
     for (uint32_t f = 0; f < search->count; f++)
-        look_at(search, f);
+        visit(search, f);
     return &search->samples[search->best];
 }
 
-/* Every point takes what its nearest face says, in its own plane and units. */
-static void carry(const struct hatch_surface *surface, const struct hatch_frames *frames, struct search *search,
-                  struct hatch_curvature *curvature)
+/* Gives every point the curvature of the nearest sample, projected into its own plane, in its own units. */
+static void transfer(const struct hatch_surface *surface, const struct hatch_frames *frames, struct search *search,
+                     struct hatch_curvature *curvature)
 {
     for (uint32_t p = 0; p < surface->point_count; p++) {
         double scale = surface->components[surface->point_component[p]].scale;
@@ -187,16 +187,16 @@ static void carry(const struct hatch_surface *surface, const struct hatch_frames
         hatch_vec_copy(&frames->normal[(size_t)p * 3], search->normal);
         const struct sample *sample = nearest(search);
         double *direction = &curvature->direction[(size_t)p * 3];
-        double out = -hatch_vec_dot(sample->principal.direction, search->normal);
+        double height = hatch_vec_dot(sample->principal.direction, search->normal);
         double side = hatch_vec_dot(sample->normal, search->normal) < 0 ? -1 : 1;
-        hatch_vec_add_scaled(sample->principal.direction, out, search->normal, direction);
-        bool stands = !(hatch_vec_normalize(direction) > 1e-3);
-        if (stands)
+        hatch_vec_add_scaled(sample->principal.direction, -height, search->normal, direction);
+        bool perpendicular = !(hatch_vec_normalize(direction) > 1e-3);
+        if (perpendicular)
             hatch_vec_copy(&frames->axis[(size_t)p * 3], direction);
         for (uint32_t k = 0; k < 2; k++)
             curvature->value[(size_t)p * 2 + k] = side * sample->principal.value[k] * scale;
-        curvature->confidence[p] = stands ? 0 : sample->confidence;
-        curvature->deviation_rad[p] = sample->deviation_rad;
+        curvature->confidence[p] = perpendicular ? 0 : sample->confidence;
+        curvature->standard_error_rad[p] = sample->standard_error_rad;
         curvature->radius[p] = sample->radius / scale;
         hatch_vec_copy(search->normal, &curvature->normal[(size_t)p * 3]);
     }
@@ -204,7 +204,7 @@ static void carry(const struct hatch_surface *surface, const struct hatch_frames
 
 static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct sample **samples, uint32_t *count,
-                                      double *edge, struct hatch_err *err)
+                                      double *cell, struct hatch_err *err)
 {
     struct hatch_surface coarse;
     struct hatch_surface_notes notes;
@@ -215,9 +215,9 @@ static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatc
     for (uint32_t f = 0; f < coarse.face_count; f++)
         fit_face(&coarse, f, &(*samples)[f]);
     *count = coarse.face_count;
-    *edge = 0;
+    *cell = 0;
     for (uint32_t c = 0; c < coarse.component_count; c++)
-        *edge = fmax(*edge, coarse.components[c].scale);
+        *cell = fmax(*cell, coarse.components[c].scale);
     return HATCH_OK;
 }
 
@@ -228,18 +228,18 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
 {
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
-    /* The simplified surface is built beyond the results, and goes again. */
+    /* The simplified surface lies in arena after the results and is freed again. */
     struct hatch_arena_mark mark = hatch_arena_mark(scratch), results = hatch_arena_mark(arena);
     struct sample *samples;
     struct grid grid;
     uint32_t count;
-    double edge;
-    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, &count, &edge, err);
+    double cell;
+    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, &count, &cell, err);
     if (status == HATCH_OK)
-        status = make_grid(samples, count, edge, scratch, &grid, err);
+        status = make_grid(samples, count, cell, scratch, &grid, err);
     if (status == HATCH_OK) {
         struct search search = {.samples = samples, .count = count, .grid = &grid};
-        carry(surface, frames, &search, &made);
+        transfer(surface, frames, &search, &made);
         *curvature = made;
     }
     hatch_arena_rewind(arena, results);

@@ -4,29 +4,30 @@
 #include "math/vector.h"
 #include "curvature/curvature.h"
 
-/* Whether two faces, one of them turned over where turned is -1, meet at more than an acute angle of this cosine. */
-static bool is_crease(const struct hatch_surface *surface, uint32_t a, uint32_t b, double turned, double cosine)
+/* Whether the normals of two faces differ by more than an acute angle.
+ *   sign    -1 where the faces are oriented inconsistently, else 1
+ *   cosine  of the angle */
+static bool is_crease(const struct hatch_surface *surface, uint32_t a, uint32_t b, double sign, double cosine)
 {
     double here[3], there[3];
-    hatch_surface_normal(surface, a, here);
-    hatch_surface_normal(surface, b, there);
-    double dot = turned * hatch_vec_dot(here, there);
+    hatch_surface_face_normal(surface, a, here);
+    hatch_surface_face_normal(surface, b, there);
+    double dot = sign * hatch_vec_dot(here, there);
     return !(dot > 0) || dot * dot < cosine * cosine * hatch_vec_dot(here, here) * hatch_vec_dot(there, there);
 }
 
-void hatch_curvature_doubt_creases(const struct hatch_surface *surface, double crease_rad,
-                                   struct hatch_curvature *curvature)
+void hatch_curvature_clear_crease_confidence(const struct hatch_surface *surface, double crease_rad,
+                                             struct hatch_curvature *curvature)
 {
-    double flattest = cos(crease_rad);
-    assert(flattest > 0);
+    double cosine = cos(crease_rad);
+    assert(cosine > 0);
     for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
         uint32_t other = surface->opposite[side];
         if (other == HATCH_NO_SIDE || other < side)
             continue;
         uint32_t from = surface->corners[side], to = surface->corners[side % 3 == 2 ? side - 2 : side + 1];
-        /* Across a contrary edge, which runs one way on both, one face shows its back. */
-        double turned = surface->corners[other] == from ? -1 : 1;
-        if (is_crease(surface, side / 3, other / 3, turned, flattest))
+        double sign = surface->corners[other] == from ? -1 : 1; /* -1 across a contrary edge */
+        if (is_crease(surface, side / 3, other / 3, sign, cosine))
             curvature->confidence[from] = curvature->confidence[to] = 0;
     }
 }

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A pivot this small beside its diagonal entry: the points lie on a curve of the degree. */
+/* Smallest pivot, as a share of its diagonal entry: below it the points lie on an algebraic curve of the degree. */
 #define PIVOT_MIN 1e-9
 
 uint32_t hatch_jet_terms(uint32_t degree)
@@ -12,13 +12,13 @@ uint32_t hatch_jet_terms(uint32_t degree)
     return (degree + 1) * (degree + 2) / 2;
 }
 
-/* The place of x^i y^k. */
-static uint32_t place(uint32_t i, uint32_t k)
+/* Returns the index of x^i y^k. */
+static uint32_t term_index(uint32_t i, uint32_t k)
 {
     return (i + k) * (i + k + 1) / 2 + k;
 }
 
-/* Sums are taken in two lanes, side by side, and added at the end: the same on every processor. */
+/* Sums run in two lanes that are added at the end: the same on every processor. */
 #define LANES 2u
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
 
@@ -26,22 +26,23 @@ typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
 #define POWERS (2 * HATCH_JET_DEGREE_MAX + 1)
 
 struct block {
-    lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK]; /* x: times the weight */
+    lanes x[POWERS][BLOCK], y[POWERS][BLOCK], z[BLOCK]; /* x[i] = w x^i, y[k] = y^k (y[0] is unused) */
     uint32_t count;                                     /* of lanes */
 };
 
-/* sums[k] = Σ a y^k for k = 0 .. most: with `most` known where this is inlined, all sums stay in registers. */
+/* Adds Σ a y^k to the sum of x^i y^k for k = 0 .. k_max. Inlined with a constant k_max, it keeps all sums in
+ * registers. */
 static inline __attribute__((always_inline)) void sum_row(const struct block *block, const lanes *a, uint32_t i,
-                                                          uint32_t most, double *sums)
+                                                          uint32_t k_max, double *sums)
 {
     lanes sum[POWERS] = {{0}};
     for (uint32_t n = 0; n < block->count; n++) {
         sum[0] += a[n];
-        for (uint32_t k = 1; k <= most; k++)
+        for (uint32_t k = 1; k <= k_max; k++)
             sum[k] += a[n] * block->y[k][n];
     }
-    for (uint32_t k = 0; k <= most; k++)
-        sums[place(i, k)] += sum[k][0] + sum[k][1];
+    for (uint32_t k = 0; k <= k_max; k++)
+        sums[term_index(i, k)] += sum[k][0] + sum[k][1];
 }
 
 static void fill_block(struct block *block, uint32_t count, const double *x, const double *y, const double *z,
@@ -102,14 +103,14 @@ void hatch_jet_add(struct hatch_jet_sums *sums, uint32_t count, const double *x,
                   weight ? &weight[n] : NULL);
 }
 
-/* The degree of term t, and its power of y. */
+/* Per term x^i y^k: i + k, and k. */
 static const uint32_t degree_of[HATCH_JET_TERMS] = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
 static const uint32_t power_of[HATCH_JET_TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 3, 4};
 
-/* The normal equations, in lanes. */
+/* The matrix of the normal equations, in lanes. */
 struct normal {
-    lanes line[HATCH_JET_TERMS][(HATCH_JET_TERMS + 1) / LANES]; /* up to the diagonal; one beyond it may be anything */
-    double whole[HATCH_JET_TERMS];                              /* the diagonal as it was */
+    lanes line[HATCH_JET_TERMS][(HATCH_JET_TERMS + 1) / LANES]; /* lower triangle; the entry after it is undefined */
+    double diagonal[HATCH_JET_TERMS];                           /* before factorisation */
 };
 
 static double *entry_of(struct normal *normal, uint32_t row, uint32_t column)
@@ -126,11 +127,13 @@ static void fill_normal(const struct hatch_jet_sums *sums, uint32_t terms, struc
             *entry_of(normal, row, column) =
                 sums->moments[degree * (degree + 1) / 2 + power_of[row] + power_of[column]];
         }
-        normal->whole[row] = *entry_of(normal, row, row);
+        normal->diagonal[row] = *entry_of(normal, row, row);
     }
 }
 
-/* Takes a finished column from all that lies right of it: nothing waits for a sum. column: in lanes, 0 up to `done`. */
+/* Subtracts the outer product of a finished column from the columns right of it: independent operations in place of
+ * sums, which have latency.
+ *   column  in lanes; 0 up to row `done` */
 static void subtract_column(struct normal *normal, uint32_t terms, uint32_t done, const lanes *column)
 {
     for (uint32_t row = done + 1; row < terms; row++) {
@@ -151,7 +154,7 @@ void hatch_jet_factorise(const struct hatch_jet_sums *sums, uint32_t degree, str
     memcpy(system->reduced, sums->products, terms * sizeof *system->reduced);
     for (; done < terms; done++) {
         double pivot = *entry_of(&normal, done, done);
-        if (!(pivot > PIVOT_MIN * normal.whole[done]))
+        if (!(pivot > PIVOT_MIN * normal.diagonal[done]))
             break;
         pivot = system->lower[done][done] = 1 / sqrt(pivot);
         system->reduced[done] *= pivot;
@@ -175,9 +178,9 @@ void hatch_jet_solve(const struct hatch_jet_system *system, uint32_t degree, dou
     uint32_t terms = hatch_jet_terms(degree);
     memcpy(coefficients, system->reduced, terms * sizeof *coefficients);
     for (uint32_t row = terms; row-- > 0;) {
-        double found = coefficients[row] *= system->lower[row][row];
+        double value = coefficients[row] *= system->lower[row][row];
         for (uint32_t k = 0; k < row; k++)
-            coefficients[k] -= system->lower[row][k] * found;
+            coefficients[k] -= system->lower[row][k] * value;
     }
 }
 
@@ -189,7 +192,7 @@ double hatch_jet_residual(const struct hatch_jet_system *system, uint32_t degree
     return sum > 0 ? sum : 0;
 }
 
-/* Three substitutions side by side; each degree's sums are the first ones of the next one's. */
+/* Three forward substitutions at once; the sums of a degree continue those of the degree below. */
 void hatch_jet_variances(const struct hatch_jet_system *system,
                          struct hatch_jet_variance variance[HATCH_JET_DEGREE_MAX + 1])
 {

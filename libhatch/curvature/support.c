@@ -2,21 +2,21 @@
 
 #include "math/vector.h"
 
-#define LEAN_COSINE 0.2
+#define NORMAL_COSINE_MIN 0.2 /* 78 degrees */
 
-/* A disk of radius r holds about 3.6 r² points when edges are alike. Where a mesh has far more, the nearest
- * rings say enough, and of a ring of thousands a few hundred do: else time is the square of the points. */
-#define POINTS_LEAST 200
-#define POINTS_PER_SQUARE 16
-#define RING_MAX 256u
+/* A disk of radius r holds about 3.6 r² points when edges have similar lengths. Supports are limited to several times
+ * that, and rings of thousands are sampled: time would otherwise be quadratic in the number of points. */
+#define COUNT_BASE 200
+#define COUNT_PER_SQUARE 16
+#define RING_SAMPLES 256u
 
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
                                      struct hatch_arena *arena, struct hatch_support *support, struct hatch_err *err)
 {
     size_t points = surface->point_count;
-    struct hatch_support made = {.surface = surface, .normals = normals, .lean_cosine = LEAN_COSINE};
-    made.seen = HATCH_NEW(arena, uint32_t, points, err);
-    made.points = made.seen ? HATCH_NEW(arena, uint32_t, points + 1, err) : NULL;
+    struct hatch_support made = {.surface = surface, .normals = normals, .normal_cosine_min = NORMAL_COSINE_MIN};
+    made.visited = HATCH_NEW(arena, uint32_t, points, err);
+    made.points = made.visited ? HATCH_NEW(arena, uint32_t, points + 1, err) : NULL;
     made.sides = made.points ? HATCH_NEW(arena, int8_t, points + 1, err) : NULL;
     double *offsets = made.sides ? HATCH_NEW(arena, double, points * 3, err) : NULL;
     if (!offsets)
@@ -27,58 +27,58 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
     return HATCH_OK;
 }
 
-void hatch_support_move(struct hatch_support *support, const struct hatch_surface *surface, const double *normals,
-                        const double *weights)
+void hatch_support_set_surface(struct hatch_support *support, const struct hatch_surface *surface,
+                               const double *normals, const double *weights)
 {
     support->surface = surface;
     support->normals = normals;
     support->weights = weights;
 }
 
-/* Those met wait in the list behind those taken, which are never more than those looked at. What a ring holds is
- * written before it is known whether it was met before: a branch on that would be guessed wrongly too often. */
-bool hatch_support_gather(struct hatch_support *support, uint32_t middle, const double normal[3], double radius)
+/* points[] holds both the support (first `count`) and the queue (`next` .. `reached`): count <= next. Neighbours are
+ * queued without a branch on `visited`, which would be mispredicted too often. */
+bool hatch_support_gather(struct hatch_support *support, uint32_t center, const double normal[3], double radius)
 {
     const struct hatch_surface *surface = support->surface;
     const uint32_t *ring_first = surface->ring_first, *ring_point = surface->ring_point;
     const uint8_t *ring_turned = surface->ring_turned;
     const double *positions = surface->points, *normals = support->normals;
-    const double origin[3] = {positions[(size_t)middle * 3], positions[(size_t)middle * 3 + 1],
-                              positions[(size_t)middle * 3 + 2]};
-    const double up[3] = {normal[0], normal[1], normal[2]}, lean_cosine = support->lean_cosine;
-    const double square = radius * radius, most = POINTS_LEAST + POINTS_PER_SQUARE * square;
-    uint32_t *restrict seen = support->seen, *restrict points = support->points;
+    const double origin[3] = {positions[(size_t)center * 3], positions[(size_t)center * 3 + 1],
+                              positions[(size_t)center * 3 + 2]};
+    const double axis[3] = {normal[0], normal[1], normal[2]}, normal_cosine_min = support->normal_cosine_min;
+    const double square = radius * radius, count_max = COUNT_BASE + COUNT_PER_SQUARE * square;
+    uint32_t *restrict visited = support->visited, *restrict points = support->points;
     int8_t *restrict sides = support->sides;
     double *restrict x = support->offsets[0], *restrict y = support->offsets[1], *restrict z = support->offsets[2];
-    uint32_t walk = ++support->walk, count = 0, met = 1;
-    seen[middle] = walk;
-    points[0] = middle;
+    uint32_t walk = ++support->walk, count = 0, reached = 1;
+    visited[center] = walk;
+    points[0] = center;
     sides[0] = 1;
-    for (uint32_t next = 0; next < met && count < most; next++) {
+    for (uint32_t next = 0; next < reached && count < count_max; next++) {
         uint32_t p = points[next];
         int8_t side = sides[next];
         double offset[3];
         hatch_vec_sub(&positions[(size_t)p * 3], origin, offset);
         bool near = hatch_vec_dot(offset, offset) <= square;
-        bool upright = hatch_vec_dot(&normals[(size_t)p * 3], up) * side >= lean_cosine;
-        if (next > 0 && !(near & upright))
+        bool aligned = hatch_vec_dot(&normals[(size_t)p * 3], axis) * side >= normal_cosine_min;
+        if (next > 0 && !(near & aligned))
             continue;
         points[count] = p;
         sides[count] = side;
         x[count] = offset[0];
         y[count] = offset[1];
         z[count++] = offset[2];
-        uint32_t end = ring_first[p + 1], stride = 1 + (end - ring_first[p]) / RING_MAX;
+        uint32_t end = ring_first[p + 1], stride = 1 + (end - ring_first[p]) / RING_SAMPLES;
         for (uint32_t i = ring_first[p]; i < end; i += stride) {
             uint32_t q = ring_point[i];
-            points[met] = q;
-            sides[met] = ring_turned[i] ? (int8_t)-side : side;
-            met += seen[q] != walk;
-            seen[q] = walk;
+            points[reached] = q;
+            sides[reached] = ring_turned[i] ? (int8_t)-side : side;
+            reached += visited[q] != walk;
+            visited[q] = walk;
         }
     }
     support->count = count;
-    return count >= most;
+    return count >= count_max;
 }
 
 #define BLOCK 32u
@@ -96,14 +96,14 @@ void hatch_support_sums(const struct hatch_support *support, const double normal
     *sums = (struct hatch_jet_sums){.count = 0};
     double local[3][BLOCK], weights[BLOCK];
     for (uint32_t n = 0; n < support->count; n += BLOCK) {
-        uint32_t some = support->count - n < BLOCK ? support->count - n : BLOCK;
+        uint32_t size = support->count - n < BLOCK ? support->count - n : BLOCK;
         for (int i = 0; i < 3; i++) {
             double a = frame->axes[i][0] / radius, b = frame->axes[i][1] / radius, c = frame->axes[i][2] / radius;
-            for (uint32_t k = 0; k < some; k++)
+            for (uint32_t k = 0; k < size; k++)
                 local[i][k] = a * x[n + k] + b * y[n + k] + c * z[n + k];
         }
-        for (uint32_t k = 0; support->weights && k < some; k++)
+        for (uint32_t k = 0; support->weights && k < size; k++)
             weights[k] = support->weights[support->points[n + k]];
-        hatch_jet_add(sums, some, local[0], local[1], local[2], support->weights ? weights : NULL);
+        hatch_jet_add(sums, size, local[0], local[1], local[2], support->weights ? weights : NULL);
     }
 }

@@ -3,18 +3,19 @@
 
 #include "field/system.h"
 
-#define MEMORY 8u /* steps remembered */
+#define HISTORY 8u /* steps kept */
 #define HALVINGS_MAX 20
 #define ARMIJO 1e-4
 
-/* The state of a descent over the angles of the z's: E, its gradient, and the last steps. */
+/* A descent over the angles of z. */
 struct descent {
     const struct hatch_field_system *system;
     uint32_t count;                 /* nodes */
-    double *z, *trial, *applied;    /* 2 a node */
-    double *gradient, *next, *step; /* 1 a node */
-    double *moved[MEMORY], *changed[MEMORY], product[MEMORY];
-    uint32_t stored;
+    double *z, *trial, *applied;    /* 2 per node; applied: A z */
+    double *gradient, *next, *step; /* per node; next: gradient at trial */
+    /* Differences of angles and of gradients over the last steps, and their dot products; step s in s % HISTORY. */
+    double *moved[HISTORY], *changed[HISTORY], product[HISTORY];
+    uint32_t stored; /* steps since the last restart */
 };
 
 static double dot(const double *a, const double *b, uint32_t count)
@@ -25,44 +26,45 @@ static double dot(const double *a, const double *b, uint32_t count)
     return sum;
 }
 
-/* E of unit z less its constant, and its derivatives by the angles of z. */
+/* Returns E of unit z, less its constant.
+ *   gradient  out: derivatives by the angles of z */
 static double measure(struct descent *d, const double *z, double *gradient)
 {
-    const double *right = d->system->right;
+    const double *rhs = d->system->rhs;
     double sum = 0;
     hatch_field_apply(d->system, z, d->applied);
     for (size_t n = 0; n < d->count; n++) {
-        const double *own = &z[2 * n], *a = &d->applied[2 * n], *b = &right[2 * n];
+        const double *own = &z[2 * n], *a = &d->applied[2 * n], *b = &rhs[2 * n];
         sum += own[0] * (a[0] - 2 * b[0]) + own[1] * (a[1] - 2 * b[1]);
         gradient[n] = 2 * (own[0] * (a[1] - b[1]) - own[1] * (a[0] - b[0]));
     }
     return sum;
 }
 
-/* L-BFGS' two loops: step = -(inverse Hessian, as the last steps show it) gradient. The diagonal of the system
- * stands for the Hessian where nothing is known. */
+/* Sets step = -H gradient by the two-loop recursion of L-BFGS. The initial H is the inverse of the system's
+ * diagonal. */
 static void find_step(struct descent *d)
 {
-    double share[MEMORY] = {0};
+    double factor[HISTORY] = {0};
     memcpy(d->step, d->gradient, d->count * sizeof *d->step);
-    uint32_t kept = d->stored < MEMORY ? d->stored : MEMORY;
+    uint32_t kept = d->stored < HISTORY ? d->stored : HISTORY;
     for (uint32_t k = 0; k < kept; k++) {
-        uint32_t slot = (d->stored - 1 - k) % MEMORY;
-        share[slot] = dot(d->moved[slot], d->step, d->count) / d->product[slot];
+        uint32_t slot = (d->stored - 1 - k) % HISTORY;
+        factor[slot] = dot(d->moved[slot], d->step, d->count) / d->product[slot];
         for (uint32_t n = 0; n < d->count; n++)
-            d->step[n] -= share[slot] * d->changed[slot][n];
+            d->step[n] -= factor[slot] * d->changed[slot][n];
     }
     for (uint32_t n = 0; n < d->count; n++)
         d->step[n] /= -2 * d->system->diagonal[n];
     for (uint32_t k = kept; k-- > 0;) {
-        uint32_t slot = (d->stored - 1 - k) % MEMORY;
-        double back = dot(d->changed[slot], d->step, d->count) / d->product[slot];
+        uint32_t slot = (d->stored - 1 - k) % HISTORY;
+        double other = dot(d->changed[slot], d->step, d->count) / d->product[slot];
         for (uint32_t n = 0; n < d->count; n++)
-            d->step[n] -= (back + share[slot]) * d->moved[slot][n];
+            d->step[n] -= (other + factor[slot]) * d->moved[slot][n];
     }
 }
 
-static void turn_all(const struct descent *d, double length)
+static void rotate_all(const struct descent *d, double length)
 {
     for (size_t n = 0; n < d->count; n++) {
         double c = cos(length * d->step[n]), s = sin(length * d->step[n]);
@@ -71,18 +73,18 @@ static void turn_all(const struct descent *d, double length)
     }
 }
 
-/* Moves downhill along the step; false when it leads nowhere. */
-static bool walk(struct descent *d, double *energy)
+/* Moves along the step by backtracking line search. Returns false when it does not lower the energy. */
+static bool step_downhill(struct descent *d, double *energy)
 {
     double slope = dot(d->step, d->gradient, d->count), length = 1;
     if (!(slope < 0))
         return false;
     for (int i = 0; i < HALVINGS_MAX; i++, length /= 2) {
-        turn_all(d, length);
-        double reached = measure(d, d->trial, d->next);
-        if (!(reached <= *energy + ARMIJO * length * slope))
+        rotate_all(d, length);
+        double trial_energy = measure(d, d->trial, d->next);
+        if (!(trial_energy <= *energy + ARMIJO * length * slope))
             continue;
-        uint32_t slot = d->stored % MEMORY;
+        uint32_t slot = d->stored % HISTORY;
         for (uint32_t n = 0; n < d->count; n++) {
             d->moved[slot][n] = length * d->step[n];
             d->changed[slot][n] = d->next[n] - d->gradient[n];
@@ -94,7 +96,7 @@ static bool walk(struct descent *d, double *energy)
         d->trial = z;
         d->gradient = d->next;
         d->next = gradient;
-        *energy = reached;
+        *energy = trial_energy;
         return true;
     }
     return false;
@@ -110,7 +112,7 @@ static enum hatch_status allocate(struct descent *d, struct hatch_arena *scratch
         if (!*singles[i])
             return HATCH_LIMIT;
     }
-    for (size_t i = 0; i < MEMORY; i++) {
+    for (size_t i = 0; i < HISTORY; i++) {
         d->moved[i] = HATCH_NEW(scratch, double, d->count, err);
         d->changed[i] = d->moved[i] ? HATCH_NEW(scratch, double, d->count, err) : NULL;
         if (!d->changed[i])
@@ -119,8 +121,8 @@ static enum hatch_status allocate(struct descent *d, struct hatch_arena *scratch
     return HATCH_OK;
 }
 
-/* The largest gradient over the weights that pull there: the angle by which some z is off its neighbours' mean. */
-static double steepest(const struct descent *d)
+/* Returns the weighted root mean square of the gradient over the diagonal: the angle from z to its local optimum. */
+static double gradient_norm(const struct descent *d)
 {
     double sum = 0, scale = 0;
     for (uint32_t n = 0; n < d->count; n++) {
@@ -132,7 +134,7 @@ static double steepest(const struct descent *d)
 
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,
                                       uint32_t iterations_max, struct hatch_arena *scratch, double *z,
-                                      struct hatch_field_progress *progress, struct hatch_err *err)
+                                      struct hatch_field_convergence *convergence, struct hatch_err *err)
 {
     struct descent d = {.system = system, .count = system->count};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -141,16 +143,16 @@ enum hatch_status hatch_field_descend(const struct hatch_field_system *system, d
         memcpy(d.z, z, (size_t)d.count * 2 * sizeof *z);
         double energy = measure(&d, d.z, d.gradient);
         uint32_t done = 0;
-        for (; done < iterations_max && steepest(&d) > tolerance; done++) {
+        for (; done < iterations_max && gradient_norm(&d) > tolerance; done++) {
             find_step(&d);
-            if (!walk(&d, &energy)) {
+            if (!step_downhill(&d, &energy)) {
                 if (d.stored == 0)
                     break;
                 d.stored = 0;
             }
         }
-        progress->iterations += done;
-        progress->residual = steepest(&d);
+        convergence->iterations += done;
+        convergence->residual = gradient_norm(&d);
         for (size_t n = 0; n < d.count; n++) {
             double length = hypot(d.z[2 * n], d.z[2 * n + 1]);
             z[2 * n] = d.z[2 * n] / length;

@@ -5,8 +5,8 @@
 
 /* A complex entry x + iy is the real block (x -y; y x): node n has the unknowns 2n and 2n + 1. */
 
-/* The links that lead to each node, by rising source: links go both ways, so that as many lead to a node as lead
- * away, and system->first bounds both. */
+/* The links that lead to each node, by rising source. Links exist in both directions, so that system->first bounds
+ * both. */
 struct arrivals {
     uint32_t *link, *source;
 };
@@ -35,8 +35,8 @@ struct matrix {
     double *value;
 };
 
-/* Columns 2n and 2n + 1, of which real says which: the part above the diagonal and the diagonal. Two points may be
- * joined by several edges: their links are summed. */
+/* Fills column 2n (real) or 2n + 1 down to the diagonal, from entry `at` on. Returns the entry after its last. Links
+ * between the same two nodes are summed. */
 static uint32_t fill_column(const struct hatch_field_system *system, const struct arrivals *arrivals, uint32_t n,
                             bool real, uint32_t at, struct matrix *matrix)
 {
@@ -65,7 +65,7 @@ static enum hatch_status solve(const struct hatch_field_system *system, size_t l
     HATCH_TRY(sort_arrivals(system, scratch, &arrivals, err));
     uint64_t entries = 2 * (uint64_t)system->first[system->count] + 2 * (uint64_t)system->count;
     if (entries >= UINT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a direction field at %lu points is too large to be factored",
+        return hatch_fail(err, HATCH_LIMIT, "%lu points are too many for the Cholesky solver: use multigrid",
                           (unsigned long)system->count);
     matrix.first = HATCH_NEW(scratch, uint32_t, 2 * (size_t)system->count + 1, err);
     matrix.row = matrix.first ? HATCH_NEW(scratch, uint32_t, entries, err) : NULL;
@@ -80,13 +80,13 @@ static enum hatch_status solve(const struct hatch_field_system *system, size_t l
     const struct hatch_sparse sparse = {2 * system->count, matrix.first, matrix.row, matrix.value};
     struct hatch_sparse_factor *factor = NULL;
     HATCH_TRY(hatch_sparse_factorize(&sparse, limit_bytes, &factor, err));
-    enum hatch_status status = hatch_sparse_solve(factor, system->right, 1, z, err);
+    enum hatch_status status = hatch_sparse_solve(factor, system->rhs, 1, z, err);
     hatch_sparse_free(factor);
     return status;
 }
 
-enum hatch_status hatch_field_factor_solve(const struct hatch_field_system *system, size_t limit_bytes,
-                                           struct hatch_arena *scratch, double *z, struct hatch_err *err)
+enum hatch_status hatch_field_solve_cholesky(const struct hatch_field_system *system, size_t limit_bytes,
+                                             struct hatch_arena *scratch, double *z, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = solve(system, limit_bytes, scratch, z, err);

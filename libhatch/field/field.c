@@ -6,22 +6,20 @@
 #include "math/vector.h"
 #include "field/system.h"
 
-/* The smoothest field of components without data: least eigenvector of A against areas, by inverse iteration
- * (Knöppel et al. 2013 §4, algorithm 1). */
+/* The smoothest field of unconstrained components: the smallest eigenvector of A with areas as the mass matrix, by
+ * inverse iteration (Knöppel et al. 2013, §4, algorithm 1). */
 #define POWER_STEPS_MAX 30
-#define POWER_CHANGE 1e-3
+#define POWER_CHANGE 1e-3 /* relative change of the eigenvalues at which to stop */
 #define POWER_TOLERANCE 1e-3
-#define POWER_SHIFT 0.1 /* over the component's area: keeps A regular where a field without turning exists */
+#define POWER_SHIFT 0.1 /* divided by the component's area; keeps A regular where a parallel field exists */
 
 struct work {
-    const struct hatch_surface *surface;
-    const struct hatch_frames *frames;
-    const struct hatch_field_data *data;
+    const struct hatch_field_problem *problem;
     const struct hatch_field_options *options;
     struct hatch_arena *scratch;
-    struct hatch_field_scale *scales; /* per component */
-    bool *include;
-    struct hatch_field_progress progress;
+    struct hatch_field_smoothing *smoothing; /* per component */
+    bool *include;                           /* per component */
+    struct hatch_field_convergence convergence;
 };
 
 static double length_of(const double z[2])
@@ -47,25 +45,25 @@ static enum hatch_status solve_linear(struct work *w, const struct hatch_field_s
 {
     struct hatch_field_levels *levels;
     if (w->options->solver == HATCH_FIELD_CHOLESKY)
-        return hatch_field_factor_solve(system, w->scratch->limit_bytes, w->scratch, z, err);
+        return hatch_field_solve_cholesky(system, w->scratch->limit_bytes, w->scratch, z, err);
     HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
-    return hatch_field_iterate(system, levels, system->right, w->options->tolerance, w->options->iterations_max,
-                               w->scratch, z, &w->progress, err);
+    return hatch_field_solve_multigrid(levels, w->options->tolerance, w->options->iterations_max, w->scratch, z,
+                                       &w->convergence, err);
 }
 
-/* Where data has no weight its direction is a start, too. */
+/* Uses all directions of the problem, also those without weight. */
 static void start_from_data(const struct work *w, const struct hatch_field_system *system, double *z)
 {
-    for (uint32_t p = 0; p < w->surface->point_count; p++) {
+    for (uint32_t p = 0; p < w->problem->surface->point_count; p++) {
         uint32_t n = system->node[p];
         if (n == HATCH_NO_SIDE)
             continue;
         double *own = &z[2 * (size_t)n];
-        const double *right = &system->right[2 * (size_t)n];
-        hatch_field_square(w->frames, p, &w->data->direction[(size_t)p * 3], own);
-        if (own[0] * right[0] + own[1] * right[1] < 0)
-            memcpy(own, right, 2 * sizeof *own);
-        if (!w->surface->components[w->surface->point_component[p]].orientable) {
+        const double *rhs = &system->rhs[2 * (size_t)n];
+        hatch_field_encode(w->problem->frames, p, &w->problem->direction[(size_t)p * 3], own);
+        if (own[0] * rhs[0] + own[1] * rhs[1] < 0)
+            memcpy(own, rhs, 2 * sizeof *own);
+        if (!w->problem->surface->components[w->problem->surface->point_component[p]].orientable) {
             own[2] = own[0];
             own[3] = -own[1];
         }
@@ -73,50 +71,50 @@ static void start_from_data(const struct work *w, const struct hatch_field_syste
     make_unit(z, system->count);
 }
 
-/* Nodes of a component: they follow one another. */
-static uint32_t component_nodes(const struct work *w, const struct hatch_field_system *system, uint32_t component,
+/* Finds the nodes of a component, which are consecutive. Returns their number. */
+static uint32_t component_nodes(const struct work *w, const struct hatch_field_system *system, uint32_t index,
                                 uint32_t *first)
 {
-    const struct hatch_component *of = &w->surface->components[component];
-    *first = system->node[of->first_point];
-    return *first == HATCH_NO_SIDE ? 0 : of->point_count * (of->orientable ? 1 : 2);
+    const struct hatch_component *component = &w->problem->surface->components[index];
+    *first = system->node[component->first_point];
+    return *first == HATCH_NO_SIDE ? 0 : component->point_count * (component->orientable ? 1 : 2);
 }
 
-/* right = mass z / |z|, |z| by the areas, per component; returns the sum of |z|: near the end that of 1 / eigenvalue.
- * z keeps its length: it is what the next step's solution will be like. */
-static double next_right(const struct work *w, const struct hatch_field_system *system, const double *z)
+/* Sets rhs = data_weight z / |z| per component, with |z| in the norm of data_weight, here the mass. Returns the sum of
+ * |z|, which converges to that of 1 / eigenvalue. z itself stays: it is the best start for the next solve. */
+static double set_rhs(const struct work *w, const struct hatch_field_system *system, const double *z)
 {
     double sum = 0;
-    for (uint32_t c = 0; c < w->surface->component_count; c++) {
+    for (uint32_t c = 0; c < w->problem->surface->component_count; c++) {
         uint32_t first, count = component_nodes(w, system, c, &first);
         double square = 0;
         for (size_t n = first; n < (size_t)first + count; n++)
-            square += system->mass[n] * (z[2 * n] * z[2 * n] + z[2 * n + 1] * z[2 * n + 1]);
+            square += system->data_weight[n] * (z[2 * n] * z[2 * n] + z[2 * n + 1] * z[2 * n + 1]);
         double length = sqrt(square);
         sum += count > 0 ? length : 0;
         for (size_t n = first; n < (size_t)first + count; n++)
             for (size_t i = 2 * n; i < 2 * n + 2; i++)
-                system->right[i] = system->mass[n] * z[i] / length;
+                system->rhs[i] = system->data_weight[n] * z[i] / length;
     }
     return sum;
 }
 
-/* Gives each node its share of its component's area as mass, so that the shift is POWER_SHIFT over the area; and
- * a start that is not orthogonal to anything. */
+/* Sets data_weight to the mass of each node, its share of the component's area times POWER_SHIFT, which also shifts A;
+ * and z to random numbers, which are orthogonal to no eigenvector. */
 static void start_power(const struct work *w, const struct hatch_field_system *system, double *z)
 {
-    for (uint32_t c = 0; c < w->surface->component_count; c++) {
-        const struct hatch_component *of = &w->surface->components[c];
+    for (uint32_t c = 0; c < w->problem->surface->component_count; c++) {
+        const struct hatch_component *component = &w->problem->surface->components[c];
         double area = 0;
-        for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++)
-            area += w->frames->area[p];
-        for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++) {
+        for (uint32_t p = component->first_point; p < component->first_point + component->point_count; p++)
+            area += w->problem->frames->area[p];
+        for (uint32_t p = component->first_point; p < component->first_point + component->point_count; p++) {
             uint32_t n = system->node[p];
-            for (uint32_t side = 0; n != HATCH_NO_SIDE && side < (of->orientable ? 1 : 2); side++, n++) {
-                system->mass[n] = w->frames->area[p] / area * POWER_SHIFT;
-                system->diagonal[n] += system->mass[n];
-                z[2 * (size_t)n] = (double)hatch_random_unit(0, 1, p - of->first_point) - 0.5;
-                z[2 * (size_t)n + 1] = (double)hatch_random_unit(0, 2, p - of->first_point) - 0.5;
+            for (uint32_t side = 0; n != HATCH_NO_SIDE && side < (component->orientable ? 1 : 2); side++, n++) {
+                system->data_weight[n] = w->problem->frames->area[p] / area * POWER_SHIFT;
+                system->diagonal[n] += system->data_weight[n];
+                z[2 * (size_t)n] = (double)hatch_random_unit(0, 1, p - component->first_point) - 0.5;
+                z[2 * (size_t)n + 1] = (double)hatch_random_unit(0, 2, p - component->first_point) - 0.5;
                 z[2 * (size_t)n + 1] *= side ? -1 : 1;
             }
         }
@@ -128,27 +126,27 @@ static enum hatch_status solve_smoothest(struct work *w, struct hatch_field_syst
 {
     struct hatch_field_levels *levels;
     start_power(w, system, z);
-    next_right(w, system, z);
+    set_rhs(w, system, z);
     HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
     double before = 0;
     for (int i = 0; i < POWER_STEPS_MAX; i++) {
-        HATCH_TRY(hatch_field_iterate(system, levels, system->right, POWER_TOLERANCE, w->options->iterations_max,
-                                      w->scratch, z, &w->progress, err));
-        double now = next_right(w, system, z);
+        HATCH_TRY(hatch_field_solve_multigrid(levels, POWER_TOLERANCE, w->options->iterations_max, w->scratch, z,
+                                              &w->convergence, err));
+        double now = set_rhs(w, system, z);
         if (fabs(now - before) <= POWER_CHANGE * now)
             break;
         before = now;
     }
-    /* Only the start and the iteration were in need of masses: the field has no data. */
+    /* Removes the shift: these components have no data. */
     for (uint32_t n = 0; n < system->count; n++) {
-        system->diagonal[n] -= system->mass[n];
-        system->mass[n] = 0;
+        system->diagonal[n] -= system->data_weight[n];
+        system->data_weight[n] = 0;
     }
-    memset(system->right, 0, (size_t)system->count * 2 * sizeof *system->right);
+    memset(system->rhs, 0, (size_t)system->count * 2 * sizeof *system->rhs);
     return HATCH_OK;
 }
 
-/* |z|, or at unit z's how far data and neighbours pull one way. */
+/* Returns the confidence at a node: |z|, or for unit z the length of the weighted mean of data and neighbours. */
 static double agreement(const struct work *w, const struct hatch_field_system *system, const double *z,
                         const double *applied, uint32_t n)
 {
@@ -157,56 +155,57 @@ static double agreement(const struct work *w, const struct hatch_field_system *s
     double pull[2];
     for (size_t i = 0; i < 2; i++)
         pull[i] =
-            system->diagonal[n] * z[2 * (size_t)n + i] - applied[2 * (size_t)n + i] + system->right[2 * (size_t)n + i];
+            system->diagonal[n] * z[2 * (size_t)n + i] - applied[2 * (size_t)n + i] + system->rhs[2 * (size_t)n + i];
     return fmin(length_of(pull) / system->diagonal[n], 1);
 }
 
-static void give_out(const struct work *w, const struct hatch_field_system *system, const double *z,
-                     const double *applied, bool directed, struct hatch_field *field)
+static void write_field(const struct work *w, const struct hatch_field_system *system, const double *z,
+                        const double *applied, bool constrained, struct hatch_field *field)
 {
-    for (uint32_t p = 0; p < w->surface->point_count; p++) {
+    for (uint32_t p = 0; p < w->problem->surface->point_count; p++) {
         uint32_t n = system->node[p];
         if (n == HATCH_NO_SIDE)
             continue;
-        field->confidence[p] = directed ? agreement(w, system, z, applied, n) : 0;
-        hatch_frames_direction(w->frames, p, atan2(z[2 * (size_t)n + 1], z[2 * (size_t)n]) / 2,
+        field->confidence[p] = constrained ? agreement(w, system, z, applied, n) : 0;
+        hatch_frames_direction(w->problem->frames, p, atan2(z[2 * (size_t)n + 1], z[2 * (size_t)n]) / 2,
                                &field->direction[(size_t)p * 3]);
     }
 }
 
-/* Solves for the components that have data, or for those that have none. */
-static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_field *field, struct hatch_err *err)
+/* Solves for the components with data, or for those without. */
+static enum hatch_status solve_components(struct work *w, bool constrained, struct hatch_field *field,
+                                          struct hatch_err *err)
 {
     struct hatch_field_system system;
     double energy[2];
-    for (uint32_t c = 0; c < w->surface->component_count; c++)
-        w->include[c] = w->scales[c].directed == directed;
-    HATCH_TRY(hatch_field_assemble(w->surface, w->frames, w->data, w->scales, w->include, w->scratch, &system, err));
+    for (uint32_t c = 0; c < w->problem->surface->component_count; c++)
+        w->include[c] = w->smoothing[c].constrained == constrained;
+    HATCH_TRY(hatch_field_assemble(w->problem, w->smoothing, w->include, w->scratch, &system, err));
     double *z = HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err);
     double *applied = z ? HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err) : NULL;
     if (!applied)
         return HATCH_LIMIT;
-    if (directed && w->data->principal)
-        HATCH_TRY(hatch_field_loosen_jumps(w->surface, w->data, w->options->iterations_max, w->scratch, &system, z,
-                                           &w->progress, err));
-    if (!directed)
+    if (constrained && w->problem->principal)
+        HATCH_TRY(hatch_field_weaken_jumps(w->problem, w->options->iterations_max, w->scratch, &system, z,
+                                           &w->convergence, err));
+    if (!constrained)
         HATCH_TRY(solve_smoothest(w, &system, z, err));
     else if (w->options->method == HATCH_FIELD_LINEAR)
         HATCH_TRY(solve_linear(w, &system, z, err));
     if (w->options->method == HATCH_FIELD_HZ) {
-        if (directed)
+        if (constrained)
             start_from_data(w, &system, z);
         make_unit(z, system.count);
         HATCH_TRY(hatch_field_descend(&system, w->options->tolerance, w->options->iterations_max, w->scratch, z,
-                                      &w->progress, err));
+                                      &w->convergence, err));
         hatch_field_apply(&system, z, applied);
     }
-    give_out(w, &system, z, applied, directed, field);
-    hatch_field_system_energy(w->surface, &system, z, energy);
-    field->solved += directed ? energy[0] + energy[1] : 0;
+    write_field(w, &system, z, applied, constrained, field);
+    hatch_field_system_energy(w->problem->surface, &system, z, energy);
+    field->solution_energy += constrained ? energy[0] + energy[1] : 0;
     make_unit(z, system.count);
-    hatch_field_system_energy(w->surface, &system, z, energy);
-    field->solved += directed ? 0 : energy[0];
+    hatch_field_system_energy(w->problem->surface, &system, z, energy);
+    field->solution_energy += constrained ? 0 : energy[0];
     for (int i = 0; i < 2; i++)
         field->energy[i] += energy[i];
     return HATCH_OK;
@@ -214,42 +213,41 @@ static enum hatch_status solve_part(struct work *w, bool directed, struct hatch_
 
 static enum hatch_status solve(struct work *w, struct hatch_field *field, struct hatch_err *err)
 {
-    uint32_t components = w->surface->component_count;
-    w->scales = HATCH_NEW(w->scratch, struct hatch_field_scale, components, err);
-    w->include = w->scales ? HATCH_NEW(w->scratch, bool, components, err) : NULL;
+    uint32_t components = w->problem->surface->component_count;
+    w->smoothing = HATCH_NEW(w->scratch, struct hatch_field_smoothing, components, err);
+    w->include = w->smoothing ? HATCH_NEW(w->scratch, bool, components, err) : NULL;
     if (!w->include)
         return HATCH_LIMIT;
     for (uint32_t c = 0; c < components; c++) {
-        w->scales[c] = hatch_field_scale_of(w->surface, w->frames, w->data, w->options->smooth, c);
-        field->undirected += !w->scales[c].directed;
+        w->smoothing[c] = hatch_field_smoothing_of(w->problem, w->options->smooth, c);
+        field->unconstrained += !w->smoothing[c].constrained;
     }
-    for (int directed = 0; directed < 2; directed++) {
+    for (int constrained = 0; constrained < 2; constrained++) {
         struct hatch_arena_mark mark = hatch_arena_mark(w->scratch);
         enum hatch_status status = HATCH_OK;
-        if (directed ? field->undirected < components : field->undirected > 0)
-            status = solve_part(w, directed, field, err);
+        if (constrained ? field->unconstrained < components : field->unconstrained > 0)
+            status = solve_components(w, constrained, field, err);
         hatch_arena_rewind(w->scratch, mark);
         HATCH_TRY(status);
     }
-    field->iterations = w->progress.iterations;
-    field->residual = w->progress.residual;
+    field->iterations = w->convergence.iterations;
+    field->residual = w->convergence.residual;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_field_solve(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const struct hatch_field_data *data, const struct hatch_field_options *options,
-                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    struct hatch_field *field, struct hatch_err *err)
+enum hatch_status hatch_field_solve(const struct hatch_field_problem *problem,
+                                    const struct hatch_field_options *options, struct hatch_arena *arena,
+                                    struct hatch_arena *scratch, struct hatch_field *field, struct hatch_err *err)
 {
     assert(options->smooth >= 0 && options->smooth <= 1);
     assert(options->tolerance >= 1e-12 && options->tolerance <= 1e-1);
-    (void)pool;
     struct hatch_field made = {0};
-    made.direction = HATCH_NEW(arena, double, (size_t)surface->point_count * 3, err);
-    made.confidence = made.direction ? HATCH_NEW(arena, double, surface->point_count, err) : NULL;
+    uint32_t points = problem->surface->point_count;
+    made.direction = HATCH_NEW(arena, double, (size_t)points * 3, err);
+    made.confidence = made.direction ? HATCH_NEW(arena, double, points, err) : NULL;
     if (!made.confidence)
         return HATCH_LIMIT;
-    struct work work = {.surface = surface, .frames = frames, .data = data, .options = options, .scratch = scratch};
+    struct work work = {.problem = problem, .options = options, .scratch = scratch};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = solve(&work, &made, err);
     hatch_arena_rewind(scratch, mark);

@@ -4,25 +4,25 @@
 
 #include "field/system.h"
 
-/* Aggregation multigrid (Vaněk, Mandel, Brezina 1996, without smoothing the aggregates): a point and its strong
- * neighbours become one, whose z turned along the links is theirs. Coarser systems are of the same kind. */
+/* Multigrid by unsmoothed aggregation (Vaněk, Mandel, Brezina, "Algebraic multigrid by smoothed aggregation", 1996): a
+ * node and its strongly linked neighbours become one coarse node; its z, rotated along the links, is theirs. Coarse
+ * systems are of the same kind. */
 
 #define LEVELS_MAX 32u
-#define COARSEST 12u /* nodes: fewer are left to the smoother */
-#define STRONG 0.25  /* of a node's strongest link */
+#define COARSEST 12u /* nodes: systems of at most so many are left to the smoother */
+#define STRONG 0.25  /* smallest length of a strong link, as a share of its node's longest */
 #define SWEEPS_COARSEST 12
-#define CORRECTION                                                                                                     \
-    1.5 /* of a coarse correction: what is constant on aggregates is stiffer than the error, which                     \
-           is not (Braess, "Towards algebraic multigrid for elliptic problems of second order",                        \
-           Computing 55, 1995) */
+/* Factor of a coarse correction: piecewise constant corrections are too small (Braess, "Towards algebraic multigrid
+ * for elliptic problems of second order", Computing 55, 1995). */
+#define OVERCORRECTION 1.5
 
 struct level {
-    struct hatch_field_system system; /* of the finest: the caller's arrays */
-    uint32_t *middle;                 /* per node: its links before this one lead to earlier nodes, others to later */
-    uint32_t *aggregate;              /* per node: its node on the next level; NULL on the last */
-    double *phase;                    /* 2 a node: its z for 1 there */
-    double *z, *right;                /* 2 a node; the finest has none */
-    double *residual;                 /* 2 a node */
+    struct hatch_field_system system; /* on the finest level: the caller's arrays */
+    uint32_t *middle;                 /* per node: its first link to a later node; those before lead to earlier ones */
+    uint32_t *aggregate;              /* per node: its node on the next level; NULL on the last level */
+    double *phase;                    /* 2 per node: its z when that of its coarse node is 1 */
+    double *z, *rhs;                  /* 2 per node; NULL on the finest level */
+    double *residual;                 /* 2 per node */
 };
 
 struct hatch_field_levels {
@@ -35,60 +35,60 @@ static double length_squared(const double z[2])
     return z[0] * z[0] + z[1] * z[1];
 }
 
-/* phase = unit(link) * of. */
-static void turn_phase(const double link[2], const double of[2], double phase[2])
+/* rotated = link / |link| * phase. */
+static void rotate_phase(const double link[2], const double phase[2], double rotated[2])
 {
     double length = sqrt(length_squared(link));
     double c = link[0] / length, s = link[1] / length;
-    phase[0] = c * of[0] - s * of[1];
-    phase[1] = c * of[1] + s * of[0];
+    rotated[0] = c * phase[0] - s * phase[1];
+    rotated[1] = c * phase[1] + s * phase[0];
 }
 
-/* Square of the least length that counts as a strong link of a node. */
+/* Returns the smallest squared length of a strong link of a node. */
 static double strong_squared(const struct hatch_field_system *system, uint32_t node)
 {
-    double most = 0;
+    double longest = 0;
     for (uint32_t i = system->first[node]; i < system->first[node + 1]; i++)
-        most = fmax(most, length_squared(&system->link[2 * (size_t)i]));
-    return fmax(most * STRONG * STRONG, 1e-300);
+        longest = fmax(longest, length_squared(&system->link[2 * (size_t)i]));
+    return fmax(longest * STRONG * STRONG, 1e-300);
 }
 
-/* Takes a node and its strong neighbours, when all of them are free. */
-static bool take_neighbourhood(const struct level *level, uint32_t node, uint32_t number)
+/* Makes an aggregate of a node and its strong neighbours unless one of them has an aggregate. */
+static bool aggregate_neighbourhood(const struct level *level, uint32_t node, uint32_t number)
 {
     const struct hatch_field_system *system = &level->system;
-    double least = strong_squared(system, node);
+    double strong = strong_squared(system, node);
     for (uint32_t i = system->first[node]; i < system->first[node + 1]; i++)
-        if (length_squared(&system->link[2 * (size_t)i]) >= least && level->aggregate[system->to[i]] != HATCH_NO_SIDE)
+        if (length_squared(&system->link[2 * (size_t)i]) >= strong && level->aggregate[system->to[i]] != HATCH_NO_SIDE)
             return false;
     level->aggregate[node] = number;
     level->phase[2 * (size_t)node] = 1;
     for (uint32_t i = system->first[node]; i < system->first[node + 1]; i++) {
         const double *link = &system->link[2 * (size_t)i];
         uint32_t to = system->to[i];
-        if (!(length_squared(link) >= least) || level->aggregate[to] != HATCH_NO_SIDE)
+        if (!(length_squared(link) >= strong) || level->aggregate[to] != HATCH_NO_SIDE)
             continue;
         level->aggregate[to] = number;
-        /* The link leads from `to` here: the way back is its conjugate. */
         const double back[2] = {link[0], -link[1]};
-        turn_phase(back, &level->phase[2 * (size_t)node], &level->phase[2 * (size_t)to]);
+        rotate_phase(back, &level->phase[2 * (size_t)node], &level->phase[2 * (size_t)to]);
     }
     return true;
 }
 
-/* Puts what is left with its strongest neighbour that the first pass placed; alone where there is none. */
-static uint32_t place_rest(const struct level *level, uint32_t count, uint32_t placed)
+/* Adds each remaining node to the aggregate of its most strongly linked neighbour of the first pass, of which there
+ * are first_pass, or makes a new aggregate of it. Returns the number of aggregates. */
+static uint32_t aggregate_rest(const struct level *level, uint32_t count, uint32_t first_pass)
 {
     const struct hatch_field_system *system = &level->system;
     for (uint32_t n = 0; n < system->count; n++) {
         if (level->aggregate[n] != HATCH_NO_SIDE)
             continue;
-        double most = 0;
+        double longest = 0;
         uint32_t best = HATCH_NO_SIDE;
         for (uint32_t i = system->first[n]; i < system->first[n + 1]; i++) {
             double length = length_squared(&system->link[2 * (size_t)i]);
-            if (level->aggregate[system->to[i]] < placed && length > most) {
-                most = length;
+            if (level->aggregate[system->to[i]] < first_pass && length > longest) {
+                longest = length;
                 best = i;
             }
         }
@@ -97,8 +97,8 @@ static uint32_t place_rest(const struct level *level, uint32_t count, uint32_t p
             level->aggregate[n] = count++;
             continue;
         }
-        turn_phase(&system->link[2 * (size_t)best], &level->phase[2 * (size_t)system->to[best]],
-                   &level->phase[2 * (size_t)n]);
+        rotate_phase(&system->link[2 * (size_t)best], &level->phase[2 * (size_t)system->to[best]],
+                     &level->phase[2 * (size_t)n]);
         level->aggregate[n] = level->aggregate[system->to[best]];
     }
     return count;
@@ -110,15 +110,15 @@ static uint32_t aggregate(const struct level *level)
     for (uint32_t n = 0; n < level->system.count; n++)
         level->aggregate[n] = HATCH_NO_SIDE;
     for (uint32_t n = 0; n < level->system.count; n++)
-        if (level->aggregate[n] == HATCH_NO_SIDE && take_neighbourhood(level, n, count))
+        if (level->aggregate[n] == HATCH_NO_SIDE && aggregate_neighbourhood(level, n, count))
             count++;
-    return place_rest(level, count, count);
+    return aggregate_rest(level, count, count);
 }
 
 /* The nodes grouped by aggregate. */
 struct members {
-    uint32_t *first, *node; /* aggregates + 1, nodes */
-    uint32_t *slot;         /* per aggregate: where the coarse node in work has its link to it, plus 1 */
+    uint32_t *first, *node; /* aggregate a: node[first[a]] .. node[first[a + 1] - 1] */
+    uint32_t *slot;         /* per aggregate: the link to it of the coarse node being built, plus 1 */
 };
 
 static enum hatch_status group(const struct level *level, uint32_t count, struct hatch_arena *arena,
@@ -139,8 +139,9 @@ static enum hatch_status group(const struct level *level, uint32_t count, struct
     return HATCH_OK;
 }
 
-/* One coarse node's links and diagonal: Σ conj(phase) link phase over its members' links. Returns how many; with
- * coarse NULL it only counts. */
+/* Sums the links and the diagonal of coarse node a, conj(phase) link phase over the links of its members, from link
+ * `at` on. Returns the link after its last.
+ *   coarse  NULL: only counts */
 static uint32_t sum_links(const struct level *level, const struct members *members, uint32_t a, uint32_t at,
                           struct hatch_field_system *coarse)
 {
@@ -159,9 +160,9 @@ static uint32_t sum_links(const struct level *level, const struct members *membe
             if (!coarse)
                 continue;
             double z[2], sum[2];
-            const double *link = &fine->link[2 * (size_t)i], *far = &level->phase[2 * (size_t)fine->to[i]];
-            z[0] = link[0] * far[0] - link[1] * far[1];
-            z[1] = link[0] * far[1] + link[1] * far[0];
+            const double *link = &fine->link[2 * (size_t)i], *other = &level->phase[2 * (size_t)fine->to[i]];
+            z[0] = link[0] * other[0] - link[1] * other[1];
+            z[1] = link[0] * other[1] + link[1] * other[0];
             sum[0] = own[0] * z[0] + own[1] * z[1];
             sum[1] = own[0] * z[1] - own[1] * z[0];
             if (to == a) {
@@ -191,8 +192,8 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count, 
     coarse->link = coarse->to ? HATCH_NEW(arena, double, (size_t)links * 2, err) : NULL;
     coarse->diagonal = coarse->link ? HATCH_NEW(arena, double, count, err) : NULL;
     next->z = coarse->diagonal ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
-    next->right = next->z ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
-    next->residual = next->right ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
+    next->rhs = next->z ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
+    next->residual = next->rhs ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
     if (!next->residual)
         return HATCH_LIMIT;
     memset(members->slot, 0, count * sizeof *members->slot);
@@ -201,8 +202,9 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count, 
     return HATCH_OK;
 }
 
-/* A sweep that begins at zero then needs but the first part of each row, and its residual but the second. */
-static enum hatch_status part_links(struct level *level, struct hatch_arena *arena, struct hatch_err *err)
+/* Orders each row: links to earlier nodes first. A sweep that starts at zero needs only these, and its residual only
+ * the others. */
+static enum hatch_status partition_links(struct level *level, struct hatch_arena *arena, struct hatch_err *err)
 {
     const struct hatch_field_system *system = &level->system;
     level->middle = HATCH_NEW_UNSET(arena, uint32_t, system->count, err);
@@ -237,7 +239,7 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
     if (!level->phase)
         return HATCH_LIMIT;
     uint32_t count = aggregate(level);
-    /* Nodes without links stay as many as they are. */
+    /* Stops when nodes without links prevent coarsening. */
     *added = count <= nodes - nodes / 4;
     if (!*added) {
         level->aggregate = NULL;
@@ -246,7 +248,7 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
     HATCH_TRY(group(level, count, arena, &members, err));
     levels->count++;
     HATCH_TRY(make_coarse(level, count, &members, arena, level + 1, err));
-    return part_links(level + 1, arena, err);
+    return partition_links(level + 1, arena, err);
 }
 
 enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, struct hatch_arena *arena,
@@ -260,7 +262,7 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
     made->level[0].residual = HATCH_NEW_UNSET(arena, double, (size_t)system->count * 2, err);
     if (!made->level[0].residual)
         return HATCH_LIMIT;
-    HATCH_TRY(part_links(&made->level[0], arena, err));
+    HATCH_TRY(partition_links(&made->level[0], arena, err));
     bool added = true;
     while (added && made->count < LEVELS_MAX && made->level[made->count - 1].system.count > COARSEST)
         HATCH_TRY(add_level(made, arena, &added, err));
@@ -268,56 +270,56 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
     return HATCH_OK;
 }
 
-/* sum += Σ link z over a part of a row. */
+/* sum += Σ link z over links from .. end - 1. */
 static inline void add_links(const struct hatch_field_system *system, uint32_t from, uint32_t end, const double *z,
                              double sum[2])
 {
     double x = sum[0], y = sum[1];
     for (uint32_t i = from; i < end; i++) {
-        const double *link = &system->link[2 * (size_t)i], *far = &z[2 * (size_t)system->to[i]];
-        x += link[0] * far[0] - link[1] * far[1];
-        y += link[0] * far[1] + link[1] * far[0];
+        const double *link = &system->link[2 * (size_t)i], *other = &z[2 * (size_t)system->to[i]];
+        x += link[0] * other[0] - link[1] * other[1];
+        y += link[0] * other[1] + link[1] * other[0];
     }
     sum[0] = x;
     sum[1] = y;
 }
 
-/* z[n] = (right[n] + Σ link z) / diagonal, over all links or, z after n being zero, those to earlier nodes. */
-static inline void relax(const struct level *level, const double *right, uint32_t n, bool from_zero, double *z)
+/* z[n] = (rhs[n] + Σ link z) / diagonal, over all links; with from_zero over those to earlier nodes. */
+static inline void relax(const struct level *level, const double *rhs, uint32_t n, bool from_zero, double *z)
 {
     const struct hatch_field_system *system = &level->system;
-    double sum[2] = {right[2 * (size_t)n], right[2 * (size_t)n + 1]}, diagonal = system->diagonal[n];
+    double sum[2] = {rhs[2 * (size_t)n], rhs[2 * (size_t)n + 1]}, diagonal = system->diagonal[n];
     add_links(system, system->first[n], from_zero ? level->middle[n] : system->first[n + 1], z, sum);
     z[2 * (size_t)n] = sum[0] / diagonal;
     z[2 * (size_t)n + 1] = sum[1] / diagonal;
 }
 
-static void sweep_forward(const struct level *level, const double *right, bool from_zero, double *z)
+static void sweep_forward(const struct level *level, const double *rhs, bool from_zero, double *z)
 {
     for (uint32_t n = 0; n < level->system.count; n++)
-        relax(level, right, n, from_zero, z);
+        relax(level, rhs, n, from_zero, z);
 }
 
-static void sweep_backward(const struct level *level, const double *right, double *z)
+static void sweep_backward(const struct level *level, const double *rhs, double *z)
 {
     for (uint32_t n = level->system.count; n-- > 0;)
-        relax(level, right, n, false, z);
+        relax(level, rhs, n, false, z);
 }
 
-static void subtract_from(const double *right, double *residual, uint32_t count)
+static void subtract_from(const double *rhs, double *residual, uint32_t count)
 {
     for (size_t i = 0; i < 2 * (size_t)count; i++)
-        residual[i] = right[i] - residual[i];
+        residual[i] = rhs[i] - residual[i];
 }
 
 static void restrict_residual(const struct level *fine, struct level *coarse)
 {
-    memset(coarse->right, 0, (size_t)coarse->system.count * 2 * sizeof *coarse->right);
+    memset(coarse->rhs, 0, (size_t)coarse->system.count * 2 * sizeof *coarse->rhs);
     for (uint32_t n = 0; n < fine->system.count; n++) {
         const double *phase = &fine->phase[2 * (size_t)n], *r = &fine->residual[2 * (size_t)n];
-        double *right = &coarse->right[2 * (size_t)fine->aggregate[n]];
-        right[0] += phase[0] * r[0] + phase[1] * r[1];
-        right[1] += phase[0] * r[1] - phase[1] * r[0];
+        double *rhs = &coarse->rhs[2 * (size_t)fine->aggregate[n]];
+        rhs[0] += phase[0] * r[0] + phase[1] * r[1];
+        rhs[1] += phase[0] * r[1] - phase[1] * r[0];
     }
 }
 
@@ -326,56 +328,57 @@ static void add_correction(const struct level *fine, const struct level *coarse,
     for (uint32_t n = 0; n < fine->system.count; n++) {
         const double *phase = &fine->phase[2 * (size_t)n];
         const double *c = &coarse->z[2 * (size_t)fine->aggregate[n]];
-        z[2 * (size_t)n] += CORRECTION * (phase[0] * c[0] - phase[1] * c[1]);
-        z[2 * (size_t)n + 1] += CORRECTION * (phase[0] * c[1] + phase[1] * c[0]);
+        z[2 * (size_t)n] += OVERCORRECTION * (phase[0] * c[0] - phase[1] * c[1]);
+        z[2 * (size_t)n + 1] += OVERCORRECTION * (phase[0] * c[1] + phase[1] * c[0]);
     }
 }
 
-/* What a forward sweep from zero has left: each node was right when it was set, and later ones have moved since. */
-static void find_residual(const struct level *level, const double *right, bool from_zero, const double *z)
+/* Computes the residual. After a forward sweep from zero only links to later nodes contribute: the equation of a node
+ * held when it was set, with later nodes at zero. */
+static void find_residual(const struct level *level, const double *rhs, bool from_zero, const double *z)
 {
     const struct hatch_field_system *system = &level->system;
     if (!from_zero) {
         hatch_field_apply(system, z, level->residual);
-        subtract_from(right, level->residual, system->count);
+        subtract_from(rhs, level->residual, system->count);
         return;
     }
     for (uint32_t n = 0; n < system->count; n++) {
-        double *left = &level->residual[2 * (size_t)n];
-        left[0] = left[1] = 0;
-        add_links(system, level->middle[n], system->first[n + 1], z, left);
+        double *residual = &level->residual[2 * (size_t)n];
+        residual[0] = residual[1] = 0;
+        add_links(system, level->middle[n], system->first[n + 1], z, residual);
     }
 }
 
-/* A W cycle, forward sweep before and backward sweep after: symmetric, so that conjugate gradients may use it.
- * from_zero: z begins as zero, whatever it holds. */
-static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const double *right, bool from_zero,
-                  double *z)
+/* A W cycle. Its forward sweep before and backward sweep after make it symmetric, as conjugate gradients require.
+ *   from_zero  z counts as 0 on entry and need not be set */
+static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const double *rhs, bool from_zero, double *z)
 {
     const struct level *fine = &levels->level[depth];
     if (!fine->aggregate) {
         for (int i = 0; i < SWEEPS_COARSEST; i++)
-            sweep_forward(fine, right, from_zero && i == 0, z);
+            sweep_forward(fine, rhs, from_zero && i == 0, z);
         for (int i = 0; i < SWEEPS_COARSEST; i++)
-            sweep_backward(fine, right, z);
+            sweep_backward(fine, rhs, z);
         return;
     }
     struct level coarse = levels->level[depth + 1];
-    sweep_forward(fine, right, from_zero, z);
-    find_residual(fine, right, from_zero, z);
+    sweep_forward(fine, rhs, from_zero, z);
+    find_residual(fine, rhs, from_zero, z);
     restrict_residual(fine, &coarse);
-    cycle(levels, depth + 1, coarse.right, true, coarse.z);
+    cycle(levels, depth + 1, coarse.rhs, true, coarse.z);
     if (coarse.aggregate)
-        cycle(levels, depth + 1, coarse.right, false, coarse.z);
+        cycle(levels, depth + 1, coarse.rhs, false, coarse.z);
     add_correction(fine, &coarse, z);
-    sweep_backward(fine, right, z);
+    sweep_backward(fine, rhs, z);
 }
 
-enum hatch_status hatch_field_iterate(const struct hatch_field_system *system, const struct hatch_field_levels *levels,
-                                      const double *right, double tolerance, uint32_t iterations_max,
-                                      struct hatch_arena *scratch, double *z, struct hatch_field_progress *progress,
-                                      struct hatch_err *err)
+enum hatch_status hatch_field_solve_multigrid(const struct hatch_field_levels *levels, double tolerance,
+                                              uint32_t iterations_max, struct hatch_arena *scratch, double *z,
+                                              struct hatch_field_convergence *convergence, struct hatch_err *err)
 {
+    const struct hatch_field_system *system = &levels->level[0].system;
+    const double *rhs = system->rhs;
     size_t size = (size_t)system->count * 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     double *r = HATCH_NEW_UNSET(scratch, double, size, err);
@@ -386,12 +389,12 @@ enum hatch_status hatch_field_iterate(const struct hatch_field_system *system, c
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    cycle(levels, 0, right, true, s);
-    double rs = hatch_field_dot(s, right, system->count), goal = tolerance * tolerance * rs;
-    memcpy(r, right, size * sizeof *r);
+    cycle(levels, 0, rhs, true, s);
+    double rs = hatch_field_dot(s, rhs, system->count), goal = tolerance * tolerance * rs;
+    memcpy(r, rhs, size * sizeof *r);
     if (hatch_field_dot(z, z, system->count) > 0) {
         hatch_field_apply(system, z, r);
-        subtract_from(right, r, system->count);
+        subtract_from(rhs, r, system->count);
         cycle(levels, 0, r, true, s);
         rs = hatch_field_dot(r, s, system->count);
     }
@@ -410,8 +413,8 @@ enum hatch_status hatch_field_iterate(const struct hatch_field_system *system, c
             p[i] = s[i] + keep * p[i];
         rs = next;
     }
-    progress->iterations += done;
-    progress->residual = goal > 0 ? tolerance * sqrt(fmax(rs, 0) / goal) : 0;
+    convergence->iterations += done;
+    convergence->residual = goal > 0 ? tolerance * sqrt(fmax(rs, 0) / goal) : 0;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

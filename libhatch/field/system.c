@@ -5,7 +5,7 @@
 #include "math/vector.h"
 #include "field/system.h"
 
-void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const double direction[3], double z[2])
+void hatch_field_encode(const struct hatch_frames *frames, uint32_t point, const double direction[3], double z[2])
 {
     const double *axis = &frames->axis[(size_t)point * 3];
     double side[3];
@@ -23,13 +23,11 @@ void hatch_field_square(const struct hatch_frames *frames, uint32_t point, const
     z[1] = 2 * x * y / length;
 }
 
-/* Data so strong that nothing moves it, in sums of edge weights; and the confidence under whose root mean square a
- * component has none: what noise leaves on a sphere or a plane. */
-#define MASS_MAX 1e6
-#define CONFIDENCE_MIN 0.001
-#define LENGTH_SHARE 0.0115 /* of the root of the component's area, at smooth 0.5 */
+#define DATA_WEIGHT_MAX 1e6  /* per unit of confidence, in sums of edge weights: in effect a hard constraint */
+#define CONFIDENCE_MIN 0.001 /* root mean square over a component with data: noise on a sphere or a plane has less */
+#define LENGTH_SHARE 0.0115  /* of the square root of the component's area, at smooth 0.5 */
 
-static double edge_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
+static double edge_weight_sum(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point)
 {
     double sum = 0;
     for (uint32_t i = surface->ring_first[point]; i < surface->ring_first[point + 1]; i++)
@@ -37,37 +35,40 @@ static double edge_sum(const struct hatch_surface *surface, const struct hatch_f
     return sum;
 }
 
-struct hatch_field_scale hatch_field_scale_of(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                              const struct hatch_field_data *data, double smooth, uint32_t component)
+struct hatch_field_smoothing hatch_field_smoothing_of(const struct hatch_field_problem *problem, double smooth,
+                                                      uint32_t index)
 {
-    const struct hatch_component *of = &surface->components[component];
-    double area = 0, known = 0;
-    bool hard = false;
-    for (uint32_t p = of->first_point; p < of->first_point + of->point_count; p++) {
+    const struct hatch_component *component = &problem->surface->components[index];
+    const struct hatch_frames *frames = problem->frames;
+    double area = 0, squares = 0;
+    bool has_constraint = false;
+    for (uint32_t p = component->first_point; p < component->first_point + component->point_count; p++) {
         area += frames->area[p];
-        known += frames->area[p] * data->confidence[p] * data->confidence[p];
-        hard = hard || (data->hard && data->hard[p] > 0);
+        squares += frames->area[p] * problem->confidence[p] * problem->confidence[p];
+        has_constraint = has_constraint || (problem->constraint_weight && problem->constraint_weight[p] > 0);
     }
-    double knob = smooth / fmax(1 - smooth, 1e-3);
-    return (struct hatch_field_scale){.directed = hard || known >= CONFIDENCE_MIN * CONFIDENCE_MIN * area,
-                                      .length = LENGTH_SHARE * sqrt(area) * knob * knob};
+    double odds = smooth / fmax(1 - smooth, 1e-3);
+    return (struct hatch_field_smoothing){.constrained =
+                                              has_constraint || squares >= CONFIDENCE_MIN * CONFIDENCE_MIN * area,
+                                          .length = LENGTH_SHARE * sqrt(area) * odds * odds};
 }
 
-double hatch_field_mass(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                        const struct hatch_field_data *data, const struct hatch_field_scale *scale, uint32_t point)
+double hatch_field_data_weight(const struct hatch_field_problem *problem, const struct hatch_field_smoothing *smoothing,
+                               uint32_t point)
 {
-    double edges = edge_sum(surface, frames, point), confidence = data->confidence[point], z[2];
-    if (!scale->directed)
+    double edges = edge_weight_sum(problem->surface, problem->frames, point), confidence = problem->confidence[point];
+    double z[2];
+    if (!smoothing->constrained)
         return 0;
-    hatch_field_square(frames, point, &data->direction[(size_t)point * 3], z);
+    hatch_field_encode(problem->frames, point, &problem->direction[(size_t)point * 3], z);
     if (z[0] == 0 && z[1] == 0)
         return 0;
-    if (data->hard && data->hard[point] > 0)
-        return data->hard[point] * edges;
+    if (problem->constraint_weight && problem->constraint_weight[point] > 0)
+        return problem->constraint_weight[point] * edges;
     if (!(confidence > 0))
         return 0;
-    double most = MASS_MAX * confidence * edges, odds = confidence / (1 - confidence);
-    return fmin(frames->area[point] * odds / (scale->length * scale->length), most);
+    double weight_max = DATA_WEIGHT_MAX * confidence * edges, odds = confidence / (1 - confidence);
+    return fmin(problem->frames->area[point] * odds / (smoothing->length * smoothing->length), weight_max);
 }
 
 void hatch_field_system_energy(const struct hatch_surface *surface, const struct hatch_field_system *system,
@@ -78,17 +79,17 @@ void hatch_field_system_energy(const struct hatch_surface *surface, const struct
         uint32_t n = system->node[system->order[k]];
         if (n == HATCH_NO_SIDE)
             continue;
-        const double *own = &z[2 * (size_t)n], *right = &system->right[2 * (size_t)n];
-        double square = own[0] * own[0] + own[1] * own[1], mass = system->mass[n];
+        const double *own = &z[2 * (size_t)n], *rhs = &system->rhs[2 * (size_t)n];
+        double square = own[0] * own[0] + own[1] * own[1], data_weight = system->data_weight[n];
         for (uint32_t i = system->first[n]; i < system->first[n + 1]; i++) {
-            const double *link = &system->link[2 * (size_t)i], *far = &z[2 * (size_t)system->to[i]];
+            const double *link = &system->link[2 * (size_t)i], *other = &z[2 * (size_t)system->to[i]];
             double weight = sqrt(link[0] * link[0] + link[1] * link[1]);
-            double x = link[0] * far[0] - link[1] * far[1], y = link[0] * far[1] + link[1] * far[0];
-            double there = far[0] * far[0] + far[1] * far[1];
+            double x = link[0] * other[0] - link[1] * other[1], y = link[0] * other[1] + link[1] * other[0];
+            double there = other[0] * other[0] + other[1] * other[1];
             energy[0] += 0.5 * (weight * (square + there) - 2 * (own[0] * x + own[1] * y));
         }
-        if (mass > 0)
-            energy[1] += mass * (square + 1) - 2 * (own[0] * right[0] + own[1] * right[1]);
+        if (data_weight > 0)
+            energy[1] += data_weight * (square + 1) - 2 * (own[0] * rhs[0] + own[1] * rhs[1]);
     }
 }
 
@@ -97,9 +98,9 @@ void hatch_field_apply(const struct hatch_field_system *system, const double *z,
     for (uint32_t n = 0; n < system->count; n++) {
         double x = 0, y = 0;
         for (uint32_t i = system->first[n]; i < system->first[n + 1]; i++) {
-            const double *link = &system->link[2 * (size_t)i], *far = &z[2 * (size_t)system->to[i]];
-            x += link[0] * far[0] - link[1] * far[1];
-            y += link[0] * far[1] + link[1] * far[0];
+            const double *link = &system->link[2 * (size_t)i], *other = &z[2 * (size_t)system->to[i]];
+            x += link[0] * other[0] - link[1] * other[1];
+            y += link[0] * other[1] + link[1] * other[0];
         }
         out[2 * (size_t)n] = system->diagonal[n] * z[2 * (size_t)n] - x;
         out[2 * (size_t)n + 1] = system->diagonal[n] * z[2 * (size_t)n + 1] - y;
@@ -114,7 +115,7 @@ double hatch_field_dot(const double *a, const double *b, uint32_t count)
     return sum;
 }
 
-/* Numbers the nodes; a component with one side has two a point, one after the other. */
+/* Numbers the nodes; the two of a point on a one-sided component are consecutive. */
 static enum hatch_status number_nodes(const struct hatch_surface *surface, const bool *include,
                                       struct hatch_arena *arena, struct hatch_field_system *system, uint32_t *links,
                                       struct hatch_err *err)
@@ -123,64 +124,71 @@ static enum hatch_status number_nodes(const struct hatch_surface *surface, const
     system->node = system->order ? HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err) : NULL;
     if (!system->node)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_surface_order(surface, arena, system->order, system->node, err));
+    HATCH_TRY(hatch_surface_order_points(surface, arena, system->order, system->node, err));
     uint64_t count = 0, entries = 0;
     for (uint32_t i = 0; i < surface->point_count; i++) {
         uint32_t p = system->order[i];
-        uint32_t of = surface->point_component[p], sides = surface->components[of].orientable ? 1 : 2;
-        system->node[p] = include[of] ? (uint32_t)count : HATCH_NO_SIDE;
-        if (include[of]) {
+        uint32_t component = surface->point_component[p], sides = surface->components[component].orientable ? 1 : 2;
+        system->node[p] = include[component] ? (uint32_t)count : HATCH_NO_SIDE;
+        if (include[component]) {
             count += sides;
             entries += (uint64_t)sides * (surface->ring_first[p + 1] - surface->ring_first[p]);
         }
     }
     if (entries >= UINT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a surface with %llu edges is too large for a direction field",
+        return hatch_fail(err, HATCH_LIMIT, "%llu edges are too many for a direction field: simplify the mesh",
                           (unsigned long long)entries / 2);
     system->count = (uint32_t)count;
     *links = (uint32_t)entries;
     return HATCH_OK;
 }
 
-/* The link of entry i of a node's point, of which the row at the other end may be there already: what leads back is
- * its conjugate, unless both ends see the edge from different sides. */
-static void make_link(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t i, uint32_t n,
-                      uint32_t side, const struct hatch_field_system *system, uint32_t to, double link[2])
+/* Sets link `at` of node n, which belongs to ring entry i; side as in fill_row. Where the row of the other node exists,
+ * the link is exactly the conjugate of the one back. */
+static void make_link(const struct hatch_field_problem *problem, uint32_t i, uint32_t n, uint32_t side, uint32_t at,
+                      struct hatch_field_system *system)
 {
+    const struct hatch_surface *surface = problem->surface;
+    const struct hatch_frames *frames = problem->frames;
+    double *link = &system->link[2 * (size_t)at];
+    uint32_t to = system->to[at];
     if (to < n) {
-        uint32_t mate = frames->mate[i] - surface->ring_first[surface->ring_point[i]];
-        const double *back = &system->link[2 * ((size_t)system->first[to] + mate)];
+        uint32_t twin = frames->twin[i] - surface->ring_first[surface->ring_point[i]];
+        const double *back = &system->link[2 * ((size_t)system->first[to] + twin)];
         link[0] = back[0];
         link[1] = -back[1];
         return;
     }
-    double turn = 2 * frames->turn_rad[i], weight = frames->weight[i];
-    link[0] = weight * cos(turn);
-    link[1] = weight * (side ? -sin(turn) : sin(turn));
+    double angle = 2 * frames->transport_rad[i], weight = frames->weight[i];
+    link[0] = weight * cos(angle);
+    link[1] = weight * (side ? -sin(angle) : sin(angle));
 }
 
-/* The row of a point seen from its ring's outside (side 0) or its other side. */
-static uint32_t fill_row(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
-                         uint32_t side, uint32_t at, struct hatch_field_system *system)
+/* Fills the row of a point seen from the outside of its ring (side 0) or from the other side (1), from link `at` on.
+ * Returns the link after its last. */
+static uint32_t fill_row(const struct hatch_field_problem *problem, uint32_t point, uint32_t side, uint32_t at,
+                         struct hatch_field_system *system)
 {
+    const struct hatch_surface *surface = problem->surface;
     uint32_t n = system->node[point] + side;
     double sum = 0;
     system->first[n] = at;
     for (uint32_t i = surface->ring_first[point]; i < surface->ring_first[point + 1]; i++, at++) {
         system->to[at] = system->node[surface->ring_point[i]] + (side ^ surface->ring_turned[i]);
-        make_link(surface, frames, i, n, side, system, system->to[at], &system->link[2 * (size_t)at]);
-        sum += frames->weight[i];
+        make_link(problem, i, n, side, at, system);
+        sum += problem->frames->weight[i];
     }
-    system->diagonal[n] = sum + system->mass[n];
+    system->diagonal[n] = sum + system->data_weight[n];
     system->first[n + 1] = at;
     return at;
 }
 
-enum hatch_status hatch_field_assemble(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                       const struct hatch_field_data *data, const struct hatch_field_scale *scales,
-                                       const bool *include, struct hatch_arena *arena,
-                                       struct hatch_field_system *system, struct hatch_err *err)
+enum hatch_status hatch_field_assemble(const struct hatch_field_problem *problem,
+                                       const struct hatch_field_smoothing *smoothing, const bool *include,
+                                       struct hatch_arena *arena, struct hatch_field_system *system,
+                                       struct hatch_err *err)
 {
+    const struct hatch_surface *surface = problem->surface;
     uint32_t links = 0, at = 0;
     HATCH_TRY(number_nodes(surface, include, arena, system, &links, err));
     size_t count = system->count;
@@ -188,22 +196,22 @@ enum hatch_status hatch_field_assemble(const struct hatch_surface *surface, cons
     system->to = system->first ? HATCH_NEW_UNSET(arena, uint32_t, links, err) : NULL;
     system->link = system->to ? HATCH_NEW_UNSET(arena, double, (size_t)links * 2, err) : NULL;
     system->diagonal = system->link ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    system->mass = system->diagonal ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    system->right = system->mass ? HATCH_NEW_UNSET(arena, double, count * 2, err) : NULL;
-    if (!system->right)
+    system->data_weight = system->diagonal ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
+    system->rhs = system->data_weight ? HATCH_NEW_UNSET(arena, double, count * 2, err) : NULL;
+    if (!system->rhs)
         return HATCH_LIMIT;
     for (uint32_t k = 0; k < surface->point_count; k++) {
-        uint32_t p = system->order[k], n = system->node[p], of = surface->point_component[p];
+        uint32_t p = system->order[k], n = system->node[p], component = surface->point_component[p];
         double d[2];
         if (n == HATCH_NO_SIDE)
             continue;
-        hatch_field_square(frames, p, &data->direction[(size_t)p * 3], d);
-        double m = hatch_field_mass(surface, frames, data, &scales[of], p);
-        for (uint32_t side = 0; side < (surface->components[of].orientable ? 1 : 2); side++) {
-            system->mass[n + side] = m;
-            system->right[2 * (size_t)(n + side)] = m * d[0];
-            system->right[2 * (size_t)(n + side) + 1] = side ? -m * d[1] : m * d[1];
-            at = fill_row(surface, frames, p, side, at, system);
+        hatch_field_encode(problem->frames, p, &problem->direction[(size_t)p * 3], d);
+        double weight = hatch_field_data_weight(problem, &smoothing[component], p);
+        for (uint32_t side = 0; side < (surface->components[component].orientable ? 1 : 2); side++) {
+            system->data_weight[n + side] = weight;
+            system->rhs[2 * (size_t)(n + side)] = weight * d[0];
+            system->rhs[2 * (size_t)(n + side) + 1] = side ? -weight * d[1] : weight * d[1];
+            at = fill_row(problem, p, side, at, system);
         }
     }
     return HATCH_OK;

@@ -69,7 +69,7 @@ static double normals_turn(const struct measure *of, uint32_t face)
 
 /* The line that the corners' directions make in a face's plane as they stand in space: so programs that
  * know nothing of how a surface turns between its points read the field. Along a crease it follows the
- * crease on both sides. nearest: as hatch_field_mean's. */
+ * crease on both sides. nearest: as hatch_field_mean_direction's. */
 static void find_line(const struct measure *of, const uint32_t *corner, const double normal[3], double line[3],
                       double *nearest)
 {
@@ -84,7 +84,7 @@ static void find_line(const struct measure *of, const uint32_t *corner, const do
         z[c][0] = square > 0 ? (x * x - y * y) / square : 0;
         z[c][1] = square > 0 ? 2 * x * y / square : 0;
     }
-    hatch_field_mean((const double(*)[2])z, u, v, line, nearest);
+    hatch_field_mean_direction((const double(*)[2])z, u, v, line, nearest);
 }
 
 static void measure_face(const struct measure *of, uint32_t face)

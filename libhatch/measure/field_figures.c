@@ -90,7 +90,7 @@ static enum hatch_status measure_uv(const struct hatch_field_sum *sum, const str
     for (uint32_t f = 0; f < s->surface.face_count; f++) {
         if (!rising_u(s, uv, f, rising, &area))
             continue;
-        hatch_field_face(&s->surface, &s->frames, s->direction, f, line, &spread_rad);
+        hatch_field_face_direction(&s->surface, &s->frames, s->direction, f, line, &spread_rad);
         samples->uv[samples->faces++] = (struct hatch_weighted){angle_degrees(line, rising), area};
     }
     return HATCH_OK;
@@ -191,9 +191,9 @@ static enum hatch_status measure_surface(struct hatch_field_sum *sum, const stru
     double energy[2], *zeros = HATCH_NEW(sum->scratch, double, surface->point_count, err);
     if (!zeros)
         return HATCH_LIMIT;
-    const struct hatch_field_data none = {.direction = s->direction, .confidence = zeros};
+    const struct hatch_field_problem none = {surface, &s->frames, s->direction, zeros, NULL, false};
     HATCH_TRY(hatch_field_singularities(surface, &s->frames, s->direction, sum->arena, sum->scratch, &singular, err));
-    hatch_field_energy(surface, &s->frames, &none, 1, s->direction, energy);
+    hatch_field_energy(&none, 1, s->direction, energy);
     out->points += surface->point_count;
     out->faces += surface->face_count;
     out->components += surface->component_count;

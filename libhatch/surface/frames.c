@@ -5,29 +5,28 @@
 #include "math/vector.h"
 #include "surface/frames.h"
 
-#define TURN (2 * 3.14159265358979323846)
+#define FULL_TURN (2 * 3.14159265358979323846)
 
-/* A cotangent is kept between these, so that a sliver neither ties two points together for good nor
- * cuts or repels them: angles under 3° and over 87° count as those. */
+/* Cotangents are clamped (angles under 3° and over 87° count as those): slivers would give an edge a huge weight, or
+ * one of 0 or less. */
 #define COT_MIN 0.05
 #define COT_MAX 20.0
 
-/* Per corner 3 * f + c of a face. */
 struct corners {
-    double *angle, *cot; /* at the corner */
-    double *normal;      /* 3 a face: unit */
+    double *angle, *cot; /* per corner 3 * f + c: angle in radians, clamped cotangent */
+    double *normal;      /* 3 per face: unit */
 };
 
-static void measure_face(const struct hatch_surface *surface, uint32_t face, struct corners *of, double *area)
+static void measure_face(const struct hatch_surface *surface, uint32_t face, struct corners *measured, double *area)
 {
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *at[3];
     for (int c = 0; c < 3; c++)
         at[c] = &surface->points[(size_t)corner[c] * 3];
-    double *normal = &of->normal[(size_t)face * 3];
+    double *normal = &measured->normal[(size_t)face * 3];
     hatch_vec_triangle(at[0], at[1], at[2], normal);
     double doubled = hatch_vec_normalize(normal);
-    double angles = TURN / 2;
+    double angles = FULL_TURN / 2;
     for (int c = 0; c < 3; c++) {
         double a[3], b[3];
         hatch_vec_sub(at[(c + 1) % 3], at[c], a);
@@ -35,8 +34,8 @@ static void measure_face(const struct hatch_surface *surface, uint32_t face, str
         double dot = hatch_vec_dot(a, b);
         double angle = c < 2 ? atan2(doubled, dot) : fmax(angles, 0);
         angles -= angle;
-        of->angle[(size_t)face * 3 + (size_t)c] = angle;
-        of->cot[(size_t)face * 3 + (size_t)c] = fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
+        measured->angle[(size_t)face * 3 + (size_t)c] = angle;
+        measured->cot[(size_t)face * 3 + (size_t)c] = fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
         area[corner[c]] += doubled / 6;
     }
 }
@@ -48,25 +47,25 @@ static uint32_t corner_of(const struct hatch_surface *surface, uint32_t face, ui
 }
 
 static enum hatch_status measure_corners(const struct hatch_surface *surface, struct hatch_arena *scratch,
-                                         struct corners *of, struct hatch_frames *frames, struct hatch_err *err)
+                                         struct corners *measured, struct hatch_frames *frames, struct hatch_err *err)
 {
     size_t count = (size_t)surface->face_count * 3;
-    of->angle = HATCH_NEW_UNSET(scratch, double, count, err);
-    of->cot = of->angle ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
-    of->normal = of->cot ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
-    if (!of->normal)
+    measured->angle = HATCH_NEW_UNSET(scratch, double, count, err);
+    measured->cot = measured->angle ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
+    measured->normal = measured->cot ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
+    if (!measured->normal)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++)
-        measure_face(surface, f, of, frames->area);
+        measure_face(surface, f, measured, frames->area);
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++)
             if (surface->ring_face[i] != HATCH_NO_SIDE)
-                frames->entry[corner_of(surface, surface->ring_face[i], p)] = i;
+                frames->corner_entry[corner_of(surface, surface->ring_face[i], p)] = i;
     return HATCH_OK;
 }
 
-/* The scaled angles of a point's ring, and its normal. */
-static void measure_ring(const struct hatch_surface *surface, const struct corners *of, uint32_t point,
+/* Sets the scaled angles of a point's ring, and its normal. */
+static void measure_ring(const struct hatch_surface *surface, const struct corners *measured, uint32_t point,
                          struct hatch_frames *frames)
 {
     uint32_t first = surface->ring_first[point], end = surface->ring_first[point + 1];
@@ -76,19 +75,20 @@ static void measure_ring(const struct hatch_surface *surface, const struct corne
         uint32_t face = surface->ring_face[i];
         if (face == HATCH_NO_SIDE)
             continue;
-        double angle = of->angle[corner_of(surface, face, point)];
-        hatch_vec_add_scaled(normal, surface->ring_flipped[i] ? -angle : angle, &of->normal[(size_t)face * 3], normal);
+        double angle = measured->angle[corner_of(surface, face, point)];
+        hatch_vec_add_scaled(normal, surface->ring_flipped[i] ? -angle : angle, &measured->normal[(size_t)face * 3],
+                             normal);
         sum += angle;
     }
     bool open = surface->ring_face[end - 1] == HATCH_NO_SIDE;
-    double scale = open ? fmin(1, TURN / sum) : TURN / sum;
+    double scale = open ? fmin(1, FULL_TURN / sum) : FULL_TURN / sum;
     for (uint32_t i = first; i < end; i++)
         frames->angle_rad[i] *= scale;
-    /* Faces folded onto one another leave no normal: the first's is as good as any. */
+    /* The normals of faces folded onto one another cancel: take the first. */
     if (!(hatch_vec_normalize(normal) > 1e-12))
         for (int i = 0; i < 3; i++)
-            normal[i] =
-                (surface->ring_flipped[first] ? -1 : 1) * of->normal[(size_t)surface->ring_face[first] * 3 + (size_t)i];
+            normal[i] = (surface->ring_flipped[first] ? -1 : 1) *
+                        measured->normal[(size_t)surface->ring_face[first] * 3 + (size_t)i];
 }
 
 void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames)
@@ -115,67 +115,68 @@ void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, 
         axis[i] = x * u[i] + y * v[i];
 }
 
-/* The entry of the same edge in the neighbour's ring: found through a face that both rings hold. */
-static uint32_t find_mate(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+/* Finds the entry of the same edge in the neighbour's ring, through a face that both rings contain. */
+static uint32_t find_twin(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
                           uint32_t i)
 {
     uint32_t q = surface->ring_point[i], face = surface->ring_face[i];
     if (face == HATCH_NO_SIDE)
         face = surface->ring_face[i - 1];
-    uint32_t mate = frames->entry[corner_of(surface, face, q)];
-    if (surface->ring_point[mate] == point)
-        return mate;
-    return mate + 1 < surface->ring_first[q + 1] ? mate + 1 : surface->ring_first[q];
+    uint32_t twin = frames->corner_entry[corner_of(surface, face, q)];
+    if (surface->ring_point[twin] == point)
+        return twin;
+    return twin + 1 < surface->ring_first[q + 1] ? twin + 1 : surface->ring_first[q];
 }
 
-/* The cotangent of a face's corner across from an edge. */
-static double cot_across(const struct hatch_surface *surface, const struct corners *of, uint32_t face, uint32_t p,
-                         uint32_t q)
+/* Returns the cotangent of a face's corner opposite an edge. */
+static double cot_opposite(const struct hatch_surface *surface, const struct corners *measured, uint32_t face,
+                           uint32_t p, uint32_t q)
 {
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     for (uint32_t c = 0; c < 3; c++)
         if (corner[c] != p && corner[c] != q)
-            return of->cot[face * 3 + c];
+            return measured->cot[face * 3 + c];
     return 0;
 }
 
-static double edge_weight(const struct hatch_surface *surface, const struct corners *of, uint32_t p, uint32_t i)
+static double edge_weight(const struct hatch_surface *surface, const struct corners *measured, uint32_t p, uint32_t i)
 {
     uint32_t first = surface->ring_first[p], end = surface->ring_first[p + 1];
     uint32_t after = surface->ring_face[i], before = surface->ring_face[i > first ? i - 1 : end - 1];
     double sum = 0;
     if (after != HATCH_NO_SIDE)
-        sum += cot_across(surface, of, after, p, surface->ring_point[i]);
+        sum += cot_opposite(surface, measured, after, p, surface->ring_point[i]);
     if (before != HATCH_NO_SIDE)
-        sum += cot_across(surface, of, before, p, surface->ring_point[i]);
+        sum += cot_opposite(surface, measured, before, p, surface->ring_point[i]);
     return sum / 2;
 }
 
-static void join_entries(const struct hatch_surface *surface, const struct corners *of, struct hatch_frames *frames)
+static void find_weights(const struct hatch_surface *surface, const struct corners *measured,
+                         struct hatch_frames *frames)
 {
     for (uint32_t p = 0; p < surface->point_count; p++)
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
-            uint32_t mate = find_mate(surface, frames, p, i);
-            frames->mate[i] = mate;
-            frames->weight[i] = i < mate ? edge_weight(surface, of, p, i) : frames->weight[mate];
+            uint32_t twin = find_twin(surface, frames, p, i);
+            frames->twin[i] = twin;
+            frames->weight[i] = i < twin ? edge_weight(surface, measured, p, i) : frames->weight[twin];
         }
 }
 
-/* Into -TURN / 2 .. TURN / 2. */
-double hatch_frames_shortest(double angle_rad)
+double hatch_frames_wrap_angle(double angle_rad)
 {
-    while (angle_rad > TURN / 2)
-        angle_rad -= TURN;
-    while (angle_rad < -TURN / 2)
-        angle_rad += TURN;
+    while (angle_rad > FULL_TURN / 2)
+        angle_rad -= FULL_TURN;
+    while (angle_rad < -FULL_TURN / 2)
+        angle_rad += FULL_TURN;
     return angle_rad;
 }
 
-void hatch_frames_find_turns(const struct hatch_surface *surface, struct hatch_frames *frames)
+void hatch_frames_find_transport(const struct hatch_surface *surface, struct hatch_frames *frames)
 {
     for (uint32_t i = 0; i < surface->ring_first[surface->point_count]; i++) {
-        double here = frames->angle_rad[i], there = frames->angle_rad[frames->mate[i]];
-        frames->turn_rad[i] = hatch_frames_shortest(here + (surface->ring_turned[i] ? there : -there) + TURN / 2);
+        double here = frames->angle_rad[i], there = frames->angle_rad[frames->twin[i]];
+        frames->transport_rad[i] =
+            hatch_frames_wrap_angle(here + (surface->ring_turned[i] ? there : -there) + FULL_TURN / 2);
     }
 }
 
@@ -186,11 +187,11 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     frames->normal = HATCH_NEW(arena, double, points * 3, err);
     frames->axis = frames->normal ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
     frames->angle_rad = frames->axis ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->turn_rad = frames->angle_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->weight = frames->turn_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->mate = frames->weight ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
-    frames->entry = frames->mate ? HATCH_NEW_UNSET(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
-    frames->area = frames->entry ? HATCH_NEW(arena, double, points, err) : NULL;
+    frames->transport_rad = frames->angle_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
+    frames->weight = frames->transport_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
+    frames->twin = frames->weight ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
+    frames->corner_entry = frames->twin ? HATCH_NEW_UNSET(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
+    frames->area = frames->corner_entry ? HATCH_NEW(arena, double, points, err) : NULL;
     frames->folded = frames->area ? HATCH_NEW(arena, bool, points, err) : NULL;
     return frames->folded ? HATCH_OK : HATCH_LIMIT;
 }
@@ -199,16 +200,16 @@ enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct
                                      struct hatch_arena *scratch, struct hatch_frames *frames, struct hatch_err *err)
 {
     struct hatch_frames made = {0};
-    struct corners of = {0};
+    struct corners measured = {0};
     HATCH_TRY(allocate(surface, arena, &made, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = measure_corners(surface, scratch, &of, &made, err);
+    enum hatch_status status = measure_corners(surface, scratch, &measured, &made, err);
     if (status == HATCH_OK) {
         for (uint32_t p = 0; p < surface->point_count; p++) {
-            measure_ring(surface, &of, p, &made);
+            measure_ring(surface, &measured, p, &made);
             hatch_vec_any_orthogonal(&made.normal[(size_t)p * 3], &made.axis[(size_t)p * 3]);
         }
-        join_entries(surface, &of, &made);
+        find_weights(surface, &measured, &made);
         *frames = made;
     }
     hatch_arena_rewind(scratch, mark);
@@ -221,7 +222,7 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
     HATCH_TRY(hatch_frames_begin(surface, arena, scratch, frames, err));
     for (uint32_t p = 0; p < surface->point_count; p++)
         hatch_frames_fit_axis(surface, p, frames);
-    hatch_frames_find_turns(surface, frames);
+    hatch_frames_find_transport(surface, frames);
     return HATCH_OK;
 }
 
@@ -244,9 +245,9 @@ void hatch_frames_direction(const struct hatch_frames *frames, uint32_t point, d
         direction[i] = c * axis[i] + s * side[i];
 }
 
-double hatch_frames_corner(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
-                           uint32_t i)
+double hatch_frames_corner_angle(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t point,
+                                 uint32_t i)
 {
     uint32_t next = i + 1 < surface->ring_first[point + 1] ? i + 1 : surface->ring_first[point];
-    return frames->angle_rad[next] - frames->angle_rad[i] + (next > i ? 0 : TURN);
+    return frames->angle_rad[next] - frames->angle_rad[i] + (next > i ? 0 : FULL_TURN);
 }

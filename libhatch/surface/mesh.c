@@ -1,28 +1,29 @@
-/* The surface as a mesh again. */
 #include "mesh/splits.h"
 #include "surface/surface.h"
 
 #define KEPT 1u
-#define TURNED 2u
+#define REVERSED 2u
 
-/* How a vertex's faces lie: KEPT and TURNED, or both. vertex: per corner. ways: zeros. */
-static void find_ways(const struct hatch_surface *s, const struct hatch_mesh *source, const uint32_t *vertex,
-                      uint8_t *ways)
+/* Finds whether the faces of each vertex were KEPT, REVERSED or both.
+ *   vertex        per corner
+ *   orientations  in: zeros; out: per vertex */
+static void find_orientations(const struct hatch_surface *s, const struct hatch_mesh *source, const uint32_t *vertex,
+                              uint8_t *orientations)
 {
     for (uint32_t corner = 0; corner < 3 * s->face_count; corner++) {
         uint32_t face = corner / 3;
-        bool turned = source->indices[(size_t)s->face_source[face] * 3 + 1] != s->corner_vertex[3 * face + 1];
-        ways[vertex[corner]] |= turned ? TURNED : KEPT;
+        bool reversed = source->indices[(size_t)s->face_source[face] * 3 + 1] != s->corner_vertex[3 * face + 1];
+        orientations[vertex[corner]] |= reversed ? REVERSED : KEPT;
     }
 }
 
-/* A tangent keeps its direction; its w turns with the normal, so that v falls as it did. */
-static void turn_normals(const uint8_t *ways, struct hatch_mesh *mesh)
+/* w of a tangent changes sign with the normal, which keeps the direction of falling v, w * (NORMAL × TANGENT). */
+static void flip_normals(const uint8_t *orientations, struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     float *tangents = hatch_mesh_find(mesh, "TANGENT", 4);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        if (ways[v] != TURNED)
+        if (orientations[v] != REVERSED)
             continue;
         for (size_t k = 0; normals && k < 3; k++)
             normals[v * 3 + k] = -normals[v * 3 + k];
@@ -57,19 +58,19 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     HATCH_TRY(hatch_mesh_gather(source, splits.origin, count, s->face_count, arena, &made, err));
     for (size_t i = 0; i < corners; i++)
         made.indices[i] = number[vertex[i]];
-    uint8_t *ways = HATCH_NEW(scratch, uint8_t, count, err);
-    if (!ways)
+    uint8_t *orientations = HATCH_NEW(scratch, uint8_t, count, err);
+    if (!orientations)
         return HATCH_LIMIT;
-    find_ways(s, source, made.indices, ways);
-    turn_normals(ways, &made);
+    find_orientations(s, source, made.indices, orientations);
+    flip_normals(orientations, &made);
     *mesh = made;
     *vertex_point = point;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                     uint32_t **vertex_point, struct hatch_err *err)
+enum hatch_status hatch_surface_to_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                        uint32_t **vertex_point, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = build(surface, source, arena, scratch, mesh, vertex_point, err);

@@ -5,7 +5,6 @@
 
 #include "math/vector.h"
 
-/* Each component has units of its own, in which the position is brought once. */
 uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3])
 {
     uint32_t nearest = 0;

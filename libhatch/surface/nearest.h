@@ -1,15 +1,15 @@
-/* Points of a surface by place and by vertex. */
-#ifndef HATCH_TOPO_NEAREST_H
-#define HATCH_TOPO_NEAREST_H
+/* Points of a surface by position and by vertex. */
+#ifndef HATCH_SURFACE_NEAREST_H
+#define HATCH_SURFACE_NEAREST_H
 
 #include "surface/surface.h"
 
-/* The point nearest to a position in the mesh's units; the lowest number among equals. Looks at
- * all points. */
+/* Returns the point nearest to a position in mesh units; of equally near points the lowest. Tests every point. */
 uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3]);
 
-/* points[v]: the first point that vertex v of the mesh became, or HATCH_NO_SIDE when no face uses it.
- * points: vertex_count, the mesh's. */
+/* Finds the lowest point made from each vertex of the mesh.
+ *   vertex_count  of the mesh
+ *   points        out: per vertex, its point, or HATCH_NO_SIDE when no face uses the vertex */
 void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count, uint32_t *points);
 
 #endif

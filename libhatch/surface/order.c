@@ -2,67 +2,67 @@
 
 #include "surface/surface.h"
 
-#define PATCH 256u
-#define WAITING UINT32_MAX
+#define BLOCK_POINTS 256u /* at most */
+#define QUEUED UINT32_MAX
 
 struct numbering {
     const struct hatch_surface *surface;
-    uint32_t count, *order; /* points numbered, by their new numbers */
-    uint32_t *made;         /* per point: the new number plus one, WAITING, or 0: not met */
-    uint32_t *waiting;      /* points that patches may begin at */
-    uint32_t wait_count;
+    uint32_t count, *order; /* the points numbered so far */
+    uint32_t *state;        /* per point: the new number plus one, QUEUED, or 0: unvisited */
+    uint32_t *queue;        /* where blocks may start */
+    uint32_t queue_count;
 };
 
 static void number_point(struct numbering *n, uint32_t point)
 {
     n->order[n->count++] = point;
-    n->made[point] = n->count;
+    n->state[point] = n->count;
 }
 
-/* A walk from neighbour to neighbour numbers what it meets until the patch is full, and leaves the rest to others. */
-static void number_patch(struct numbering *n, uint32_t seed)
+/* Numbers points in breadth-first order until the block is full; the neighbours it leaves over are queued. */
+static void number_block(struct numbering *n, uint32_t start)
 {
     const uint32_t *ring_first = n->surface->ring_first;
     uint32_t first = n->count;
-    number_point(n, seed);
+    number_point(n, start);
     for (uint32_t next = first; next < n->count; next++)
         for (uint32_t p = n->order[next], i = ring_first[p]; i < ring_first[p + 1]; i++) {
             uint32_t q = n->surface->ring_point[i];
-            if (n->made[q] != 0 && n->made[q] != WAITING)
+            if (n->state[q] != 0 && n->state[q] != QUEUED)
                 continue;
-            if (n->count - first < PATCH) {
+            if (n->count - first < BLOCK_POINTS) {
                 number_point(n, q);
-            } else if (n->made[q] == 0) {
-                n->made[q] = WAITING;
-                n->waiting[n->wait_count++] = q;
+            } else if (n->state[q] == 0) {
+                n->state[q] = QUEUED;
+                n->queue[n->queue_count++] = q;
             }
         }
 }
 
-/* Patch by patch: one walk over all (Cuthill & McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969)
- * puts a whole front between neighbours. */
+/* Numbers block by block: a single breadth-first traversal (Cuthill & McKee, "Reducing the bandwidth of sparse
+ * symmetric matrices", 1969) would put a whole front between neighbours. */
 static void number_points(struct numbering *n)
 {
     for (uint32_t start = 0; start < n->surface->point_count; start++) {
-        if (n->made[start] != 0)
+        if (n->state[start] != 0)
             continue;
-        n->waiting[0] = start;
-        n->wait_count = 1;
-        for (uint32_t next = 0; next < n->wait_count; next++) {
-            uint32_t seed = n->waiting[next];
-            if (n->made[seed] == 0 || n->made[seed] == WAITING)
-                number_patch(n, seed);
+        n->queue[0] = start;
+        n->queue_count = 1;
+        for (uint32_t next = 0; next < n->queue_count; next++) {
+            uint32_t p = n->queue[next];
+            if (n->state[p] == 0 || n->state[p] == QUEUED)
+                number_block(n, p);
         }
     }
 }
 
-enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena, uint32_t *order,
-                                      uint32_t *number, struct hatch_err *err)
+enum hatch_status hatch_surface_order_points(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                             uint32_t *order, uint32_t *number, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    struct numbering numbering = {.surface = surface, .order = order, .made = number};
-    numbering.waiting = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    if (!numbering.waiting)
+    struct numbering numbering = {.surface = surface, .order = order, .state = number};
+    numbering.queue = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
+    if (!numbering.queue)
         return HATCH_LIMIT;
     memset(number, 0, surface->point_count * sizeof *number);
     number_points(&numbering);

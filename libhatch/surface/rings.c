@@ -1,44 +1,41 @@
-/* The ring of each point, by going from face to face around it. */
-
 #include "surface/work.h"
 
-/* Where a walk around a point stands: the point's corner of a face, and whether the face is clockwise for
- * the point's ring. */
-struct place {
-    uint32_t corner;
-    bool flipped;
+/* The state of a walk around a point. */
+struct walk {
+    uint32_t corner; /* the point's corner in the current face */
+    bool flipped;    /* whether the face is clockwise seen from the outside of the ring */
 };
 
-/* The side over which a counter-clockwise walk enters or leaves the face. */
-static uint32_t side_of(struct place at, bool leave)
+/* Returns the side over which a counter-clockwise walk enters or leaves the face. */
+static uint32_t side_of(struct walk at, bool leave)
 {
     return leave != at.flipped ? hatch_side_end(hatch_side_end(at.corner)) : at.corner;
 }
 
-/* The end of a side that is not the point. */
+/* Returns the end of a side that is not the point. */
 static uint32_t far_end(const struct hatch_surface *s, uint32_t side, uint32_t point)
 {
     return s->corners[side] == point ? s->corners[hatch_side_end(side)] : s->corners[side];
 }
 
-/* Goes on to the next face, counter-clockwise or clockwise; false at a border. */
-static bool step(const struct hatch_surface *s, bool counter_clockwise, struct place *at)
+/* Moves to the next face, counter-clockwise or clockwise. Returns false at a border. */
+static bool step(const struct hatch_surface *s, bool counter_clockwise, struct walk *at)
 {
     uint32_t side = side_of(*at, counter_clockwise), other = s->opposite[side];
     uint32_t point = s->corners[at->corner];
     if (other == HATCH_NO_SIDE)
         return false;
-    at->flipped = at->flipped != hatch_sides_contrary(s, side, other);
+    at->flipped = at->flipped != hatch_surface_is_contrary(s, side, other);
     at->corner = s->corners[other] == point ? other : hatch_side_end(other);
     return true;
 }
 
-/* The outside is that of the point's first face; an open ring starts at its clockwise end. Returns where
- * the ring ends. */
-static uint32_t walk(struct hatch_surface *s, uint32_t first_corner, uint32_t entry, uint8_t *corner_flipped)
+/* Writes the ring of a point from an entry on; an open ring starts at its clockwise end. Returns the entry after its
+ * last. */
+static uint32_t fill_ring(struct hatch_surface *s, uint32_t first_corner, uint32_t entry, uint8_t *corner_flipped)
 {
     uint32_t point = s->corners[first_corner];
-    struct place at = {.corner = first_corner};
+    struct walk at = {.corner = first_corner};
     bool inside;
     do
         inside = step(s, false, &at);
@@ -77,12 +74,12 @@ static uint32_t count_entries(const struct hatch_surface *s)
 {
     uint32_t count = 3 * s->face_count;
     for (uint32_t side = 0; side < 3 * s->face_count; side++)
-        count += s->opposite[side] == HATCH_NO_SIDE; /* as many border points as border sides */
+        count += s->opposite[side] == HATCH_NO_SIDE; /* there are as many border points as border sides */
     return count;
 }
 
-enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                      struct hatch_err *err)
+enum hatch_status hatch_surface_make_rings(struct hatch_surface *s, struct hatch_arena *arena,
+                                           struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t entries = count_entries(s);
     s->ring_first = HATCH_NEW(arena, uint32_t, (size_t)s->point_count + 1, err);
@@ -97,7 +94,7 @@ enum hatch_status hatch_surface_rings(struct hatch_surface *s, struct hatch_aren
     for (uint32_t corner = 3 * s->face_count; corner-- > 0;)
         first_corner[s->corners[corner]] = corner;
     for (uint32_t p = 0; p < s->point_count; p++)
-        s->ring_first[p + 1] = walk(s, first_corner[p], s->ring_first[p], corner_flipped);
+        s->ring_first[p + 1] = fill_ring(s, first_corner[p], s->ring_first[p], corner_flipped);
     find_turned(s, corner_flipped);
     return HATCH_OK;
 }

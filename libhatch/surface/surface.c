@@ -24,7 +24,7 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
     return HATCH_OK;
 }
 
-/* Vertices that no face uses, and those of one position that faces do use. */
+/* Counts the vertices that no face uses, and those welded among the others. */
 static enum hatch_status count_vertices(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
                                         struct hatch_err *err)
 {
@@ -48,18 +48,18 @@ static enum hatch_status count_vertices(struct hatch_surface_work *w, struct hat
 
 static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes, struct hatch_err *err)
 {
-    struct hatch_orientation turned;
+    struct hatch_orientation result;
     HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped, w->component,
-                                &turned, err));
-    w->component_count = turned.components;
-    notes->components = turned.components;
-    notes->flipped = turned.faces_flipped;
-    notes->contrary = turned.contrary_edges;
+                                &result, err));
+    w->component_count = result.components;
+    notes->components = result.components;
+    notes->flipped = result.faces_flipped;
+    notes->contrary = result.contrary_edges;
     return HATCH_OK;
 }
 
-/* Which pages of an edge of more than two faces agree is known once their faces have been turned; what
- * they join is then turned as a whole. */
+/* Faces at an edge with more than two faces can be paired once they are oriented; the components that pairs join are
+ * then oriented again as one. */
 static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
                                     struct hatch_err *err)
 {
@@ -67,13 +67,13 @@ static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_s
     HATCH_TRY(orient(w, notes, err));
     for (uint32_t e = 0; e < w->edges.count; e++)
         notes->edges_cut += w->edges.first[e + 1] - w->edges.first[e] > 2;
-    if (notes->edges_cut && hatch_surface_join_pages(w))
+    if (notes->edges_cut && hatch_surface_stitch_edges(w))
         return orient(w, notes, err);
     return HATCH_OK;
 }
 
-static enum hatch_status find_sheets(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
-                                     struct hatch_err *err)
+static enum hatch_status connect_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
+                                       struct hatch_err *err)
 {
     uint32_t faces = w->mesh->face_count;
     size_t corners = (size_t)faces * 3;
@@ -96,11 +96,11 @@ static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface
     HATCH_TRY(hatch_mesh_check(w->mesh, err));
     HATCH_TRY(find_faces(w, notes, err));
     HATCH_TRY(count_vertices(w, notes, err));
-    HATCH_TRY(find_sheets(w, notes, err));
-    HATCH_TRY(hatch_surface_arrange(w, surface, err));
-    hatch_surface_place(surface);
-    HATCH_TRY(hatch_surface_count(surface, w->scratch, err));
-    return hatch_surface_rings(surface, w->arena, w->scratch, err);
+    HATCH_TRY(connect_faces(w, notes, err));
+    HATCH_TRY(hatch_surface_build_components(w, surface, err));
+    hatch_surface_normalize(surface);
+    HATCH_TRY(hatch_surface_find_topology(surface, w->scratch, err));
+    return hatch_surface_make_rings(surface, w->arena, w->scratch, err);
 }
 
 enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
@@ -110,17 +110,17 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_surface_work work = {.mesh = mesh, .arena = arena, .scratch = scratch};
     struct hatch_surface made = {0};
-    struct hatch_surface_notes noted = {0};
-    enum hatch_status status = make(&work, &made, &noted, err);
+    struct hatch_surface_notes changes = {0};
+    enum hatch_status status = make(&work, &made, &changes, err);
     hatch_arena_rewind(scratch, mark);
     if (status != HATCH_OK)
         return status;
     *surface = made;
-    *notes = noted;
+    *notes = changes;
     return HATCH_OK;
 }
 
-void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])
+void hatch_surface_face_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])
 {
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     hatch_vec_triangle(&surface->points[(size_t)corner[0] * 3], &surface->points[(size_t)corner[1] * 3],

@@ -1,92 +1,99 @@
-/* The front door for meshes of any origin: what a mesh is once its dirt is gone. Everything that
- * works on surfaces (curvature, direction fields, patches) works on this, and on nothing else.
+/* Cleaned meshes. Algorithms on surfaces (curvature, direction fields, patches) take this structure and no other.
  *
- * Points are positions: vertices at one place are one point. Where a mesh is not manifold it is
- * cut: the faces of an edge of more than two are taken apart, and those that continue one another
- * joined two and two (the edge is then several, some of them borders); a point whose faces do not
- * hang together becomes several. So two points may be joined by several edges, and stand more than
- * once in each other's rings. What is left are components, each a surface with or without borders,
- * closed or not, orientable or not, each moved to its middle and scaled to mean edge 1, in
- * doubles: an offset of 10⁶ or a scale of 10^±20 changes nothing. Faces and points of a component
- * follow one another. */
-#ifndef HATCH_TOPO_SURFACE_H
-#define HATCH_TOPO_SURFACE_H
+ * Points are positions: vertices at one position are one point. Where the mesh is not manifold it is cut: the faces at
+ * an edge with more than two faces are separated, then joined again in pairs (the edge then occurs several times, some
+ * of them on a border); a point whose faces are not connected by edges becomes several points. So two points may be
+ * joined by several edges and occur repeatedly in each other's rings.
+ *
+ * The result is a set of connected components: manifold, with or without borders, orientable or not. Each is centred
+ * and scaled to mean edge length 1 in doubles, so that an offset of 10⁶ or a scale of 10^±20 does not matter.
+ * The faces and points of a component have consecutive numbers. */
+#ifndef HATCH_SURFACE_SURFACE_H
+#define HATCH_SURFACE_SURFACE_H
 
 #include "mesh/mesh.h"
 
-#define HATCH_NO_SIDE UINT32_MAX
+#define HATCH_NO_SIDE UINT32_MAX /* no side; also no face, point, node or ring entry */
 
 struct hatch_component {
     uint32_t first_point, point_count;
     uint32_t first_face, face_count;
     uint32_t border_loops;
-    int32_t euler; /* points - edges + faces */
+    int32_t euler; /* Euler characteristic: points - edges + faces */
     bool orientable;
-    double center[3]; /* of the box around it, in the mesh's units */
-    double scale;     /* the mesh's units for one unit here: the mean edge; over 0 */
+    double center[3]; /* of the bounding box, in mesh units */
+    double scale;     /* mesh units per surface unit: the mean edge length; over 0 */
 };
 
-/* Side 3 * f + c of face f runs from its corner c to corner (c + 1) % 3, as in mesh/edges.h. */
+/* Side 3 * f + c (a half-edge) runs from corner c of face f to corner (c + 1) % 3, as in mesh/edges.h.
+ * A contrary edge is one whose two faces cannot be oriented consistently; a Möbius strip has at least one. */
 struct hatch_surface {
     uint32_t point_count, face_count, component_count;
     struct hatch_component *components;
-    double *points;     /* 3 a point: (position - center) / scale */
-    uint32_t *corners;  /* 3 a face: points, counter-clockwise as far as neighbours can agree */
-    uint32_t *opposite; /* per side: the side of the other face, or HATCH_NO_SIDE on a border. The two run
-                           against each other, but the same way across a contrary edge (a Möbius strip has
-                           some): then their faces look to different sides. */
+    double *points;     /* 3 per point: (position - center) / scale */
+    uint32_t *corners;  /* 3 per face: points, counter-clockwise seen from outside */
+    uint32_t *opposite; /* per side: the other side of its edge, or HATCH_NO_SIDE on a border; of opposite direction,
+                           but of the same direction across a contrary edge */
     uint32_t *point_component;
-    uint32_t *corner_vertex; /* 3 a face: the mesh's vertex there */
-    uint32_t *face_source;   /* per face: the mesh's face */
+    uint32_t *corner_vertex; /* 3 per face: vertex of the mesh */
+    uint32_t *face_source;   /* per face: face of the mesh */
 
-    /* The ring of a point p, counter-clockwise seen from the side that its ring takes for outside:
-     * neighbours ring_point[ring_first[p]] .. ring_point[ring_first[p + 1] - 1]. ring_face[i] lies between
-     * neighbours i and i + 1 (cyclic); HATCH_NO_SIDE in the last place of an open ring, whose first and last
-     * neighbours lie on the border. ring_flipped[i]: ring_face[i] is clockwise for this ring (a contrary edge
-     * is near). A neighbour may stand in two rings of different outsides: ring_turned[i] is 1 when p's ring
-     * and that of neighbour i look to different sides. All zero on orientable components. */
-    uint32_t *ring_first; /* point_count + 1 */
-    uint32_t *ring_point, *ring_face;
-    uint8_t *ring_flipped, *ring_turned;
+    /* The ring of point p: its neighbours, counter-clockwise seen from the outside of the ring, which is the outside
+     * of p's first face. Entries are ring_first[p] .. ring_first[p + 1] - 1. The ring of a border point is open: its
+     * first and last neighbours lie on the border. */
+    uint32_t *ring_first;  /* point_count + 1 */
+    uint32_t *ring_point;  /* per entry: neighbour */
+    uint32_t *ring_face;   /* per entry: face between this neighbour and the next (cyclic); HATCH_NO_SIDE in the last
+                              entry of an open ring */
+    uint8_t *ring_flipped; /* per entry: 1 where ring_face is clockwise seen from the outside of the ring */
+    uint8_t *ring_turned;  /* per entry: 1 where the rings of p and of the neighbour have opposite outsides; this and
+                              ring_flipped are 0 on orientable components */
 };
 
-/* What was done, for one line of warning; 0 where nothing was. */
+/* Changes made by hatch_surface_make, for a warning; 0 where none. */
 struct hatch_surface_notes {
-    uint32_t welded;                              /* vertices that stood where another did */
-    uint32_t degenerate, duplicate, unreferenced; /* faces, faces, vertices left out */
-    uint32_t flipped;                             /* faces turned to agree with their neighbours */
-    uint32_t edges_cut;                           /* of more than two faces */
-    uint32_t points_split;                        /* where faces met that shared no edge */
-    uint32_t contrary;                            /* edges whose faces cannot agree: components with but one side */
-    uint32_t components;
+    uint32_t welded;       /* vertices merged with another at their position */
+    uint32_t degenerate;   /* faces without area, left out */
+    uint32_t duplicate;    /* repeated faces, left out */
+    uint32_t unreferenced; /* vertices without faces, left out */
+    uint32_t flipped;      /* faces reversed to agree with their neighbours */
+    uint32_t edges_cut;    /* edges with more than two faces */
+    uint32_t points_split; /* points where faces met that shared no edge */
+    uint32_t contrary;     /* contrary edges */
+    uint32_t components;   /* of the surface; not a change */
 };
 
-/* Makes the surface of a mesh that passes hatch_mesh_check, which is called first. Points are
- * welded where positions are equal (-0 is 0). A face is degenerate when a corner repeats or it has
- * no area in doubles; (a,b,c) and (a,c,b) are duplicates. Time and memory are linear but for one
- * sort. The surface keeps no pointer into the mesh. HATCH_BAD_INPUT when no face is left. */
+/* Makes the surface of a mesh, which hatch_mesh_check must accept. Vertices are welded where positions are equal
+ * (-0 equals 0). A face is degenerate when a corner repeats or its area is 0 in doubles; (a, b, c) and (a, c, b) are
+ * duplicates. Time and memory are linear but for one sort.
+ *   surface  out: arrays in arena, no pointer into the mesh
+ *   notes    out
+ * HATCH_BAD_INPUT when the check fails or no face remains. */
 enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_surface *surface,
                                      struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The mesh again, as the surface sees it: its face f, corner c is the surface's, with every
- * attribute of the mesh. A vertex that serves several points is given once for each.
- * *vertex_point: the point of each new vertex. Flipped faces keep the normals that the file gave
- * their vertices, turned where all of a vertex's faces were. */
-enum hatch_status hatch_surface_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                                     uint32_t **vertex_point, struct hatch_err *err) HATCH_MUST_USE;
+/* Converts a surface back to a mesh with the same faces and corners and all attributes of the source. A vertex used by
+ * several points is duplicated. NORMAL is negated, and with it w of TANGENT, at vertices all of whose faces were
+ * reversed.
+ *   source        mesh that the surface was made from
+ *   vertex_point  out: per vertex its point; in arena */
+enum hatch_status hatch_surface_to_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                        uint32_t **vertex_point, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Numbers the points so that neighbours lie near one another in memory: files order them as they like, and walks then
- * wait for memory most of the time. Components stay whole, in their order, each from its first point on. order: the
- * points by their new numbers; number: the new number of each point. A little memory: arena. */
-enum hatch_status hatch_surface_order(const struct hatch_surface *surface, struct hatch_arena *arena, uint32_t *order,
-                                      uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
+/* Numbers the points so that neighbours are close in memory: in the order of a file, traversals are bound by cache
+ * misses. Components stay consecutive, in their order, each starting at its first point.
+ *   arena   for temporary memory
+ *   order   out: per new number, the point; point_count entries
+ *   number  out: per point, its new number; point_count entries */
+enum hatch_status hatch_surface_order_points(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                             uint32_t *order, uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The normal of a face, counter-clockwise, as long as twice its area. */
-void hatch_surface_normal(const struct hatch_surface *surface, uint32_t face, double normal[3]);
+/* Computes the counter-clockwise normal of a face; its length is twice the area. */
+void hatch_surface_face_normal(const struct hatch_surface *surface, uint32_t face, double normal[3]);
 
-/* A point's position in the mesh's units. */
+/* Computes a point's position in mesh units. */
 void hatch_surface_position(const struct hatch_surface *surface, uint32_t point, double position[3]);
 
 #endif

@@ -47,7 +47,7 @@ for smooth in 0.1 0.3 0.6 0.9; do
 done
 
 try dirfield plane.glb -o flat.glb
-is "a plane has no direction, and that is said" "$status $(grep -c '100 % of the faces.*no direction of their own' .err)" "0 1"
+is "a plane has no direction, and that is said" "$status $(grep -c '100 % of the faces.*without a principal direction' .err)" "0 1"
 is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
 is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print ($1 < 1e-6)}')" 1
 
@@ -119,13 +119,13 @@ bad_row "line 2: 4 fields, want 5" "$head" '1\t1\t0\t0'
 bad_row "line 2: vertex 99999, want a whole number from 0 to $(($(hatchstat mesh plane.glb | column vertices) - 1))" \
     "$head" '99999\t1\t0\t0\t1'
 bad_row "line 2: weight 0, want over 0 and at most 1e+06" "$head" '1\t1\t0\t0\t0'
-bad_row "line 2: the direction has no length" "$head" '1\t0\t0\t0\t1'
-bad_row "line 2: the direction stands on the surface, as its normal does" "$head" '1\t0\t0\t5\t1'
-bad_row "header: 'wait' is no column of constraints" 'vertex\twait' '1\t1'
-bad_row "header: 'dx' stands twice" 'vertex\tdx\tdx' '1\t1'
-bad_row "header: no 'weight', want vertex, or x y z, and dx dy dz weight" 'vertex\tdx\tdy\tdz' '1'
-bad_row "header: vertex and 'y', want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
-bad_row "no header line" ''
+bad_row "line 2: the direction dx dy dz must not be zero" "$head" '1\t0\t0\t0\t1'
+bad_row "line 2: the direction is perpendicular to the surface" "$head" '1\t0\t0\t5\t1'
+bad_row "header: 'wait' is not a column; want vertex, or x y z, and dx dy dz weight" 'vertex\twait' '1\t1'
+bad_row "header: 'dx' appears twice" 'vertex\tdx\tdx' '1\t1'
+bad_row "header: no column 'weight'; want vertex, or x y z, and dx dy dz weight" 'vertex\tdx\tdy\tdz' '1'
+bad_row "header: 'vertex' excludes 'y'; want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
+bad_row "no header line; want vertex, or x y z, and dx dy dz weight" ''
 try dirfield plane.glb --constraints nonesuch.tsv -o out.glb
 refused "constraints that are missing" 4 1
 
@@ -177,7 +177,7 @@ awk 'BEGIN {
     }
 }' >moebius.obj
 try dirfield moebius.obj --direction 45 -o out.glb
-grep -q 'but one side' .err
+grep -q 'one-sided surface' .err
 is "a one-sided surface is not turned by 45 degrees" "$status $? $(wc -l <.err)" "3 0 2"
 try dirfield moebius.obj --direction min -o out.glb
 is "but by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"

@@ -1,4 +1,4 @@
-/* Shapes whose principal directions are known, and how far those that are found are from them. */
+/* Shapes with known principal directions, and the angles between these and the estimated ones. */
 #ifndef HATCH_TEST_CURVATURE_MAKE_H
 #define HATCH_TEST_CURVATURE_MAKE_H
 
@@ -26,9 +26,8 @@ static inline struct field_case case_with_truth(enum hatch_shape shape, uint32_t
 static inline struct hatch_curvature estimate_case(const struct field_case *of, double radius, uint32_t degree)
 {
     struct hatch_curvature found;
-    const struct hatch_curvature_options options = {radius, degree};
-    HATCH_TEST_OK(hatch_curvature_estimate(&of->surface, &of->frames, &options, NULL, &keep, &scratch, &found, &err),
-                  &err);
+    const struct hatch_curvature_options options = {.radius = radius, .degree = degree};
+    HATCH_TEST_OK(hatch_curvature_estimate(&of->surface, &of->frames, &options, &keep, &scratch, &found, &err), &err);
     return found;
 }
 
@@ -50,7 +49,8 @@ static inline int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Adds the angles between two fields, where the truth is defined; of border points alone when asked. */
+/* Adds the angles between a field and the known one, where that is defined.
+ *   border  only at border points */
 static inline void add_angles(struct angles *angles, const struct field_case *of, const double *direction, bool border)
 {
     double *more = HATCH_NEW(&keep, double, (size_t)angles->count + of->surface.point_count, &err);

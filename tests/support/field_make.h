@@ -1,4 +1,4 @@
-/* Surfaces to put fields on, and how far apart two fields are. */
+/* Surfaces with fields, and the angle between two fields. */
 #ifndef HATCH_TEST_FIELD_MAKE_H
 #define HATCH_TEST_FIELD_MAKE_H
 
@@ -16,7 +16,7 @@ struct field_case {
     struct hatch_mesh mesh;
     struct hatch_surface surface;
     struct hatch_frames frames;
-    double *direction, *confidence; /* per point: what a field may be asked to follow */
+    double *direction, *confidence; /* per point: data for a field to follow */
 };
 
 static inline struct field_case case_of(struct hatch_mesh mesh)
@@ -39,7 +39,8 @@ static inline struct field_case case_of_shape(enum hatch_shape shape, uint32_t f
     return case_of(mesh);
 }
 
-/* The true principal directions of a shape, each turned at random (a normal deviation of noise_rad). */
+/* Sets the data to the known principal directions of a shape, with noise.
+ *   noise_rad  standard deviation of the normally distributed angle */
 static inline void follow_truth(struct field_case *of, enum hatch_shape shape, double noise_rad, double confidence)
 {
     for (size_t i = 0; i < 3 * (size_t)of->surface.face_count; i++) {
@@ -58,10 +59,9 @@ static inline struct hatch_field solve_case(const struct field_case *of, enum ha
                                             enum hatch_field_solver solver, double smooth)
 {
     struct hatch_field field;
-    const struct hatch_field_data data = {of->direction, of->confidence, NULL, false};
+    const struct hatch_field_problem problem = {&of->surface, &of->frames, of->direction, of->confidence, NULL, false};
     const struct hatch_field_options options = {method, solver, smooth, 1e-8, 2000};
-    HATCH_TEST_OK(hatch_field_solve(&of->surface, &of->frames, &data, &options, NULL, &keep, &scratch, &field, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_field_solve(&problem, &options, &keep, &scratch, &field, &err), &err);
     return field;
 }
 
@@ -72,7 +72,7 @@ static inline struct hatch_singularities singularities_of(const struct field_cas
     return found;
 }
 
-/* The angle between two lines at a point, in its plane. */
+/* Returns the angle between two directions at a point, in its plane, 0 .. π/2. */
 static inline double line_angle(const struct field_case *of, uint32_t p, const double *a, const double *b)
 {
     return fabs(remainder(hatch_frames_angle(&of->frames, p, a) - hatch_frames_angle(&of->frames, p, b), PI));

@@ -1,4 +1,4 @@
-/* What must hold of every surface, and meshes to make them of. */
+/* Checks that every surface must pass. */
 #ifndef HATCH_TEST_SURFACE_CHECK_H
 #define HATCH_TEST_SURFACE_CHECK_H
 
@@ -14,7 +14,7 @@ static inline uint32_t surface_side_end(uint32_t side)
     return side % 3 == 2 ? side - 2 : side + 1;
 }
 
-/* Opposite is symmetric, joins the same two points, and on orientable parts runs against. */
+/* Opposite sides refer to each other, join the same points, and have opposite directions on orientable components. */
 static inline void surface_check_opposites(const struct hatch_surface *s)
 {
     for (uint32_t side = 0; side < 3 * s->face_count; side++) {
@@ -40,8 +40,8 @@ static inline uint32_t surface_corner_of(const struct hatch_surface *s, uint32_t
     return 0;
 }
 
-/* Every corner of a point stands once in its ring; each face lies between its two neighbours, first to
- * second counter-clockwise unless flipped; an open ring begins and ends on the border. */
+/* Every corner of a point occurs once in its ring; each face lies between its two neighbours, counter-clockwise from
+ * the first to the second unless flipped; an open ring begins and ends on the border. */
 static inline void surface_check_ring(const struct hatch_surface *s, uint32_t p, uint32_t corner_count)
 {
     uint32_t first = s->ring_first[p], count = s->ring_first[p + 1] - first, faces = 0;
@@ -65,7 +65,7 @@ static inline void surface_check_ring(const struct hatch_surface *s, uint32_t p,
     ck_assert(count == faces || s->ring_face[first + count - 1] == HATCH_NO_SIDE);
 }
 
-/* Looked at from both ends an edge is turned or is not. */
+/* ring_turned is the same at both ends of an edge. */
 static inline void surface_check_turned(const struct hatch_surface *s, uint32_t p)
 {
     for (uint32_t i = s->ring_first[p]; i < s->ring_first[p + 1]; i++) {
@@ -80,8 +80,8 @@ static inline void surface_check_turned(const struct hatch_surface *s, uint32_t 
     }
 }
 
-/* Components follow one another; their figures are those of their faces. */
-static inline void surface_check_parts(const struct hatch_surface *s)
+/* The points and faces of components are consecutive; their scale and topology are those of their faces. */
+static inline void surface_check_components(const struct hatch_surface *s)
 {
     uint32_t point = 0, face = 0;
     for (uint32_t c = 0; c < s->component_count; c++) {
@@ -120,7 +120,7 @@ static inline void surface_check_parts(const struct hatch_surface *s)
     ck_assert_uint_eq(face, s->face_count);
 }
 
-/* Corners are the mesh's, turned or not; points stand where the mesh's vertices do. */
+/* Corners are those of the mesh, flipped or not; points have the positions of the vertices of the mesh. */
 static inline void surface_check_source(const struct hatch_mesh *mesh, const struct hatch_surface *s)
 {
     double place[3], want[3];
@@ -148,7 +148,7 @@ static inline void surface_check(const struct hatch_mesh *mesh, const struct hat
     }
     surface_check_source(mesh, s);
     surface_check_opposites(s);
-    surface_check_parts(s);
+    surface_check_components(s);
     for (uint32_t p = 0; p < s->point_count; p++) {
         surface_check_ring(s, p, corners[p]);
         surface_check_turned(s, p);
@@ -158,7 +158,7 @@ static inline void surface_check(const struct hatch_mesh *mesh, const struct hat
 
 static struct hatch_surface_notes notes;
 
-/* The mesh's surface, checked; notes says what was done to it. */
+/* Makes and checks the surface of a mesh; sets notes. */
 static inline struct hatch_surface surface_of(const struct hatch_mesh *mesh)
 {
     struct hatch_surface surface;

@@ -5,7 +5,7 @@
 #include "surface_check.h"
 #include "curvature/curvature.h"
 
-/* A roof of two squares that turns by an angle at its ridge, points 2 and 3. */
+/* Two squares that meet at a dihedral angle, along points 2 and 3. */
 static struct hatch_mesh roof(double degrees)
 {
     double turn = degrees * 3.14159265358979323846 / 180;
@@ -19,8 +19,8 @@ static struct hatch_mesh roof(double degrees)
     return mesh_of(at[0], 6, corners, 4);
 }
 
-/* How many of its points lose their confidence. */
-static uint32_t doubted(const struct hatch_mesh *mesh)
+/* Counts the points whose confidence is set to 0. */
+static uint32_t count_cleared(const struct hatch_mesh *mesh)
 {
     double confidence[32];
     struct hatch_curvature curvature = {.confidence = confidence};
@@ -29,7 +29,7 @@ static uint32_t doubted(const struct hatch_mesh *mesh)
     ck_assert_uint_le(surface.point_count, 32);
     for (uint32_t p = 0; p < surface.point_count; p++)
         confidence[p] = 0.5;
-    hatch_curvature_doubt_creases(&surface, 3.14159265358979323846 / 3, &curvature);
+    hatch_curvature_clear_crease_confidence(&surface, 3.14159265358979323846 / 3, &curvature);
     for (uint32_t p = 0; p < surface.point_count; p++) {
         double position[3];
         hatch_surface_position(&surface, p, position);
@@ -40,22 +40,22 @@ static uint32_t doubted(const struct hatch_mesh *mesh)
     return count;
 }
 
-START_TEST(only_hard_edges_are_doubted)
+START_TEST(only_creases_lose_confidence)
 {
     static const double sharp[] = {61, 90, 150, -61, -90}, soft[] = {0, 45, 59, -59};
     for (size_t i = 0; i < sizeof sharp / sizeof *sharp; i++) {
         struct hatch_mesh mesh = roof(sharp[i]);
-        ck_assert_uint_eq(doubted(&mesh), 2);
+        ck_assert_uint_eq(count_cleared(&mesh), 2);
     }
     for (size_t i = 0; i < sizeof soft / sizeof *soft; i++) {
         struct hatch_mesh mesh = roof(soft[i]);
-        ck_assert_uint_eq(doubted(&mesh), 0);
+        ck_assert_uint_eq(count_cleared(&mesh), 0);
     }
 }
 END_TEST
 
-/* A flat ring of squares whose ends meet as those of a Moebius strip do has a contrary edge, which is flat. */
-START_TEST(a_contrary_edge_is_not_hard)
+/* A Möbius strip has a contrary edge; the dihedral angles of this one are small. */
+START_TEST(a_contrary_edge_is_no_crease)
 {
     struct hatch_mesh mesh;
     HATCH_TEST_OK(hatch_mesh_make(&keep, 24, 24, &mesh, &err), &err);
@@ -72,17 +72,17 @@ START_TEST(a_contrary_edge_is_not_hard)
         const uint32_t corners[6] = {a, c, d, a, d, b};
         memcpy(&mesh.indices[(size_t)i * 6], corners, sizeof corners);
     }
-    ck_assert_uint_eq(doubted(&mesh), 0);
+    ck_assert_uint_eq(count_cleared(&mesh), 0);
 }
 END_TEST
 
 static Suite *suite(void)
 {
-    Suite *made = suite_create("topo creases");
+    Suite *made = suite_create("creases");
     TCase *tests = tcase_create("creases");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, only_hard_edges_are_doubted);
-    tcase_add_test(tests, a_contrary_edge_is_not_hard);
+    tcase_add_test(tests, only_creases_lose_confidence);
+    tcase_add_test(tests, a_contrary_edge_is_no_crease);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,7 +1,7 @@
 #include "fail_alloc.h"
 #include "curvature_make.h"
 
-START_TEST(directions_of_clean_shapes)
+START_TEST(directions_of_clean_shapes_are_accurate)
 {
     struct angles all = {0}, border = {0};
     for (int s = 0; s < 5; s++) {
@@ -16,7 +16,7 @@ START_TEST(directions_of_clean_shapes)
 }
 END_TEST
 
-START_TEST(values_are_those_of_the_formulas)
+START_TEST(curvatures_match_the_formulas)
 {
     for (int s = 0; s < 5; s++) {
         struct field_case of = case_with_truth(bent[s], 6000, 0);
@@ -27,7 +27,7 @@ START_TEST(values_are_those_of_the_formulas)
             hatch_surface_position(&of.surface, p, at);
             hatch_shape_curvature(bent[s], at, normal, line, want);
             const double *value = &found.value[2 * (size_t)p];
-            /* Where the two are equally large either may be first. */
+            /* Either may come first where they are equally large. */
             bool swapped = fabs(value[0] / scale - want[0]) > fabs(value[1] / scale - want[0]);
             for (int k = 0; k < 2; k++)
                 ck_assert_msg(fabs(value[swapped ? 1 - k : k] / scale - want[k]) < 0.05 * (fabs(want[k]) + 1),
@@ -40,7 +40,7 @@ START_TEST(values_are_those_of_the_formulas)
 }
 END_TEST
 
-START_TEST(what_has_no_direction_has_no_confidence)
+START_TEST(planes_and_spheres_have_no_confidence)
 {
     const enum hatch_shape shapes[2] = {HATCH_SHAPE_PLANE, HATCH_SHAPE_SPHERE};
     const double fixed[3] = {0, 2.6, 6};
@@ -59,8 +59,8 @@ START_TEST(what_has_no_direction_has_no_confidence)
 }
 END_TEST
 
-/* On a saddle's diagonals either of two opposite curvatures may come first: the direction is less certain. */
-START_TEST(ties_are_uncertain)
+/* On a saddle's diagonals the curvatures are opposite, either may come first: the direction is less certain. */
+START_TEST(opposite_curvatures_are_uncertain)
 {
     struct field_case of = case_with_truth(HATCH_SHAPE_SADDLE, 6000, 0.05f);
     struct hatch_curvature found = estimate_case(&of, 0, 0);
@@ -73,16 +73,16 @@ START_TEST(ties_are_uncertain)
         double apart = fabs(fabs(value[0]) - fabs(value[1])) / (fabs(value[0]) + fabs(value[1]));
         if (apart > 0.005 && apart < 0.3)
             continue;
-        sum[apart >= 0.3] += found.deviation_rad[p];
+        sum[apart >= 0.3] += found.standard_error_rad[p];
         count[apart >= 0.3]++;
     }
     ck_assert_double_gt(sum[0] / count[0], 3 * sum[1] / count[1]);
 }
 END_TEST
 
-/* The error expected is about the error, on clean and on noisy points: half of a normal deviate's values are below .67
- * of its deviation. */
-START_TEST(deviation_is_the_error)
+/* The standard error predicts the error, on clean and on noisy points: the median error of a normal distribution is
+ * 0.67 standard deviations. */
+START_TEST(the_standard_error_predicts_the_error)
 {
     const float noises[3] = {0, 0.05f, 0.2f};
     for (int n = 0; n < 3; n++) {
@@ -95,10 +95,10 @@ START_TEST(deviation_is_the_error)
             hatch_surface_position(&of.surface, p, at);
             hatch_shape_curvature(HATCH_SHAPE_CYLINDER, at, normal, line, value);
             hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, normal), normal, laid);
-            ratios.degrees[ratios.count++] = degrees_apart(laid, line) * PI / 180 / found.deviation_rad[p];
+            ratios.degrees[ratios.count++] = degrees_apart(laid, line) * PI / 180 / found.standard_error_rad[p];
         }
         double median = percentile(&ratios, 0.5);
-        ck_assert_msg(median > 0.05 && median < 1.3, "noise %g: the error's median is %g of what was expected",
+        ck_assert_msg(median > 0.05 && median < 1.3, "noise %g: the error's median is %g of the standard error",
                       (double)noises[n], median);
     }
 }
@@ -118,7 +118,7 @@ START_TEST(supports_grow_with_noise)
 }
 END_TEST
 
-/* The same mesh turned, scaled and moved. Floats round it anew: a little noise. */
+/* The same mesh rotated, scaled and moved. Rounding to floats adds a little noise. */
 static struct field_case moved(const struct hatch_mesh *mesh, const double turn[3][3], double scale, double offset)
 {
     struct hatch_mesh copy = *mesh;
@@ -134,7 +134,7 @@ static struct field_case moved(const struct hatch_mesh *mesh, const double turn[
     return case_of(copy);
 }
 
-START_TEST(turning_scaling_moving_change_nothing)
+START_TEST(rotation_scale_and_offset_do_not_matter)
 {
     static const double turn[3][3] = {
         {2.0 / 3, -1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3, -1.0 / 3}, {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
@@ -176,20 +176,18 @@ START_TEST(higher_degrees_are_more_accurate_on_clean_points)
 }
 END_TEST
 
-START_TEST(threads_change_nothing)
+START_TEST(threads_do_not_matter)
 {
     struct field_case of = case_with_truth(HATCH_SHAPE_ELLIPSOID, 5000, 0.1f);
-    const struct hatch_curvature_options options[2] = {{0, 0}, {5, 3}};
+    struct hatch_curvature_options options[2] = {{.radius = 0}, {.radius = 5, .degree = 3}};
     for (int o = 0; o < 2; o++) {
         struct hatch_curvature one = estimate_case(&of, options[o].radius, options[o].degree);
         for (uint32_t threads = 2; threads <= 8; threads += 3) {
-            struct hatch_pool *pool;
             struct hatch_curvature many;
-            HATCH_TEST_OK(hatch_pool_make(threads, &keep, &pool, &err), &err);
-            HATCH_TEST_OK(
-                hatch_curvature_estimate(&of.surface, &of.frames, &options[o], pool, &keep, &scratch, &many, &err),
-                &err);
-            hatch_pool_free(pool);
+            HATCH_TEST_OK(hatch_pool_make(threads, &keep, &options[o].pool, &err), &err);
+            HATCH_TEST_OK(hatch_curvature_estimate(&of.surface, &of.frames, &options[o], &keep, &scratch, &many, &err),
+                          &err);
+            hatch_pool_free(options[o].pool);
             size_t points = of.surface.point_count;
             ck_assert_mem_eq(many.direction, one.direction, points * 24);
             ck_assert_mem_eq(many.confidence, one.confidence, points * 8);
@@ -206,11 +204,11 @@ static void check_numbers(const struct field_case *of, const struct hatch_curvat
         ck_assert_double_eq_tol(hatch_vec_length(&found->normal[3 * (size_t)p]), 1, 1e-9);
         ck_assert(isfinite(found->value[2 * (size_t)p]) && isfinite(found->value[2 * (size_t)p + 1]));
         ck_assert(found->confidence[p] >= 0 && found->confidence[p] <= 1);
-        ck_assert(found->deviation_rad[p] >= 0 && found->deviation_rad[p] <= PI / 4 + 1e-12);
+        ck_assert(found->standard_error_rad[p] >= 0 && found->standard_error_rad[p] <= PI / 4 + 1e-12);
     }
 }
 
-START_TEST(small_and_one_sided_surfaces_have_numbers)
+START_TEST(small_and_one_sided_surfaces_have_finite_values)
 {
     struct hatch_mesh mesh;
     HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &mesh, &err), &err);
@@ -229,13 +227,13 @@ START_TEST(small_and_one_sided_surfaces_have_numbers)
 }
 END_TEST
 
-/* The frames that follow noisy faces and those that lean: what a field turns around a closed surface is the same. */
-START_TEST(leaning_frames_keep_the_index)
+/* The indices of a field sum to the Euler characteristic on frames with the normals of the fits, too. */
+START_TEST(fitted_normals_keep_the_sum_of_indices)
 {
     for (int s = 0; s < 5; s++) {
         struct field_case of = case_with_truth(bent[s], 3000, 0.2f);
         struct hatch_curvature found = estimate_case(&of, 0, 0);
-        HATCH_TEST_OK(hatch_frames_lean(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
+        HATCH_TEST_OK(hatch_frames_set_normals(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
         struct hatch_singularities singular = singularities_of(&of, found.direction);
         ck_assert_int_eq(singular.component_half_turns[0], 2 * of.surface.components[0].euler);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
@@ -247,7 +245,7 @@ START_TEST(leaning_frames_keep_the_index)
 }
 END_TEST
 
-START_TEST(a_simplified_mesh_gives_rough_directions)
+START_TEST(a_simplified_mesh_gives_approximate_directions)
 {
     struct field_case of = case_with_truth(HATCH_SHAPE_TORUS, 10000, 0);
     struct hatch_mesh coarse = shape_of(HATCH_SHAPE_TORUS, 1500);
@@ -266,8 +264,8 @@ static enum hatch_status estimate_with(void *context, struct hatch_arena *result
                                        struct hatch_err *error)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, 300, 1);
-    const struct hatch_curvature_options adaptive = {0, 0};
-    return hatch_curvature_estimate(&of.surface, &of.frames, &adaptive, NULL, results, temporary, context, error);
+    const struct hatch_curvature_options adaptive = {0};
+    return hatch_curvature_estimate(&of.surface, &of.frames, &adaptive, results, temporary, context, error);
 }
 
 static enum hatch_status coarse_with(void *context, struct hatch_arena *results, struct hatch_arena *temporary,
@@ -277,7 +275,7 @@ static enum hatch_status coarse_with(void *context, struct hatch_arena *results,
     return hatch_curvature_coarse(&of.surface, &of.frames, &of.mesh, results, temporary, context, error);
 }
 
-START_TEST(every_failed_allocation_is_survived)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_curvature found = {0};
     hatch_test_fail_alloc(estimate_with, &found, &found, sizeof found);
@@ -287,22 +285,22 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *all = suite_create("topo curvature");
+    Suite *all = suite_create("curvature");
     TCase *tests = tcase_create("curvature");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, directions_of_clean_shapes);
-    tcase_add_test(tests, values_are_those_of_the_formulas);
-    tcase_add_test(tests, what_has_no_direction_has_no_confidence);
-    tcase_add_test(tests, ties_are_uncertain);
-    tcase_add_test(tests, deviation_is_the_error);
+    tcase_add_test(tests, directions_of_clean_shapes_are_accurate);
+    tcase_add_test(tests, curvatures_match_the_formulas);
+    tcase_add_test(tests, planes_and_spheres_have_no_confidence);
+    tcase_add_test(tests, opposite_curvatures_are_uncertain);
+    tcase_add_test(tests, the_standard_error_predicts_the_error);
     tcase_add_test(tests, supports_grow_with_noise);
-    tcase_add_test(tests, turning_scaling_moving_change_nothing);
+    tcase_add_test(tests, rotation_scale_and_offset_do_not_matter);
     tcase_add_test(tests, higher_degrees_are_more_accurate_on_clean_points);
-    tcase_add_test(tests, threads_change_nothing);
-    tcase_add_test(tests, small_and_one_sided_surfaces_have_numbers);
-    tcase_add_test(tests, leaning_frames_keep_the_index);
-    tcase_add_test(tests, a_simplified_mesh_gives_rough_directions);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, threads_do_not_matter);
+    tcase_add_test(tests, small_and_one_sided_surfaces_have_finite_values);
+    tcase_add_test(tests, fitted_normals_keep_the_sum_of_indices);
+    tcase_add_test(tests, a_simplified_mesh_gives_approximate_directions);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(all, tests);
     return all;
 }

@@ -1,26 +1,25 @@
-#include "base/parallel.h"
 #include "fail_alloc.h"
 #include "field_make.h"
 
 #define DEG (PI / 180)
 
-/* One line given by hand on a plane makes all others like it. */
-START_TEST(one_constraint_on_a_plane_is_everybodys)
+/* One constraint on a plane determines the whole field. */
+START_TEST(one_constraint_determines_the_field_of_a_plane)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 800, 1);
     const double line[3] = {3, 4, 0};
-    double *hard = HATCH_NEW(&keep, double, of.surface.point_count, &err);
-    hard[of.surface.point_count / 3] = 10;
+    double *constraint_weight = HATCH_NEW(&keep, double, of.surface.point_count, &err);
+    constraint_weight[of.surface.point_count / 3] = 10;
     hatch_vec_copy(line, &of.direction[of.surface.point_count / 3 * 3]);
-    const struct hatch_field_data data = {of.direction, of.confidence, hard, false};
+    const struct hatch_field_problem problem = {&of.surface,   &of.frames,        of.direction,
+                                                of.confidence, constraint_weight, false};
     for (int k = 0; k < 3; k++) {
         const struct hatch_field_options options = {k == 2 ? HATCH_FIELD_HZ : HATCH_FIELD_LINEAR,
                                                     k == 1 ? HATCH_FIELD_CHOLESKY : HATCH_FIELD_MULTIGRID, 0.5, 1e-10,
                                                     5000};
         struct hatch_field field;
-        HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
-                      &err);
-        ck_assert_uint_eq(field.undirected, 0);
+        HATCH_TEST_OK(hatch_field_solve(&problem, &options, &keep, &scratch, &field, &err), &err);
+        ck_assert_uint_eq(field.unconstrained, 0);
         for (uint32_t p = 0; p < of.surface.point_count; p++) {
             ck_assert_double_lt(line_angle(&of, p, &field.direction[3 * (size_t)p], line), 1e-3 * DEG);
             ck_assert_double_eq_tol(field.confidence[p], 1, 1e-4);
@@ -29,7 +28,7 @@ START_TEST(one_constraint_on_a_plane_is_everybodys)
 }
 END_TEST
 
-/* Indices sum to the Euler characteristic, whatever the field: also a random one. */
+/* The indices of any field, also a random one, sum to the Euler characteristic. */
 static void check_sums(const struct field_case *of, const double *direction)
 {
     struct hatch_singularities found = singularities_of(of, direction);
@@ -65,14 +64,13 @@ START_TEST(indices_sum_to_the_euler_characteristic)
         if (of->surface.component_count == 1)
             check_sums(of, of->direction);
         struct hatch_field smooth = solve_case(of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5);
-        ck_assert_uint_eq(smooth.undirected, of->surface.component_count);
+        ck_assert_uint_eq(smooth.unconstrained, of->surface.component_count);
         if (of->surface.component_count == 1)
             check_sums(of, smooth.direction);
     }
 }
 END_TEST
 
-/* Without data: the smoothest field there is, and said so. */
 START_TEST(smoothest_fields_have_the_fewest_singularities)
 {
     const struct {
@@ -92,7 +90,7 @@ START_TEST(smoothest_fields_have_the_fewest_singularities)
         struct hatch_singularities found = singularities_of(&known[k].of, field.direction);
         ck_assert_msg(found.count == known[k].singularities, "case %zu: %u singularities", k, found.count);
         ck_assert_msg(field.energy[0] <= known[k].energy_max, "case %zu: energy %g", k, field.energy[0]);
-        ck_assert_uint_eq(field.undirected, 1);
+        ck_assert_uint_eq(field.unconstrained, 1);
         ck_assert_double_eq(field.energy[1], 0);
         for (uint32_t p = 0; p < known[k].of.surface.point_count; p++)
             ck_assert_double_eq(field.confidence[p], 0);
@@ -102,8 +100,8 @@ END_TEST
 
 static const enum hatch_shape analytic[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOID, HATCH_SHAPE_CYLINDER};
 
-/* Directions that are wrong by 20 degrees, normally distributed: four half turns on the ellipsoid, none elsewhere. */
-START_TEST(noise_is_smoothed_and_leaves_the_right_singularities)
+/* Normally distributed errors of 20 degrees. Four singularities of index 1/2 on the ellipsoid, none elsewhere. */
+START_TEST(noise_is_smoothed_without_extra_singularities)
 {
     for (size_t k = 0; k < 3; k++) {
         struct field_case of = case_of_shape(analytic[k], 4000, 1);
@@ -124,7 +122,7 @@ START_TEST(noise_is_smoothed_and_leaves_the_right_singularities)
 }
 END_TEST
 
-START_TEST(multigrid_finds_what_cholesky_finds)
+START_TEST(multigrid_and_cholesky_agree)
 {
     struct field_case cases[] = {case_of_shape(HATCH_SHAPE_ELLIPSOID, 2000, 1), case_of(band(60, 6, true))};
     follow_truth(&cases[0], HATCH_SHAPE_ELLIPSOID, 30 * DEG, 0.02);
@@ -138,13 +136,13 @@ START_TEST(multigrid_finds_what_cholesky_finds)
             struct hatch_field a = solve_case(&cases[k], HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, smooth / 4.0);
             struct hatch_field b = solve_case(&cases[k], HATCH_FIELD_LINEAR, HATCH_FIELD_CHOLESKY, smooth / 4.0);
             ck_assert_double_lt(largest_angle(&cases[k], a.direction, b.direction), 0.01 * DEG);
-            ck_assert_double_eq_tol(a.solved, b.solved, 1e-6 * b.solved);
+            ck_assert_double_eq_tol(a.solution_energy, b.solution_energy, 1e-6 * b.solution_energy);
             ck_assert_uint_lt(a.iterations, 60);
         }
 }
 END_TEST
 
-/* No unit field is below the minimum over all; and the energies given are those of the field given. */
+/* The minimum of linear is over more fields than that of hz; reported energies are those of the field. */
 START_TEST(linear_is_never_above_hz)
 {
     struct field_case cases[] = {
@@ -160,18 +158,19 @@ START_TEST(linear_is_never_above_hz)
                                    &of->direction[3 * (size_t)p]);
             of->confidence[p] = 0.2;
         }
-        const struct hatch_field_data data = {of->direction, of->confidence, NULL, false};
+        const struct hatch_field_problem problem = {&of->surface,   &of->frames, of->direction,
+                                                    of->confidence, NULL,        false};
         for (int smooth = 1; smooth < 5; smooth++) {
             struct hatch_field linear = solve_case(of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, smooth / 5.0);
             struct hatch_field hz = solve_case(of, HATCH_FIELD_HZ, HATCH_FIELD_MULTIGRID, smooth / 5.0);
             double sum = hz.energy[0] + hz.energy[1], energy[2], start[2];
-            ck_assert_double_le(linear.solved, hz.solved * (1 + 1e-9));
-            ck_assert_double_eq_tol(hz.solved, sum, 1e-9 * sum);
-            hatch_field_energy(&of->surface, &of->frames, &data, smooth / 5.0, hz.direction, energy);
+            ck_assert_double_le(linear.solution_energy, hz.solution_energy * (1 + 1e-9));
+            ck_assert_double_eq_tol(hz.solution_energy, sum, 1e-9 * sum);
+            hatch_field_energy(&problem, smooth / 5.0, hz.direction, energy);
             ck_assert_double_eq_tol(energy[0] + energy[1], sum, 1e-6 * sum);
-            hatch_field_energy(&of->surface, &of->frames, &data, smooth / 5.0, of->direction, start);
+            hatch_field_energy(&problem, smooth / 5.0, of->direction, start);
             ck_assert_double_le(sum, start[0] + start[1]);
-            hatch_field_energy(&of->surface, &of->frames, &data, smooth / 5.0, linear.direction, energy);
+            hatch_field_energy(&problem, smooth / 5.0, linear.direction, energy);
             ck_assert_double_eq_tol(energy[0], linear.energy[0], 1e-6 * energy[0]);
             ck_assert_double_eq_tol(energy[1], linear.energy[1], 1e-6 * energy[1]);
         }
@@ -188,8 +187,8 @@ START_TEST(smooth_0_keeps_the_data)
 }
 END_TEST
 
-/* The same share of the area says the same on four times as many faces. */
-START_TEST(smooth_means_the_same_at_any_resolution)
+/* The same `smooth` has the same effect on four times as many faces. */
+START_TEST(smooth_is_independent_of_resolution)
 {
     double mean[2];
     for (int fine = 0; fine < 2; fine++) {
@@ -214,8 +213,8 @@ START_TEST(smooth_means_the_same_at_any_resolution)
 }
 END_TEST
 
-/* Scaled by a power of two every number is the same to the last bit. */
-START_TEST(scale_changes_nothing)
+/* Results are identical when the mesh is scaled by a power of two. */
+START_TEST(scale_does_not_matter)
 {
     const float scales[] = {0x1p66f, 0x1p-66f};
     struct field_case of = case_of_shape(HATCH_SHAPE_ELLIPSOID, 1000, 1);
@@ -236,7 +235,8 @@ START_TEST(scale_changes_nothing)
 }
 END_TEST
 
-/* The mesh turned in space, its faces and vertices in another order: the same lines. Data goes by vertex. */
+/* Rotates the mesh in space and reorders its faces and vertices.
+ *   renamed  per vertex, its new number */
 static struct field_case turned_and_shuffled(const struct field_case *of, const uint32_t *renamed)
 {
     struct hatch_mesh mesh;
@@ -251,7 +251,7 @@ static struct field_case turned_and_shuffled(const struct field_case *of, const 
     return case_of(mesh);
 }
 
-START_TEST(neither_place_nor_order_matters)
+START_TEST(rotation_and_order_do_not_matter)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_ELLIPSOID, 1000, 1);
     follow_truth(&of, HATCH_SHAPE_ELLIPSOID, 20 * DEG, 0.1);
@@ -286,22 +286,6 @@ START_TEST(neither_place_nor_order_matters)
 }
 END_TEST
 
-START_TEST(threads_change_no_bit)
-{
-    struct field_case of = case_of_shape(HATCH_SHAPE_ELLIPSOID, 4000, 1);
-    follow_truth(&of, HATCH_SHAPE_ELLIPSOID, 20 * DEG, 0.1);
-    struct hatch_field alone = solve_case(&of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5), with;
-    struct hatch_pool *pool;
-    const struct hatch_field_data data = {of.direction, of.confidence, NULL, false};
-    const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-8, 2000};
-    HATCH_TEST_OK(hatch_pool_make(3, &keep, &pool, &err), &err);
-    HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, pool, &keep, &scratch, &with, &err),
-                  &err);
-    hatch_pool_free(pool);
-    ck_assert_mem_eq(with.direction, alone.direction, (size_t)of.surface.point_count * 3 * sizeof(double));
-}
-END_TEST
-
 START_TEST(small_components_have_fields_too)
 {
     struct hatch_mesh mesh;
@@ -317,7 +301,7 @@ START_TEST(small_components_have_fields_too)
     of.confidence[0] = 0.9;
     for (int method = 0; method < 2; method++) {
         struct hatch_field field = solve_case(&of, (enum hatch_field_method)method, HATCH_FIELD_MULTIGRID, 0.5);
-        ck_assert_uint_eq(field.undirected, 1);
+        ck_assert_uint_eq(field.unconstrained, 1);
         for (uint32_t p = 0; p < 9; p++)
             ck_assert_double_eq_tol(hatch_vec_length(&field.direction[3 * (size_t)p]), 1, 1e-12);
         for (uint32_t p = 0; p < 3; p++)
@@ -330,14 +314,14 @@ START_TEST(small_components_have_fields_too)
 }
 END_TEST
 
-START_TEST(a_face_has_the_line_of_its_points)
+START_TEST(a_face_has_the_direction_of_its_points)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_CYLINDER, 4000, 1);
     follow_truth(&of, HATCH_SHAPE_CYLINDER, 0, 1);
     for (uint32_t f = 0; f < of.surface.face_count; f++) {
         double line[3], spread, normal[3];
         const uint32_t *c = &of.surface.corners[3 * (size_t)f];
-        hatch_field_face(&of.surface, &of.frames, of.direction, f, line, &spread);
+        hatch_field_face_direction(&of.surface, &of.frames, of.direction, f, line, &spread);
         hatch_vec_triangle(&of.surface.points[3 * (size_t)c[0]], &of.surface.points[3 * (size_t)c[1]],
                            &of.surface.points[3 * (size_t)c[2]], normal);
         ck_assert_double_eq_tol(hatch_vec_length(line), 1, 1e-9);
@@ -348,7 +332,7 @@ START_TEST(a_face_has_the_line_of_its_points)
 }
 END_TEST
 
-START_TEST(a_mesh_gives_back_its_field)
+START_TEST(the_field_of_a_mesh_is_read_back)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, 500, 1);
     float *lines;
@@ -387,10 +371,10 @@ static enum hatch_status solve(void *context, struct hatch_arena *to, struct hat
                                struct hatch_err *why)
 {
     struct call *call = context;
-    const struct hatch_field_data data = {call->of.direction, call->of.confidence, NULL, true};
+    const struct hatch_field_problem problem = {
+        &call->of.surface, &call->of.frames, call->of.direction, call->of.confidence, NULL, true};
     const struct hatch_field_options options = {call->method, HATCH_FIELD_MULTIGRID, 0.5, 1e-4, 100};
-    return hatch_field_solve(&call->of.surface, &call->of.frames, &data, &options, NULL, to, temporary, &call->field,
-                             why);
+    return hatch_field_solve(&problem, &options, to, temporary, &call->field, why);
 }
 
 static enum hatch_status find(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
@@ -401,7 +385,7 @@ static enum hatch_status find(void *context, struct hatch_arena *to, struct hatc
                                      &call->found, why);
 }
 
-START_TEST(fields_survive_every_failed_allocation)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     struct call call = {.of = case_of_shape(HATCH_SHAPE_ELLIPSOID, 300, 0)};
     hatch_test_fail_alloc(solve, &call, &call.field, sizeof call.field);
@@ -416,24 +400,23 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("topo field");
+    Suite *suite = suite_create("field");
     TCase *tests = tcase_create("field");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, one_constraint_on_a_plane_is_everybodys);
+    tcase_add_test(tests, one_constraint_determines_the_field_of_a_plane);
     tcase_add_test(tests, indices_sum_to_the_euler_characteristic);
     tcase_add_test(tests, smoothest_fields_have_the_fewest_singularities);
-    tcase_add_test(tests, noise_is_smoothed_and_leaves_the_right_singularities);
-    tcase_add_test(tests, multigrid_finds_what_cholesky_finds);
+    tcase_add_test(tests, noise_is_smoothed_without_extra_singularities);
+    tcase_add_test(tests, multigrid_and_cholesky_agree);
     tcase_add_test(tests, linear_is_never_above_hz);
     tcase_add_test(tests, smooth_0_keeps_the_data);
-    tcase_add_test(tests, smooth_means_the_same_at_any_resolution);
-    tcase_add_test(tests, scale_changes_nothing);
-    tcase_add_test(tests, neither_place_nor_order_matters);
-    tcase_add_test(tests, threads_change_no_bit);
+    tcase_add_test(tests, smooth_is_independent_of_resolution);
+    tcase_add_test(tests, scale_does_not_matter);
+    tcase_add_test(tests, rotation_and_order_do_not_matter);
     tcase_add_test(tests, small_components_have_fields_too);
-    tcase_add_test(tests, a_face_has_the_line_of_its_points);
-    tcase_add_test(tests, a_mesh_gives_back_its_field);
-    tcase_add_test(tests, fields_survive_every_failed_allocation);
+    tcase_add_test(tests, a_face_has_the_direction_of_its_points);
+    tcase_add_test(tests, the_field_of_a_mesh_is_read_back);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -4,24 +4,24 @@
 /* The ring entries of a point. */
 #define FOR_RING(of, p, i) for (uint32_t i = (of)->surface.ring_first[p]; i < (of)->surface.ring_first[(p) + 1]; i++)
 
-/* A direction carried along an entry and back is itself; both ends agree on the weight. */
+/* Transport along an entry and back is the identity; both ends have the same weight. */
 static void check_entries(const struct field_case *of)
 {
     for (uint32_t p = 0; p < of->surface.point_count; p++)
         FOR_RING(of, p, i)
         {
-            uint32_t mate = of->frames.mate[i];
+            uint32_t twin = of->frames.twin[i];
             bool turned = of->surface.ring_turned[i];
-            double there = of->frames.turn_rad[mate] + (turned ? -0.7 : 0.7);
-            double back = of->frames.turn_rad[i] + (turned ? -there : there);
-            ck_assert_uint_eq(of->frames.mate[mate], i);
-            ck_assert_uint_eq(of->surface.ring_point[mate], p);
+            double there = of->frames.transport_rad[twin] + (turned ? -0.7 : 0.7);
+            double back = of->frames.transport_rad[i] + (turned ? -there : there);
+            ck_assert_uint_eq(of->frames.twin[twin], i);
+            ck_assert_uint_eq(of->surface.ring_point[twin], p);
             ck_assert_double_eq_tol(remainder(back - 0.7, 2 * PI), 0, 1e-12);
             ck_assert_double_gt(of->frames.weight[i], 0);
-            ck_assert_double_eq(of->frames.weight[i], of->frames.weight[mate]);
+            ck_assert_double_eq(of->frames.weight[i], of->frames.weight[twin]);
         }
     for (uint32_t i = 0; i < 3 * of->surface.face_count; i++)
-        ck_assert_uint_eq(of->surface.ring_face[of->frames.entry[i]], i / 3);
+        ck_assert_uint_eq(of->surface.ring_face[of->frames.corner_entry[i]], i / 3);
 }
 
 static void check_planes(const struct field_case *of)
@@ -40,7 +40,7 @@ static void check_planes(const struct field_case *of)
     }
 }
 
-START_TEST(frames_of_every_shape_are_sound)
+START_TEST(frames_of_every_shape_are_consistent)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct field_case of = case_of_shape((enum hatch_shape)shape, 500, 1);
@@ -56,8 +56,8 @@ START_TEST(frames_of_every_shape_are_sound)
 }
 END_TEST
 
-/* The angles of all rings, scaled, exceed half a turn a face by 2π times the Euler characteristic. */
-START_TEST(scaled_angles_sum_to_gauss_and_bonnet)
+/* The scaled angles of all faces, less π per face, sum to 2π times the Euler characteristic (Gauss-Bonnet). */
+START_TEST(scaled_angles_satisfy_gauss_bonnet)
 {
     const struct field_case cases[] = {case_of_shape(HATCH_SHAPE_SPHERE, 400, 1),
                                        case_of_shape(HATCH_SHAPE_TORUS, 400, 1), case_of(klein(24, 12))};
@@ -65,13 +65,14 @@ START_TEST(scaled_angles_sum_to_gauss_and_bonnet)
         const struct field_case *of = &cases[k];
         double sum = 0;
         for (uint32_t i = 0; i < 3 * of->surface.face_count; i++)
-            sum += hatch_frames_corner(&of->surface, &of->frames, of->surface.corners[i], of->frames.entry[i]);
+            sum += hatch_frames_corner_angle(&of->surface, &of->frames, of->surface.corners[i],
+                                             of->frames.corner_entry[i]);
         ck_assert_double_eq_tol(sum - PI * of->surface.face_count, 2 * PI * of->surface.components[0].euler, 1e-8);
     }
 }
 END_TEST
 
-START_TEST(a_plane_carries_directions_as_they_are)
+START_TEST(transport_on_a_plane_keeps_directions)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 300, 1);
     const double line[3] = {0.6, 0.8, 0};
@@ -82,7 +83,7 @@ START_TEST(a_plane_carries_directions_as_they_are)
         FOR_RING(&of, p, i)
         {
             double there = hatch_frames_angle(&of.frames, of.surface.ring_point[i], line);
-            double turn = there + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, line);
+            double turn = there + of.frames.transport_rad[i] - hatch_frames_angle(&of.frames, p, line);
             ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-6);
         }
     }
@@ -91,9 +92,9 @@ START_TEST(a_plane_carries_directions_as_they_are)
 }
 END_TEST
 
-/* Points of a plane are thrown about in it until faces lie over one another: with the plane's normals a direction is
- * still carried as it is, and turns around no face. */
-START_TEST(folded_faces_turn_nothing)
+/* Points of a plane are displaced in it until faces overlap: with the normal of the plane, transport still keeps a
+ * direction in space, and no face has an index. */
+START_TEST(transport_over_folded_faces_keeps_directions)
 {
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_PLANE, 800);
     const double line[3] = {0.6, 0.8, 0};
@@ -110,14 +111,14 @@ START_TEST(folded_faces_turn_nothing)
         normal[3 * p + 2] = 1;
         hatch_vec_copy(line, &lines[3 * p]);
     }
-    HATCH_TEST_OK(hatch_frames_lean(&of.surface, normal, &scratch, &of.frames, &err), &err);
+    HATCH_TEST_OK(hatch_frames_set_normals(&of.surface, normal, &scratch, &of.frames, &err), &err);
     uint32_t folded = 0;
     for (uint32_t p = 0; p < of.surface.point_count; p++) {
         folded += of.frames.folded[p];
         FOR_RING(&of, p, i)
         {
             double there = hatch_frames_angle(&of.frames, of.surface.ring_point[i], line);
-            double turn = there + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, line);
+            double turn = there + of.frames.transport_rad[i] - hatch_frames_angle(&of.frames, p, line);
             ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-6);
         }
     }
@@ -127,8 +128,8 @@ START_TEST(folded_faces_turn_nothing)
 }
 END_TEST
 
-/* Along a meridian's edge a sphere's direction to the pole stays one. */
-START_TEST(a_sphere_carries_the_meridian_along_itself)
+/* On a sphere the direction to the pole is parallel along a meridian. */
+START_TEST(transport_on_a_sphere_keeps_the_meridian)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_SPHERE, 4000, 0);
     for (uint32_t p = 0; p < of.surface.point_count; p++)
@@ -142,15 +143,15 @@ START_TEST(a_sphere_carries_the_meridian_along_itself)
             if (fabs(at[1]) > 0.9 || fabs(cross) > 1e-3)
                 continue;
             const double up[3] = {0, 1, 0};
-            double turn =
-                hatch_frames_angle(&of.frames, q, up) + of.frames.turn_rad[i] - hatch_frames_angle(&of.frames, p, up);
+            double turn = hatch_frames_angle(&of.frames, q, up) + of.frames.transport_rad[i] -
+                          hatch_frames_angle(&of.frames, p, up);
             ck_assert_double_eq_tol(remainder(turn, 2 * PI), 0, 1e-3);
         }
 }
 END_TEST
 
-/* A needle's cotangents are 500 and -250: its weights are bounded and positive. */
-START_TEST(slivers_have_sober_weights)
+/* The cotangents of a needle are 500 and -250. */
+START_TEST(sliver_weights_are_positive_and_bounded)
 {
     struct hatch_mesh mesh;
     const float places[4][3] = {{0, 0, 0}, {1, 0, 0}, {0.5f, 0.001f, 0}, {0.5f, -0.001f, 0}};
@@ -168,8 +169,8 @@ START_TEST(slivers_have_sober_weights)
 }
 END_TEST
 
-/* A vertex that everything meets: time must not grow with the square of its valence. */
-START_TEST(a_fan_of_many_faces_takes_no_longer_than_its_faces)
+/* Time must not be quadratic in the valence of a vertex. */
+START_TEST(a_vertex_of_high_valence_takes_linear_time)
 {
     struct hatch_mesh mesh;
     const uint32_t count = 50000;
@@ -193,7 +194,7 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
     return hatch_frames_make(&of->surface, to, temporary, &of->frames, why);
 }
 
-START_TEST(frames_survive_every_failed_allocation)
+START_TEST(every_failed_allocation_is_a_limit)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, 100, 0);
     hatch_test_fail_alloc(make, &of, &of.frames, sizeof of.frames);
@@ -202,17 +203,17 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("topo frames");
+    Suite *suite = suite_create("frames");
     TCase *tests = tcase_create("frames");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, frames_of_every_shape_are_sound);
-    tcase_add_test(tests, scaled_angles_sum_to_gauss_and_bonnet);
-    tcase_add_test(tests, a_plane_carries_directions_as_they_are);
-    tcase_add_test(tests, folded_faces_turn_nothing);
-    tcase_add_test(tests, a_sphere_carries_the_meridian_along_itself);
-    tcase_add_test(tests, slivers_have_sober_weights);
-    tcase_add_test(tests, a_fan_of_many_faces_takes_no_longer_than_its_faces);
-    tcase_add_test(tests, frames_survive_every_failed_allocation);
+    tcase_add_test(tests, frames_of_every_shape_are_consistent);
+    tcase_add_test(tests, scaled_angles_satisfy_gauss_bonnet);
+    tcase_add_test(tests, transport_on_a_plane_keeps_directions);
+    tcase_add_test(tests, transport_over_folded_faces_keeps_directions);
+    tcase_add_test(tests, transport_on_a_sphere_keeps_the_meridian);
+    tcase_add_test(tests, sliver_weights_are_positive_and_bounded);
+    tcase_add_test(tests, a_vertex_of_high_valence_takes_linear_time);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -5,7 +5,7 @@
 #include "surface_check.h"
 #include "surface/nearest.h"
 
-/* Two triangles far from one another and of other sizes, and a vertex between that none uses. */
+/* Two triangles of different sizes, far apart, and an unused vertex between them. */
 static struct hatch_mesh two_triangles(void)
 {
     static const float at[7][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {50, 0, 0}, {100, 0, 0}, {130, 0, 0}, {100, 40, 0}};
@@ -26,9 +26,9 @@ START_TEST(every_point_is_nearest_to_itself)
 }
 END_TEST
 
-START_TEST(distances_are_those_of_the_mesh)
+START_TEST(distances_are_measured_in_mesh_units)
 {
-    /* 24 from the small triangle, 74 from the large one, whose own unit is 40 times as long. */
+    /* 24 from the small triangle, 74 from the large one, the surface unit of which is 40 times as long. */
     static const double between[3] = {25, 0, 0}, beyond[3] = {64, 3, 0};
     struct hatch_mesh mesh = two_triangles();
     struct hatch_surface surface = surface_of(&mesh);
@@ -41,7 +41,7 @@ START_TEST(distances_are_those_of_the_mesh)
 }
 END_TEST
 
-START_TEST(vertices_know_their_points)
+START_TEST(every_used_vertex_has_a_point)
 {
     struct hatch_mesh mesh = two_triangles();
     struct hatch_surface surface = surface_of(&mesh);
@@ -62,12 +62,12 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *made = suite_create("topo nearest");
+    Suite *made = suite_create("nearest");
     TCase *tests = tcase_create("nearest");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, every_point_is_nearest_to_itself);
-    tcase_add_test(tests, distances_are_those_of_the_mesh);
-    tcase_add_test(tests, vertices_know_their_points);
+    tcase_add_test(tests, distances_are_measured_in_mesh_units);
+    tcase_add_test(tests, every_used_vertex_has_a_point);
     suite_add_tcase(made, tests);
     return made;
 }

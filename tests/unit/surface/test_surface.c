@@ -40,7 +40,7 @@ static bool turned_between(const struct hatch_surface *s, uint32_t p, uint32_t q
     ck_abort_msg("%u is no neighbour of %u", q, p);
 }
 
-/* The point of a vertex that has but one. */
+/* Returns the only point of a vertex. */
 static uint32_t point_of(const struct hatch_surface *s, uint32_t vertex)
 {
     for (uint32_t i = 0; i < 3 * s->face_count; i++)
@@ -49,7 +49,7 @@ static uint32_t point_of(const struct hatch_surface *s, uint32_t vertex)
     ck_abort_msg("vertex %u has no point", vertex);
 }
 
-/* Around a face sides turn over an even number of times, wherever the rings' outsides are. */
+/* The number of sides of a face with ring_turned is even. */
 static void check_faces_turn_evenly(const struct hatch_surface *s)
 {
     for (uint32_t f = 0; f < s->face_count; f++) {
@@ -58,7 +58,7 @@ static void check_faces_turn_evenly(const struct hatch_surface *s)
     }
 }
 
-START_TEST(a_moebius_strip_turns_over_once_around)
+START_TEST(a_moebius_strip_turns_once)
 {
     const uint32_t n = 24;
     for (int twisted = 0; twisted < 2; twisted++) {
@@ -101,7 +101,7 @@ START_TEST(a_klein_bottle_is_closed_and_one_sided)
 }
 END_TEST
 
-/* Turning around a point over its ring, seen from outside, is one turn: a half one on a straight border. */
+/* The angles around a ring, seen from outside, sum to 2π; to π on a straight border, to π/2 at a corner of it. */
 START_TEST(rings_run_counter_clockwise_seen_from_outside)
 {
     static const enum hatch_shape kinds[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_PLANE};
@@ -136,7 +136,7 @@ START_TEST(rings_run_counter_clockwise_seen_from_outside)
 }
 END_TEST
 
-START_TEST(components_are_as_they_are_alone_and_sum_up)
+START_TEST(components_do_not_affect_each_other)
 {
     struct hatch_mesh parts[4] = {bare_shape(HATCH_SHAPE_TORUS, 500), band(30, 1, true),
                                   bare_shape(HATCH_SHAPE_CYLINDER, 300), klein(16, 10)};
@@ -168,7 +168,7 @@ START_TEST(components_are_as_they_are_alone_and_sum_up)
 }
 END_TEST
 
-/* Something of everything: one-sided, closed, open, unwelded, turned faces, faces and vertices too many. */
+/* A one-sided component, closed and open ones, unwelded and flipped faces, superfluous faces and vertices. */
 static struct hatch_mesh mixture(void)
 {
     struct hatch_mesh ball = bare_shape(HATCH_SHAPE_SPHERE, 400), strip = band(20, 1, true);
@@ -196,7 +196,8 @@ static void shuffle(uint32_t *list, uint32_t count, uint64_t stream)
     }
 }
 
-/* to_face: per face of a its face in b. Corners, sides, rings and points are the same but for numbers. */
+/* Checks that corners, sides, rings and points of two surfaces are the same up to numbering.
+ *   to_face  per face of a its face in b */
 static void check_same(const struct hatch_surface *a, const struct hatch_surface *b, const uint32_t *to_face,
                        double tolerance)
 {
@@ -220,7 +221,7 @@ static void check_same(const struct hatch_surface *a, const struct hatch_surface
     }
 }
 
-START_TEST(order_of_faces_and_vertices_does_not_matter)
+START_TEST(the_order_of_faces_and_vertices_does_not_matter)
 {
     struct hatch_mesh mesh = mixture(), mixed = both(&mesh, &mesh);
     uint32_t *face = HATCH_NEW(&keep, uint32_t, mesh.face_count, &err);
@@ -238,7 +239,7 @@ START_TEST(order_of_faces_and_vertices_does_not_matter)
     for (uint32_t v = 0; v < mesh.vertex_count; v++)
         memcpy(&mixed.attributes[0].data[3 * vertex[v]], &mesh.attributes[0].data[3 * v], 12);
     struct hatch_surface t = surface_of(&mixed);
-    /* Of faces given twice either may stay, and with it its vertices. */
+    /* Either of two duplicate faces may remain, and with it its vertices. */
     ck_assert_uint_eq(notes.welded + notes.unreferenced, first.welded + first.unreferenced);
     notes.welded = first.welded;
     notes.unreferenced = first.unreferenced;
@@ -282,7 +283,7 @@ START_TEST(scale_does_not_matter)
 }
 END_TEST
 
-START_TEST(a_far_offset_does_not_matter)
+START_TEST(a_large_offset_does_not_matter)
 {
     struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_SPHERE, 2000), far;
     float *p = mesh.attributes[0].data;
@@ -301,13 +302,13 @@ START_TEST(a_far_offset_does_not_matter)
 }
 END_TEST
 
-START_TEST(a_clean_mesh_comes_back_as_it_was)
+START_TEST(a_clean_mesh_is_returned_unchanged)
 {
     struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_TORUS, 800), back;
     uint32_t *point;
-    mesh.attribute_count = 4; /* with normals, tangents and texture */
+    mesh.attribute_count = 4; /* with normals, tangents and texture coordinates */
     struct hatch_surface s = surface_of(&mesh);
-    HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
+    HATCH_TEST_OK(hatch_surface_to_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
     ck_assert_uint_eq(back.vertex_count, mesh.vertex_count);
     ck_assert_uint_eq(back.attribute_count, 4);
     ck_assert_mem_eq(back.indices, mesh.indices, mesh.face_count * 12);
@@ -321,9 +322,9 @@ START_TEST(a_clean_mesh_comes_back_as_it_was)
 }
 END_TEST
 
-START_TEST(a_vertex_of_two_points_is_given_twice)
+START_TEST(a_vertex_of_two_points_is_duplicated)
 {
-    /* Two triangles that touch in vertex 2; vertex 3 is used by none; the second face is turned. */
+    /* Two triangles that share vertex 2; vertex 3 is unused; the second face is flipped. */
     const float positions[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 9, 9, 9, 2, 1, 0, 2, 2, 0};
     const uint32_t faces[] = {0, 1, 2, 2, 4, 5};
     struct hatch_mesh mesh = mesh_of(positions, 6, faces, 2), back;
@@ -335,7 +336,7 @@ START_TEST(a_vertex_of_two_points_is_given_twice)
     struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.points_split, 1);
     ck_assert_uint_eq(s.component_count, 2);
-    HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
+    HATCH_TEST_OK(hatch_surface_to_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
     const uint32_t want[] = {0, 1, 2, 5, 3, 4};
     const float want_uv[] = {0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 4, 5};
     ck_assert_uint_eq(back.vertex_count, 6);
@@ -346,9 +347,9 @@ START_TEST(a_vertex_of_two_points_is_given_twice)
 }
 END_TEST
 
-START_TEST(normals_turn_with_all_of_their_faces)
+START_TEST(normals_flip_when_all_their_faces_do)
 {
-    /* A strip of three; the last face is the wrong way round, and vertex 4 is its alone. */
+    /* A strip of three faces; the last is flipped, and only it uses vertex 4. */
     const float positions[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 2, 1, 1, 2, 3, 2, 3, 4};
     struct hatch_mesh mesh = mesh_of(positions, 5, faces, 3), back;
@@ -361,7 +362,7 @@ START_TEST(normals_turn_with_all_of_their_faces)
     }
     struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.flipped, 1);
-    HATCH_TEST_OK(hatch_surface_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
+    HATCH_TEST_OK(hatch_surface_to_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
     const uint32_t want[] = {2, 4, 3};
     ck_assert_mem_eq(&back.indices[6], want, sizeof want);
     normal = hatch_mesh_find(&back, "NORMAL", 3);
@@ -393,7 +394,7 @@ static enum hatch_status mesh_one(void *context, struct hatch_arena *kept, struc
     const struct source *from = context;
     struct hatch_mesh mesh;
     uint32_t *point;
-    return hatch_surface_mesh(from->surface, from->mesh, kept, temporary, &mesh, &point, error);
+    return hatch_surface_to_mesh(from->surface, from->mesh, kept, temporary, &mesh, &point, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
@@ -408,20 +409,20 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("topo surface");
+    Suite *suite = suite_create("surface");
     TCase *tests = tcase_create("surface");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, shapes_have_their_euler_characteristic);
-    tcase_add_test(tests, a_moebius_strip_turns_over_once_around);
+    tcase_add_test(tests, a_moebius_strip_turns_once);
     tcase_add_test(tests, a_klein_bottle_is_closed_and_one_sided);
     tcase_add_test(tests, rings_run_counter_clockwise_seen_from_outside);
-    tcase_add_test(tests, components_are_as_they_are_alone_and_sum_up);
-    tcase_add_test(tests, order_of_faces_and_vertices_does_not_matter);
+    tcase_add_test(tests, components_do_not_affect_each_other);
+    tcase_add_test(tests, the_order_of_faces_and_vertices_does_not_matter);
     tcase_add_test(tests, scale_does_not_matter);
-    tcase_add_test(tests, a_far_offset_does_not_matter);
-    tcase_add_test(tests, a_clean_mesh_comes_back_as_it_was);
-    tcase_add_test(tests, a_vertex_of_two_points_is_given_twice);
-    tcase_add_test(tests, normals_turn_with_all_of_their_faces);
+    tcase_add_test(tests, a_large_offset_does_not_matter);
+    tcase_add_test(tests, a_clean_mesh_is_returned_unchanged);
+    tcase_add_test(tests, a_vertex_of_two_points_is_duplicated);
+    tcase_add_test(tests, normals_flip_when_all_their_faces_do);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

@@ -1,9 +1,9 @@
-/* Damaged meshes, what a plain reading of each finds, and what the front door makes of it. */
+/* Damaged meshes: what a naive reading finds in each, and the surface made of it. */
 #include "mesh/edges.h"
 #include "meshes.h"
 #include "surface_check.h"
 
-/* Every note but those that a test sets to 0 first. */
+/* Returns the sum of all notes but components; a test sets those it has checked to 0. */
 static uint32_t other_notes(void)
 {
     return notes.welded + notes.degenerate + notes.duplicate + notes.unreferenced + notes.flipped + notes.edges_cut +
@@ -20,15 +20,18 @@ static void expect(const struct hatch_surface *s, uint32_t components, int euler
     }
 }
 
-/* What a reading that takes vertices for points and faces as they come sees. */
-struct plain {
-    uint32_t borders, agreeing, contrary, crowded; /* edges of 1, 2, 2 and more faces */
+/* The edges that a naive reading finds: vertices are points, faces stay as they are. */
+struct naive {
+    uint32_t borders;      /* edges with one face */
+    uint32_t agreeing;     /* with two faces of consistent orientation */
+    uint32_t contrary;     /* with two others */
+    uint32_t non_manifold; /* with more */
 };
 
-static struct plain read_plainly(const struct hatch_mesh *mesh)
+static struct naive read_naively(const struct hatch_mesh *mesh)
 {
     struct hatch_edges edges;
-    struct plain seen = {0};
+    struct naive seen = {0};
     HATCH_TEST_OK(
         hatch_edges_find(mesh->indices, mesh->face_count, mesh->vertex_count, NULL, &scratch, &scratch, &edges, &err),
         &err);
@@ -39,7 +42,7 @@ static struct plain read_plainly(const struct hatch_mesh *mesh)
         seen.borders += faces == 1;
         seen.agreeing += faces == 2 && !same_way;
         seen.contrary += faces == 2 && same_way;
-        seen.crowded += faces > 2;
+        seen.non_manifold += faces > 2;
     }
     return seen;
 }
@@ -50,7 +53,7 @@ static struct hatch_mesh sphere(uint32_t faces)
     struct hatch_mesh welded = mesh;
     uint32_t *point = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &welded.vertex_count, &err), &err);
-    for (uint32_t v = 0; v < mesh.vertex_count; v++) /* none moves up */
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) /* no vertex moves up */
         memmove(&mesh.attributes[0].data[3 * point[v]], &mesh.attributes[0].data[3 * v], 12);
     hatch_mesh_corner_points(&mesh, point, welded.indices);
     return welded;
@@ -66,7 +69,7 @@ static void add_face(struct hatch_mesh *mesh, uint32_t a, uint32_t b, uint32_t c
     mesh->face_count++;
 }
 
-START_TEST(faces_without_area_leave_no_trace)
+START_TEST(faces_without_area_are_left_out)
 {
     struct hatch_mesh mesh = sphere(300), spare = sphere(4), dirty = both(&mesh, &spare);
     uint32_t *f = dirty.indices, last = dirty.vertex_count - 1;
@@ -74,7 +77,7 @@ START_TEST(faces_without_area_leave_no_trace)
     add_face(&dirty, f[0], f[0], f[1]);
     add_face(&dirty, f[1], f[1], f[1]);
     add_face(&dirty, f[1], last, f[1]);
-    ck_assert_uint_gt(read_plainly(&dirty).crowded, 0);
+    ck_assert_uint_gt(read_naively(&dirty).non_manifold, 0);
     struct hatch_surface want = surface_of(&mesh), s = surface_of(&dirty);
     ck_assert_uint_eq(notes.degenerate, 3);
     ck_assert_uint_eq(notes.unreferenced, spare.vertex_count);
@@ -85,8 +88,8 @@ START_TEST(faces_without_area_leave_no_trace)
 }
 END_TEST
 
-/* A square cut into two halves, whose edges' middles the faces between them join. */
-START_TEST(three_corners_on_a_line_open_a_slit)
+/* A square of four faces, one of which has its three corners on a line. */
+START_TEST(a_face_with_corners_on_a_line_leaves_a_slit)
 {
     const float positions[] = {0, 0, 0, 2, 0, 0, 1, 0, 0, 1, 1, 0, 1, -1, 0};
     const uint32_t faces[] = {0, 1, 3, 0, 2, 1, 0, 4, 2, 2, 4, 1};
@@ -98,8 +101,8 @@ START_TEST(three_corners_on_a_line_open_a_slit)
 }
 END_TEST
 
-/* A strip whose faces are a millionth as high as they are long. */
-START_TEST(slivers_are_kept_and_stay_numbers)
+/* A strip of faces a millionth as high as long. */
+START_TEST(slivers_are_kept)
 {
     enum { COUNT = 50 };
     struct hatch_mesh mesh;
@@ -123,7 +126,7 @@ END_TEST
 START_TEST(unwelded_triangles_are_one_surface)
 {
     struct hatch_mesh mesh = sphere(500), loose = soup(&mesh);
-    ck_assert_uint_eq(read_plainly(&loose).borders, 3 * loose.face_count);
+    ck_assert_uint_eq(read_naively(&loose).borders, 3 * loose.face_count);
     uint32_t points = surface_of(&mesh).point_count;
     struct hatch_surface s = surface_of(&loose);
     expect(&s, 1, 2, 0);
@@ -132,8 +135,8 @@ START_TEST(unwelded_triangles_are_one_surface)
 }
 END_TEST
 
-/* Five pages of a book: two sheets bent over its back, and a page. */
-START_TEST(pages_of_a_book_are_taken_apart)
+/* Five faces at one edge: two pairs and a single one. */
+START_TEST(faces_at_an_edge_are_joined_in_pairs)
 {
     float positions[21] = {0, 0, 0, 0, 0, 1};
     uint32_t faces[15];
@@ -146,7 +149,7 @@ START_TEST(pages_of_a_book_are_taken_apart)
         memcpy(&faces[3 * i], face, sizeof face);
     }
     struct hatch_mesh mesh = mesh_of(positions, 7, faces, 5);
-    ck_assert_uint_eq(read_plainly(&mesh).crowded, 1);
+    ck_assert_uint_eq(read_naively(&mesh).non_manifold, 1);
     struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.edges_cut, 1);
     ck_assert_uint_eq(other_notes(), 1);
@@ -155,7 +158,7 @@ START_TEST(pages_of_a_book_are_taken_apart)
 }
 END_TEST
 
-START_TEST(solids_that_share_an_edge_are_two)
+START_TEST(solids_that_share_an_edge_are_separated)
 {
     struct hatch_mesh a = cube(0, 1), b = cube(0, 1);
     for (uint32_t i = 0; i < 8; i++) {
@@ -164,7 +167,7 @@ START_TEST(solids_that_share_an_edge_are_two)
     }
     struct hatch_mesh mesh = both(&a, &b), good = both(&a, &b);
     struct hatch_surface want = surface_of(&good);
-    for (uint32_t step = 1; step < 6; step++) { /* as they are, half turned, and less */
+    for (uint32_t step = 1; step < 6; step++) { /* none flipped, then every second face, every third, ... */
         struct hatch_surface s = surface_of(&mesh);
         ck_assert_uint_eq(notes.edges_cut, 1);
         ck_assert_uint_eq(notes.points_split, 0);
@@ -179,8 +182,8 @@ START_TEST(solids_that_share_an_edge_are_two)
 }
 END_TEST
 
-/* A flat sheet goes on under a leaf that stands on it, whichever of the three comes first. */
-START_TEST(a_sheet_goes_on_under_a_leaf)
+/* Of three faces at an edge the two coplanar ones are joined, in any order. */
+START_TEST(coplanar_faces_at_an_edge_are_joined)
 {
     const float positions[] = {0, 0, 0, 0, 1, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1};
     const uint32_t pages[3][3] = {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}};
@@ -199,8 +202,8 @@ START_TEST(a_sheet_goes_on_under_a_leaf)
 }
 END_TEST
 
-/* One edge of very many faces, one point of very many: time must not be their square. */
-START_TEST(crowds_are_no_burden)
+/* One edge with many faces, one point with many: time must not be quadratic. */
+START_TEST(many_faces_at_an_edge_or_a_point_take_linear_time)
 {
     enum { COUNT = 100000 };
     struct hatch_mesh pages, fan;
@@ -225,7 +228,7 @@ START_TEST(crowds_are_no_burden)
 }
 END_TEST
 
-START_TEST(a_bow_tie_comes_apart)
+START_TEST(solids_that_share_a_point_are_separated)
 {
     struct hatch_mesh a = cube(0, 1), b = cube(0, 1);
     for (uint32_t i = 0; i < 24; i++)
@@ -238,12 +241,12 @@ START_TEST(a_bow_tie_comes_apart)
 }
 END_TEST
 
-START_TEST(mixed_winding_is_made_one)
+START_TEST(mixed_orientation_is_made_consistent)
 {
     struct hatch_mesh mesh = sphere(400), good = sphere(400);
     for (uint32_t f = 0; f < mesh.face_count; f += 2)
         turn(&mesh, f);
-    ck_assert_uint_gt(read_plainly(&mesh).contrary, 100);
+    ck_assert_uint_gt(read_naively(&mesh).contrary, 100);
     struct hatch_surface want = surface_of(&good), s = surface_of(&mesh);
     ck_assert_uint_eq(notes.flipped, (mesh.face_count + 1) / 2);
     ck_assert_uint_eq(notes.contrary, 0);
@@ -252,7 +255,7 @@ START_TEST(mixed_winding_is_made_one)
 }
 END_TEST
 
-START_TEST(one_sided_surfaces_stay_whole)
+START_TEST(one_sided_surfaces_are_not_cut)
 {
     struct hatch_mesh strip = band(30, 1, true), bottle = klein(20, 10);
     for (uint32_t f = 0; f < 30; f += 3) {
@@ -263,23 +266,23 @@ START_TEST(one_sided_surfaces_stay_whole)
     expect(&s, 1, 0, 1);
     ck_assert(!s.components[0].orientable);
     ck_assert_uint_gt(notes.contrary, 0);
-    ck_assert_uint_le(notes.contrary, read_plainly(&strip).contrary);
+    ck_assert_uint_le(notes.contrary, read_naively(&strip).contrary);
     s = surface_of(&bottle);
     expect(&s, 1, 0, 0);
     ck_assert(!s.components[0].orientable);
     ck_assert_uint_gt(notes.contrary, 0);
-    ck_assert_uint_le(notes.contrary, read_plainly(&bottle).contrary);
+    ck_assert_uint_le(notes.contrary, read_naively(&bottle).contrary);
 }
 END_TEST
 
-START_TEST(faces_given_twice_count_once)
+START_TEST(duplicate_faces_are_left_out)
 {
     struct hatch_mesh mesh = sphere(300), dirty = sphere(300);
     for (uint32_t f = 0; f < 50; f++) {
         const uint32_t *c = &mesh.indices[3 * f];
         add_face(&dirty, c[f % 3], c[(f + 1 + f % 2) % 3], c[(f + 2 - f % 2) % 3]);
     }
-    ck_assert_uint_gt(read_plainly(&dirty).crowded, 50);
+    ck_assert_uint_gt(read_naively(&dirty).non_manifold, 50);
     struct hatch_surface want = surface_of(&mesh), s = surface_of(&dirty);
     ck_assert_uint_eq(notes.duplicate, 50);
     notes.duplicate = 0;
@@ -288,7 +291,7 @@ START_TEST(faces_given_twice_count_once)
 }
 END_TEST
 
-START_TEST(vertices_without_faces_do_not_move_the_middle)
+START_TEST(unused_vertices_do_not_affect_the_center)
 {
     struct hatch_mesh mesh = sphere(300), stray = sphere(4), far;
     struct hatch_surface want = surface_of(&mesh);
@@ -329,8 +332,8 @@ START_TEST(a_strip_one_face_wide_is_all_border)
 }
 END_TEST
 
-/* Loose triangles of very different sizes, far apart: each is measured by itself. */
-START_TEST(small_components_are_as_large_as_any)
+/* Separate triangles of very different sizes, far apart. */
+START_TEST(components_are_scaled_separately)
 {
     enum { COUNT = 10000 };
     struct hatch_mesh mesh;
@@ -349,7 +352,7 @@ START_TEST(small_components_are_as_large_as_any)
 }
 END_TEST
 
-START_TEST(what_is_no_mesh_is_refused)
+START_TEST(invalid_meshes_are_refused)
 {
     static const struct {
         float x;
@@ -376,26 +379,26 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("topo faults");
+    Suite *suite = suite_create("surface faults");
     TCase *tests = tcase_create("faults");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, faces_without_area_leave_no_trace);
-    tcase_add_test(tests, three_corners_on_a_line_open_a_slit);
-    tcase_add_test(tests, slivers_are_kept_and_stay_numbers);
+    tcase_add_test(tests, faces_without_area_are_left_out);
+    tcase_add_test(tests, a_face_with_corners_on_a_line_leaves_a_slit);
+    tcase_add_test(tests, slivers_are_kept);
     tcase_add_test(tests, unwelded_triangles_are_one_surface);
-    tcase_add_test(tests, pages_of_a_book_are_taken_apart);
-    tcase_add_test(tests, solids_that_share_an_edge_are_two);
-    tcase_add_test(tests, a_sheet_goes_on_under_a_leaf);
-    tcase_add_test(tests, crowds_are_no_burden);
-    tcase_add_test(tests, a_bow_tie_comes_apart);
-    tcase_add_test(tests, mixed_winding_is_made_one);
-    tcase_add_test(tests, one_sided_surfaces_stay_whole);
-    tcase_add_test(tests, faces_given_twice_count_once);
-    tcase_add_test(tests, vertices_without_faces_do_not_move_the_middle);
+    tcase_add_test(tests, faces_at_an_edge_are_joined_in_pairs);
+    tcase_add_test(tests, solids_that_share_an_edge_are_separated);
+    tcase_add_test(tests, coplanar_faces_at_an_edge_are_joined);
+    tcase_add_test(tests, many_faces_at_an_edge_or_a_point_take_linear_time);
+    tcase_add_test(tests, solids_that_share_a_point_are_separated);
+    tcase_add_test(tests, mixed_orientation_is_made_consistent);
+    tcase_add_test(tests, one_sided_surfaces_are_not_cut);
+    tcase_add_test(tests, duplicate_faces_are_left_out);
+    tcase_add_test(tests, unused_vertices_do_not_affect_the_center);
     tcase_add_test(tests, one_triangle_is_a_surface);
     tcase_add_test(tests, a_strip_one_face_wide_is_all_border);
-    tcase_add_test(tests, small_components_are_as_large_as_any);
-    tcase_add_test(tests, what_is_no_mesh_is_refused);
+    tcase_add_test(tests, components_are_scaled_separately);
+    tcase_add_test(tests, invalid_meshes_are_refused);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -5,14 +5,14 @@
 #include "field/field.h"
 
 #define PI 3.14159265358979323846
-#define HARD_RAD (75 * PI / 180)
+#define CREASE_RAD (75 * PI / 180)
 #define SIDES 24u
 
 static struct hatch_surface surface;
 static struct hatch_frames frames;
 static double *direction, *confidence;
 
-/* A can of one row of faces about z, closed by fans, or a gear whose teeth have a depth. */
+/* A can with a single row of faces about z, closed by fans; with a depth over 0 a gear. */
 static struct hatch_mesh can(double height, double depth)
 {
     float at[2 * SIDES + 2][3] = {{0}};
@@ -36,21 +36,21 @@ static struct hatch_mesh can(double height, double depth)
     return mesh_of(at[0], 2 * SIDES + 2, corners[0], 4 * SIDES);
 }
 
-static void follow(struct hatch_mesh mesh, const double *hard)
+static void fill(struct hatch_mesh mesh, const double *constraint_weight)
 {
     surface = surface_of(&mesh);
     HATCH_TEST_OK(hatch_frames_make(&surface, &keep, &scratch, &frames, &err), &err);
     direction = HATCH_NEW(&keep, double, 3 * (size_t)surface.point_count, &err);
     confidence = HATCH_NEW(&keep, double, surface.point_count, &err);
     ck_assert(direction && confidence);
-    hatch_field_follow_folds(&surface, &frames, HARD_RAD, hard, direction, confidence);
+    hatch_field_fill_from_dihedrals(&surface, &frames, CREASE_RAD, constraint_weight, direction, confidence);
 }
 
-/* Of the soft edges at a point of a rim one folds, by 15 degrees; the diagonal lies flat. */
-START_TEST(a_tube_of_long_faces_bends_around)
+/* Of the edges at a point of a rim that are not creases one has a dihedral angle of 15 degrees, the diagonal 0. */
+START_TEST(a_tube_of_long_faces_has_directions_around_it)
 {
-    follow(can(2, 0), NULL);
-    uint32_t known = 0;
+    fill(can(2, 0), NULL);
+    uint32_t count = 0;
     for (uint32_t p = 0; p < surface.point_count; p++) {
         double at[3];
         const double *line = &direction[3 * (size_t)p];
@@ -60,16 +60,16 @@ START_TEST(a_tube_of_long_faces_bends_around)
             ck_assert_double_eq(confidence[p], 0);
             continue;
         }
-        known++;
+        count++;
         ck_assert_double_gt(confidence[p], 0.005);
         ck_assert_double_lt(confidence[p], 0.01);
         ck_assert_double_gt(fabs(line[0] * -at[1] + line[1] * at[0]) / radius, 1 - 1e-6);
     }
-    ck_assert_uint_eq(known, 2 * SIDES);
+    ck_assert_uint_eq(count, 2 * SIDES);
 }
 END_TEST
 
-static double most_confidence(void)
+static double largest_confidence(void)
 {
     double most = 0;
     for (uint32_t p = 0; p < surface.point_count; p++)
@@ -77,35 +77,35 @@ static double most_confidence(void)
     return most;
 }
 
-START_TEST(what_is_mostly_flat_stays_unknown)
+START_TEST(mostly_flat_components_get_no_data)
 {
-    follow(can(0.4, 0), NULL);
-    ck_assert_double_eq(most_confidence(), 0);
-    follow(can(2, 0.4), NULL);
-    ck_assert_double_eq(most_confidence(), 0);
-    follow(cube(0, 1), NULL);
-    ck_assert_double_eq(most_confidence(), 0);
-    follow(shape_of(HATCH_SHAPE_SPHERE, 200), NULL);
-    ck_assert_double_eq(most_confidence(), 0);
+    fill(can(0.4, 0), NULL);
+    ck_assert_double_eq(largest_confidence(), 0);
+    fill(can(2, 0.4), NULL);
+    ck_assert_double_eq(largest_confidence(), 0);
+    fill(cube(0, 1), NULL);
+    ck_assert_double_eq(largest_confidence(), 0);
+    fill(shape_of(HATCH_SHAPE_SPHERE, 200), NULL);
+    ck_assert_double_eq(largest_confidence(), 0);
 }
 END_TEST
 
-START_TEST(what_is_known_stays)
+START_TEST(components_with_data_stay_as_they_are)
 {
-    double hard[2 * SIDES + 2] = {[3] = 1};
-    follow(can(2, 0), hard);
-    ck_assert_double_eq(most_confidence(), 0);
+    double constraint_weight[2 * SIDES + 2] = {[3] = 1};
+    fill(can(2, 0), constraint_weight);
+    ck_assert_double_eq(largest_confidence(), 0);
 }
 END_TEST
 
 static Suite *suite(void)
 {
-    Suite *made = suite_create("topo folds");
-    TCase *tests = tcase_create("folds");
+    Suite *made = suite_create("dihedrals");
+    TCase *tests = tcase_create("dihedrals");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, a_tube_of_long_faces_bends_around);
-    tcase_add_test(tests, what_is_mostly_flat_stays_unknown);
-    tcase_add_test(tests, what_is_known_stays);
+    tcase_add_test(tests, a_tube_of_long_faces_has_directions_around_it);
+    tcase_add_test(tests, mostly_flat_components_get_no_data);
+    tcase_add_test(tests, components_with_data_stay_as_they_are);
     suite_add_tcase(made, tests);
     return made;
 }

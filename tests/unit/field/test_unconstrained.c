@@ -7,9 +7,9 @@
 static struct hatch_surface surface;
 static struct hatch_frames frames;
 static double *direction, *confidence;
-static bool made_up[4];
+static bool filled[4];
 
-/* A shape, drawn out along x, of whose lines nothing is known. */
+/* Makes a shape, stretched along x, without data. */
 static void make(enum hatch_shape shape, float longer)
 {
     struct hatch_mesh mesh = shape_of(shape, 600);
@@ -22,7 +22,7 @@ static void make(enum hatch_shape shape, float longer)
     ck_assert(direction && confidence);
 }
 
-static void expect_lines_along(int axis)
+static void expect_directions_along(int axis)
 {
     for (uint32_t p = 0; p < surface.point_count; p++) {
         ck_assert_double_gt(confidence[p], 0);
@@ -31,54 +31,54 @@ static void expect_lines_along(int axis)
     }
 }
 
-START_TEST(lines_lie_across_the_longest_side)
+START_TEST(directions_lie_across_the_longest_side)
 {
     make(HATCH_SHAPE_PLANE, 3);
-    hatch_field_make_up(&surface, &frames, NULL, direction, confidence, made_up);
-    ck_assert(made_up[0]);
-    expect_lines_along(1);
+    hatch_field_fill_unconstrained(&surface, &frames, NULL, direction, confidence, filled);
+    ck_assert(filled[0]);
+    expect_directions_along(1);
 }
 END_TEST
 
-START_TEST(of_equal_sides_up_is_the_longest)
+START_TEST(of_equal_sides_y_is_the_longest)
 {
     make(HATCH_SHAPE_PLANE, 1);
-    hatch_field_make_up(&surface, &frames, NULL, direction, confidence, made_up);
-    expect_lines_along(0);
+    hatch_field_fill_unconstrained(&surface, &frames, NULL, direction, confidence, filled);
+    expect_directions_along(0);
     make(HATCH_SHAPE_SPHERE, 1);
-    hatch_field_make_up(&surface, &frames, NULL, direction, confidence, made_up);
+    hatch_field_fill_unconstrained(&surface, &frames, NULL, direction, confidence, filled);
     for (uint32_t p = 0; p < surface.point_count; p++)
         ck_assert_double_eq_tol(direction[3 * p + 1], 0, 1e-9);
 }
 END_TEST
 
-START_TEST(what_is_known_stays)
+START_TEST(components_with_data_are_not_filled)
 {
     make(HATCH_SHAPE_TORUS, 1);
     for (uint32_t p = 0; p < surface.point_count; p++)
         confidence[p] = 0.5;
-    hatch_field_make_up(&surface, &frames, NULL, direction, confidence, made_up);
-    ck_assert(!made_up[0]);
+    hatch_field_fill_unconstrained(&surface, &frames, NULL, direction, confidence, filled);
+    ck_assert(!filled[0]);
     ck_assert_double_eq(confidence[1], 0.5);
-    make(HATCH_SHAPE_PLANE, 1); /* one line given by hand is something known */
-    double *hard = HATCH_NEW(&keep, double, surface.point_count, &err);
-    ck_assert_ptr_nonnull(hard);
-    hard[3] = 1;
-    hatch_field_make_up(&surface, &frames, hard, direction, confidence, made_up);
-    ck_assert(!made_up[0]);
+    make(HATCH_SHAPE_PLANE, 1); /* a single constraint is data */
+    double *constraint_weight = HATCH_NEW(&keep, double, surface.point_count, &err);
+    ck_assert_ptr_nonnull(constraint_weight);
+    constraint_weight[3] = 1;
+    hatch_field_fill_unconstrained(&surface, &frames, constraint_weight, direction, confidence, filled);
+    ck_assert(!filled[0]);
     ck_assert_double_eq(confidence[1], 0);
 }
 END_TEST
 
-START_TEST(what_is_made_up_is_not_certain)
+START_TEST(filled_components_have_no_confidence)
 {
     static const bool both[2] = {true, false};
     struct hatch_component components[2] = {{.point_count = 2}, {.first_point = 2, .point_count = 2}};
     const struct hatch_surface two = {.component_count = 2, .components = components};
     double of_field[4] = {0.7, 0.7, 0.7, 0.7};
     struct hatch_field field = {.confidence = of_field};
-    hatch_field_own_up(&two, both, &field);
-    ck_assert_uint_eq(field.undirected, 1);
+    hatch_field_clear_filled_confidence(&two, both, &field);
+    ck_assert_uint_eq(field.unconstrained, 1);
     ck_assert(of_field[0] == 0 && of_field[1] == 0);
     ck_assert(of_field[2] == 0.7 && of_field[3] == 0.7);
 }
@@ -86,13 +86,13 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *made = suite_create("topo across");
-    TCase *tests = tcase_create("across");
+    Suite *made = suite_create("unconstrained components");
+    TCase *tests = tcase_create("unconstrained");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, lines_lie_across_the_longest_side);
-    tcase_add_test(tests, of_equal_sides_up_is_the_longest);
-    tcase_add_test(tests, what_is_known_stays);
-    tcase_add_test(tests, what_is_made_up_is_not_certain);
+    tcase_add_test(tests, directions_lie_across_the_longest_side);
+    tcase_add_test(tests, of_equal_sides_y_is_the_longest);
+    tcase_add_test(tests, components_with_data_are_not_filled);
+    tcase_add_test(tests, filled_components_have_no_confidence);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -2,16 +2,16 @@
 #include "curvature/work.h"
 
 static enum hatch_status allocate(const struct hatch_surface *surface, struct hatch_arena *arena,
-                                  struct hatch_curvature_terrain *terrain, struct hatch_err *err)
+                                  struct hatch_curvature_graph *graph, struct hatch_err *err)
 {
     size_t points = surface->point_count, entries = surface->ring_first[points];
-    struct hatch_surface *out = &terrain->surface;
+    struct hatch_surface *out = &graph->surface;
     *out = (struct hatch_surface){.point_count = surface->point_count,
                                   .component_count = surface->component_count,
                                   .components = surface->components};
-    terrain->order = HATCH_NEW_UNSET(arena, uint32_t, points, err);
-    terrain->normals = terrain->order ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
-    out->points = terrain->normals ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
+    graph->order = HATCH_NEW_UNSET(arena, uint32_t, points, err);
+    graph->normals = graph->order ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
+    out->points = graph->normals ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
     out->point_component = out->points ? HATCH_NEW_UNSET(arena, uint32_t, points, err) : NULL;
     out->ring_first = out->point_component ? HATCH_NEW_UNSET(arena, uint32_t, points + 1, err) : NULL;
     out->ring_point = out->ring_first ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
@@ -19,14 +19,14 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     return out->ring_turned ? HATCH_OK : HATCH_LIMIT;
 }
 
-/* A normal that leans further than this from the mean around it is the noise's, */
-#define LEAN_COSINE 0.7
-/* where the faces around look one way: the sum of their areas is at least this share of what they are together. The
- * edge of a thin body has faces that look both ways, and its normal is right. */
-#define ONE_WAY 0.5
+/* A normal that differs more than this from the mean around it is taken for noise, */
+#define NORMAL_COSINE_MIN 0.7
+/* where the faces around agree on a side: their vector areas sum to at least this share of their areas. At the edge of
+ * a thin body they do not agree, and the normal is right. */
+#define AGREEMENT_MIN 0.5
 
-/* The sum of the areas of the faces around a point: it does not depend on where that lies between its neighbours.
- * sum[3]: of their sizes. */
+/* Sums the vector areas of the faces around a point; the sum does not depend on the point's own position.
+ *   sum  out: vector area, and in [3] the area */
 static void sum_areas(const struct hatch_surface *surface, uint32_t p, double sum[4])
 {
     for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
@@ -34,51 +34,52 @@ static void sum_areas(const struct hatch_surface *surface, uint32_t p, double su
         double area[3];
         if (face == HATCH_NO_SIDE)
             continue;
-        hatch_surface_normal(surface, face, area);
+        hatch_surface_face_normal(surface, face, area);
         hatch_vec_add_scaled(sum, surface->ring_flipped[i] ? -1 : 1, area, sum);
         sum[3] += hatch_vec_length(area);
     }
 }
 
-/* The frames' normal weighs a face by its angle at the point, so that a sliver that noise has turned over counts as
- * much as any; and no other point's support would hold a point with such a normal. areas: 4 a point. */
-static void find_normal(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *areas,
-                        uint32_t p, double normal[3])
+/* Repairs a normal of the frames. Those weight a face by its angle, so that a sliver flipped by noise counts in full;
+ * supports of other points would not accept a point with such a normal.
+ *   areas  4 per point, of sum_areas */
+static void repair_normal(const struct hatch_surface *surface, const struct hatch_frames *frames, const double *areas,
+                          uint32_t p, double normal[3])
 {
-    double sum[3], sizes = areas[(size_t)p * 4 + 3];
+    double sum[3], area = areas[(size_t)p * 4 + 3];
     hatch_vec_copy(&frames->normal[(size_t)p * 3], normal);
     hatch_vec_copy(&areas[(size_t)p * 4], sum);
     for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
         const double *around = &areas[(size_t)surface->ring_point[i] * 4];
         hatch_vec_add_scaled(sum, surface->ring_turned[i] ? -1 : 1, around, sum);
-        sizes += around[3];
+        area += around[3];
     }
     double length = hatch_vec_normalize(sum);
-    if (length > 0 && length >= ONE_WAY * sizes && hatch_vec_dot(sum, normal) < LEAN_COSINE)
+    if (length > 0 && length >= AGREEMENT_MIN * area && hatch_vec_dot(sum, normal) < NORMAL_COSINE_MIN)
         hatch_vec_copy(sum, normal);
 }
 
-enum hatch_status hatch_curvature_order(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                        struct hatch_arena *arena, struct hatch_curvature_terrain *terrain,
-                                        struct hatch_err *err)
+enum hatch_status hatch_curvature_graph_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                             struct hatch_arena *arena, struct hatch_curvature_graph *graph,
+                                             struct hatch_err *err)
 {
-    HATCH_TRY(allocate(surface, arena, terrain, err));
-    struct hatch_surface *out = &terrain->surface;
+    HATCH_TRY(allocate(surface, arena, graph, err));
+    struct hatch_surface *out = &graph->surface;
     uint32_t *number = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
     double *areas = number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 4, err) : NULL;
     if (!areas)
         return HATCH_LIMIT;
     for (uint32_t p = 0; p < surface->point_count; p++)
         sum_areas(surface, p, &areas[(size_t)p * 4]);
-    HATCH_TRY(hatch_surface_order(surface, arena, terrain->order, number, err));
+    HATCH_TRY(hatch_surface_order_points(surface, arena, graph->order, number, err));
     uint32_t entry = 0;
     for (uint32_t p = 0; p < surface->point_count; p++) {
-        uint32_t old = terrain->order[p];
-        hatch_vec_copy(&surface->points[(size_t)old * 3], &out->points[(size_t)p * 3]);
-        find_normal(surface, frames, areas, old, &terrain->normals[(size_t)p * 3]);
-        out->point_component[p] = surface->point_component[old];
+        uint32_t original = graph->order[p];
+        hatch_vec_copy(&surface->points[(size_t)original * 3], &out->points[(size_t)p * 3]);
+        repair_normal(surface, frames, areas, original, &graph->normals[(size_t)p * 3]);
+        out->point_component[p] = surface->point_component[original];
         out->ring_first[p] = entry;
-        for (uint32_t i = surface->ring_first[old]; i < surface->ring_first[old + 1]; i++, entry++) {
+        for (uint32_t i = surface->ring_first[original]; i < surface->ring_first[original + 1]; i++, entry++) {
             out->ring_point[entry] = number[surface->ring_point[i]];
             out->ring_turned[entry] = surface->ring_turned[i];
         }

@@ -1,4 +1,4 @@
-/* From the mesh's faces to the surface's, component after component; then each component's figures. */
+/* The components of a surface: their faces, corners and points, their scale and their topology. */
 #include <assert.h>
 #include <string.h>
 
@@ -19,7 +19,8 @@ static enum hatch_status allocate(const struct hatch_surface_work *w, struct hat
     return s->face_source ? HATCH_OK : HATCH_LIMIT;
 }
 
-/* new_face: per face of the mesh. */
+/* Orders the faces by component.
+ *   new_face  out: per face of the mesh, its number in the surface */
 static void order_faces(const struct hatch_surface_work *w, struct hatch_surface *s, uint32_t *new_face)
 {
     for (uint32_t f = 0; f < w->mesh->face_count; f++)
@@ -40,14 +41,15 @@ static void order_faces(const struct hatch_surface_work *w, struct hatch_surface
     }
 }
 
-/* Points are numbered as the faces meet them. new_point: per fan, HATCH_NO_SIDE each. */
+/* Numbers the points in the order in which the faces use them.
+ *   new_point  per fan; in: HATCH_NO_SIDE each */
 static void number_points(const struct hatch_surface_work *w, struct hatch_surface *s, uint32_t *new_point)
 {
     const float *positions = w->mesh->attributes[0].data;
     uint32_t count = 0;
     for (uint32_t f = 0; f < s->face_count; f++) {
-        uint32_t source = s->face_source[f], part = w->component[source];
-        struct hatch_component *component = &s->components[part];
+        uint32_t source = s->face_source[f], index = w->component[source];
+        struct hatch_component *component = &s->components[index];
         if (f == component->first_face)
             component->first_point = count;
         for (uint32_t c = 0; c < 3; c++) {
@@ -55,7 +57,7 @@ static void number_points(const struct hatch_surface_work *w, struct hatch_surfa
             uint32_t *point = &new_point[w->fan[from]], vertex = w->mesh->indices[from];
             if (*point == HATCH_NO_SIDE) {
                 *point = count++;
-                s->point_component[*point] = part;
+                s->point_component[*point] = index;
                 hatch_vec_of(&positions[(size_t)vertex * 3], &s->points[(size_t)*point * 3]);
                 component->point_count++;
             }
@@ -66,7 +68,7 @@ static void number_points(const struct hatch_surface_work *w, struct hatch_surfa
     assert(count == s->point_count);
 }
 
-/* A turned face's corners are its first, last and middle one: its sides run backwards, last first. */
+/* A flipped face has the corners 0, 2, 1: its sides are reversed, in reverse order. */
 static uint32_t new_side(const struct hatch_surface_work *w, const uint32_t *new_face, uint32_t side)
 {
     uint32_t face = side / 3, c = side % 3;
@@ -81,8 +83,8 @@ static void join_sides(const struct hatch_surface_work *w, struct hatch_surface 
             s->opposite[new_side(w, new_face, side)] = new_side(w, new_face, w->partner[side]);
 }
 
-enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w, struct hatch_surface *surface,
-                                        struct hatch_err *err)
+enum hatch_status hatch_surface_build_components(const struct hatch_surface_work *w, struct hatch_surface *surface,
+                                                 struct hatch_err *err)
 {
     uint32_t *new_face = HATCH_NEW(w->scratch, uint32_t, w->mesh->face_count, err);
     uint32_t *new_point = new_face ? HATCH_NEW(w->scratch, uint32_t, w->fan_count, err) : NULL;
@@ -92,7 +94,7 @@ enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w, stru
     surface->point_count = w->fan_count;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
         surface->face_count += !w->dropped[f];
-        surface->point_count -= w->dropped[f] ? 3 : 0; /* each of its corners is a fan of its own */
+        surface->point_count -= w->dropped[f] ? 3 : 0; /* each corner of a dropped face is its own fan */
     }
     HATCH_TRY(allocate(w, surface, err));
     memset(new_point, 0xff, w->fan_count * sizeof *new_point);
@@ -102,17 +104,18 @@ enum hatch_status hatch_surface_arrange(const struct hatch_surface_work *w, stru
     return HATCH_OK;
 }
 
-/* Each edge once: from its only or its lower side. */
+/* Whether a side is the one that counts for its edge: the only or the lower one. */
 static bool owns_edge(const struct hatch_surface *s, uint32_t side)
 {
     return s->opposite[side] == HATCH_NO_SIDE || side < s->opposite[side];
 }
 
-static double mean_edge(const struct hatch_surface *s, const struct hatch_component *part)
+static double mean_edge(const struct hatch_surface *s, const struct hatch_component *component)
 {
     double sum = 0;
     uint32_t count = 0;
-    for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count); side++) {
+    for (uint32_t side = 3 * component->first_face; side < 3 * (component->first_face + component->face_count);
+         side++) {
         if (!owns_edge(s, side))
             continue;
         sum += hatch_vec_distance(&s->points[(size_t)s->corners[side] * 3],
@@ -122,28 +125,29 @@ static double mean_edge(const struct hatch_surface *s, const struct hatch_compon
     return sum / count;
 }
 
-void hatch_surface_place(struct hatch_surface *s)
+void hatch_surface_normalize(struct hatch_surface *s)
 {
     for (uint32_t c = 0; c < s->component_count; c++) {
-        struct hatch_component *part = &s->components[c];
-        double *points = &s->points[(size_t)part->first_point * 3];
+        struct hatch_component *component = &s->components[c];
+        double *points = &s->points[(size_t)component->first_point * 3];
         double low[3], high[3];
         hatch_vec_copy(points, low);
         hatch_vec_copy(points, high);
-        for (size_t i = 0; i < (size_t)part->point_count * 3; i++) {
+        for (size_t i = 0; i < (size_t)component->point_count * 3; i++) {
             low[i % 3] = fmin(low[i % 3], points[i]);
             high[i % 3] = fmax(high[i % 3], points[i]);
         }
-        part->scale = mean_edge(s, part);
+        component->scale = mean_edge(s, component);
         for (int k = 0; k < 3; k++)
-            part->center[k] = (low[k] + high[k]) / 2;
-        for (size_t i = 0; i < (size_t)part->point_count * 3; i++)
-            points[i] = (points[i] - part->center[i % 3]) / part->scale;
+            component->center[k] = (low[k] + high[k]) / 2;
+        for (size_t i = 0; i < (size_t)component->point_count * 3; i++)
+            points[i] = (points[i] - component->center[i % 3]) / component->scale;
     }
 }
 
-/* A border point has one fan, and so two border sides: its loop is what they join. */
-enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_arena *scratch, struct hatch_err *err)
+/* A border point has one fan, hence two border sides: loops are the sets of points connected by border sides. */
+enum hatch_status hatch_surface_find_topology(struct hatch_surface *s, struct hatch_arena *scratch,
+                                              struct hatch_err *err)
 {
     uint32_t *loop = HATCH_NEW(scratch, uint32_t, s->point_count, err);
     uint8_t *on_border = loop ? HATCH_NEW(scratch, uint8_t, s->point_count, err) : NULL;
@@ -151,22 +155,23 @@ enum hatch_status hatch_surface_count(struct hatch_surface *s, struct hatch_aren
         return HATCH_LIMIT;
     hatch_sets_init(loop, s->point_count);
     for (uint32_t c = 0; c < s->component_count; c++) {
-        struct hatch_component *part = &s->components[c];
+        struct hatch_component *component = &s->components[c];
         uint32_t edges = 0;
-        part->orientable = true;
-        for (uint32_t side = 3 * part->first_face; side < 3 * (part->first_face + part->face_count); side++) {
+        component->orientable = true;
+        for (uint32_t side = 3 * component->first_face; side < 3 * (component->first_face + component->face_count);
+             side++) {
             uint32_t other = s->opposite[side], end = hatch_side_end(side);
             edges += owns_edge(s, side);
             if (other == HATCH_NO_SIDE) {
                 hatch_sets_join(loop, s->corners[side], s->corners[end]);
                 on_border[s->corners[side]] = on_border[s->corners[end]] = 1;
-            } else if (hatch_sides_contrary(s, side, other)) {
-                part->orientable = false;
+            } else if (hatch_surface_is_contrary(s, side, other)) {
+                component->orientable = false;
             }
         }
-        part->euler = (int32_t)((int64_t)part->point_count - edges + part->face_count);
-        for (uint32_t p = part->first_point; p < part->first_point + part->point_count; p++)
-            part->border_loops += on_border[p] && loop[p] == p;
+        component->euler = (int32_t)((int64_t)component->point_count - edges + component->face_count);
+        for (uint32_t p = component->first_point; p < component->first_point + component->point_count; p++)
+            component->border_loops += on_border[p] && loop[p] == p;
     }
     return HATCH_OK;
 }

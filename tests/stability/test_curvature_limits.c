@@ -1,5 +1,5 @@
-/* Points on which curvature over a fixed support fails, and what supports that grow with the noise make of them.
- * Angles are to the true first principal direction, over five shapes, in degrees. */
+/* Where fits over a fixed support fail and adaptive supports do not. Figures are angles to the known first principal
+ * direction over five shapes, in degrees. */
 #include "curvature_make.h"
 
 #define FACES 6000
@@ -17,11 +17,11 @@ static struct figures measure(float noise, double radius, uint32_t degree, bool 
         const double *direction = found.direction;
         if (smoothed) {
             const struct hatch_field_options options = {.smooth = 0.5, .tolerance = 1e-6, .iterations_max = 1000};
-            const struct hatch_field_data data = {found.direction, found.confidence, NULL, true};
+            const struct hatch_field_problem problem = {&of.surface,      &of.frames, found.direction,
+                                                        found.confidence, NULL,       true};
             struct hatch_field field;
-            HATCH_TEST_OK(hatch_frames_lean(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
-            HATCH_TEST_OK(
-                hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err), &err);
+            HATCH_TEST_OK(hatch_frames_set_normals(&of.surface, found.normal, &scratch, &of.frames, &err), &err);
+            HATCH_TEST_OK(hatch_field_solve(&problem, &options, &keep, &scratch, &field, &err), &err);
             direction = field.direction;
         }
         add_angles(&angles, &of, direction, false);
@@ -29,7 +29,6 @@ static struct figures measure(float noise, double radius, uint32_t degree, bool 
     return (struct figures){percentile(&angles, 0.5), percentile(&angles, 0.95)};
 }
 
-/* What is exact on clean points sees nothing but noise on noisy ones. */
 START_TEST(small_supports_fail_on_noise)
 {
     ck_assert_double_lt(measure(0, 2.6, 4, false).median, 0.01);
@@ -38,7 +37,7 @@ START_TEST(small_supports_fail_on_noise)
 }
 END_TEST
 
-/* What stands noise cannot follow a surface that bends: a quadric over eight edges. */
+/* A quadric over a radius of eight edges cannot follow the surface. */
 START_TEST(large_supports_fail_on_clean_points)
 {
     ck_assert_double_lt(measure(0.05f, 8, 2, false).median, 4);
@@ -46,7 +45,7 @@ START_TEST(large_supports_fail_on_clean_points)
 }
 END_TEST
 
-START_TEST(adaptive_supports_do_both)
+START_TEST(adaptive_supports_suit_both)
 {
     struct figures clean = measure(0, 0, 0, false);
     ck_assert_double_lt(clean.median, 0.01);
@@ -59,8 +58,8 @@ START_TEST(adaptive_supports_do_both)
 }
 END_TEST
 
-/* The confidence lets the field mend what is uncertain and leave alone what is not. */
-START_TEST(smoothing_mends_noise_and_keeps_clean_points)
+/* With the confidence as weight, smoothing improves uncertain directions and keeps certain ones. */
+START_TEST(smoothing_reduces_noise_and_keeps_clean_points)
 {
     struct figures clean = measure(0, 0, 0, true), some = measure(0.05f, 0, 0, true), much = measure(0.2f, 0, 0, true);
     ck_assert_double_lt(clean.median, 0.01);
@@ -74,13 +73,13 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *all = suite_create("topo curvature, where supports fail");
+    Suite *all = suite_create("curvature limits");
     TCase *tests = tcase_create("supports");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, small_supports_fail_on_noise);
     tcase_add_test(tests, large_supports_fail_on_clean_points);
-    tcase_add_test(tests, adaptive_supports_do_both);
-    tcase_add_test(tests, smoothing_mends_noise_and_keeps_clean_points);
+    tcase_add_test(tests, adaptive_supports_suit_both);
+    tcase_add_test(tests, smoothing_reduces_noise_and_keeps_clean_points);
     suite_add_tcase(all, tests);
     return all;
 }

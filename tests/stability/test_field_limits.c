@@ -1,4 +1,4 @@
-/* Data on which the plain ways of smoothing a direction field fail, and what is done here instead. */
+/* Where simpler ways of smoothing a direction field fail and the present one does not. */
 #include "field_make.h"
 
 #define DEG (PI / 180)
@@ -13,7 +13,7 @@ static struct field_case noisy(enum hatch_shape shape, double noise_rad, double 
     return of;
 }
 
-/* The share of points whose line is within a limit of the truth. */
+/* Returns the share of points whose direction is within a limit of the known one. */
 static double share_within(const struct field_case *of, const double *direction, const double *truth, double limit_rad)
 {
     uint32_t count = 0;
@@ -30,9 +30,9 @@ static double smoothed_share(enum hatch_shape shape, double noise_rad, double co
     return share_within(&of, field.direction, truth, limit_rad);
 }
 
-/* One weight for all data suits one noise: what saves directions that are 10 degrees wrong costs those that are
- * exact. The odds of a confidence, 1 / (1 + variance / .02²), do both. */
-START_TEST(a_weight_for_all_smooths_clean_data_away)
+/* A uniform weight suits one level of noise: one that corrects errors of 10 degrees destroys exact directions.
+ * Confidences of 1 / (1 + variance / 0.02²) suit both. */
+START_TEST(a_uniform_weight_smooths_clean_data_away)
 {
     const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOID};
     const double noise[] = {10 * DEG, 0.01 * DEG}, limit[] = {3 * DEG, 0.1 * DEG};
@@ -45,9 +45,9 @@ START_TEST(a_weight_for_all_smooths_clean_data_away)
 }
 END_TEST
 
-/* Downhill from the data the unit field (Hertzmann & Zorin) keeps pairs of singularities that noise has made: each
- * is a least energy of its own. The linear system has but one. */
-START_TEST(descent_from_the_data_keeps_singularities_of_the_noise)
+/* Descent from the data over unit fields (Hertzmann & Zorin) keeps pairs of singularities made by noise: they are
+ * local minima. The linear system has a single minimum. */
+START_TEST(descent_keeps_singularities_of_noise)
 {
     double *truth;
     struct field_case of = noisy(HATCH_SHAPE_ELLIPSOID, 40 * DEG, 0.02, &truth);
@@ -58,7 +58,7 @@ START_TEST(descent_from_the_data_keeps_singularities_of_the_noise)
 }
 END_TEST
 
-/* A plane of needles: a square grid pressed to a hundredth, its diagonals turned at random. */
+/* A plane of needles: a square grid compressed to a hundredth, with random diagonals. */
 static struct field_case needles(void)
 {
     struct hatch_mesh mesh;
@@ -90,9 +90,9 @@ static double plain_cotangent(const struct field_case *of, uint32_t face, uint32
     return hatch_vec_dot(a, b) / hatch_vec_length(cross);
 }
 
-/* Plain cotangents push neighbours apart on needles; bounded ones do not, and one line given by hand still reaches
- * everybody. */
-START_TEST(needles_do_not_push_neighbours_apart)
+/* Unclamped cotangent weights are negative on needles; clamped ones are positive, and one constraint still determines
+ * the whole field. */
+START_TEST(needles_have_positive_weights)
 {
     struct field_case of = needles();
     uint32_t negative = 0;
@@ -109,50 +109,48 @@ START_TEST(needles_do_not_push_neighbours_apart)
         ck_assert_double_gt(of.frames.weight[i], 0);
     const double line[3] = {1, 1, 0};
     hatch_vec_copy(line, of.direction);
-    double *hard = HATCH_NEW(&keep, double, of.surface.point_count, &err);
-    hard[0] = 1;
-    const struct hatch_field_data data = {of.direction, of.confidence, hard, false};
+    double *constraint_weight = HATCH_NEW(&keep, double, of.surface.point_count, &err);
+    constraint_weight[0] = 1;
+    const struct hatch_field_problem problem = {&of.surface,   &of.frames,        of.direction,
+                                                of.confidence, constraint_weight, false};
     const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-10, 2000};
     struct hatch_field field;
-    HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_field_solve(&problem, &options, &keep, &scratch, &field, &err), &err);
     for (uint32_t p = 0; p < of.surface.point_count; p++)
         ck_assert_double_lt(line_angle(&of, p, &field.direction[3 * (size_t)p], line), 0.1 * DEG);
 }
 END_TEST
 
-/* How far a saddle's first principal directions, 5 degrees wrong, are from the nearer axis after smoothing beside
- * the lines on which they jump by a right angle; and from the first axis in a patch all of whose points claim the
- * other: means. */
+/* Mean angles after smoothing on a saddle, whose data has errors of 5 degrees: to the nearer principal axis beside the
+ * lines on which the first direction jumps; and to the first axis in a small region whose data has the second. */
 struct means {
-    double beside_rad, patch_rad;
+    double beside_rad, region_rad;
 };
 
 static struct means smooth_jumps(bool principal, double confidence)
 {
     double *truth, sum[2] = {0, 0}, count[2] = {0, 0};
     struct field_case of = noisy(HATCH_SHAPE_SADDLE, 5 * DEG, confidence, &truth);
-    bool *patch = HATCH_NEW(&keep, bool, of.surface.point_count, &err);
+    bool *region = HATCH_NEW(&keep, bool, of.surface.point_count, &err);
     for (uint32_t p = 0; p < of.surface.point_count; p++) {
         double *line = &of.direction[3 * (size_t)p], at[3];
         hatch_surface_position(&of.surface, p, at);
-        patch[p] = hypot(at[0] - 0.6, at[1]) < 0.08;
-        if (patch[p])
+        region[p] = hypot(at[0] - 0.6, at[1]) < 0.08;
+        if (region[p])
             hatch_frames_direction(&of.frames, p, hatch_frames_angle(&of.frames, p, line) + PI / 2, line);
     }
-    const struct hatch_field_data data = {of.direction, of.confidence, NULL, principal};
+    const struct hatch_field_problem problem = {&of.surface, &of.frames, of.direction, of.confidence, NULL, principal};
     const struct hatch_field_options options = {HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, 0.5, 1e-6, 2000};
     struct hatch_field field;
-    HATCH_TEST_OK(hatch_field_solve(&of.surface, &of.frames, &data, &options, NULL, &keep, &scratch, &field, &err),
-                  &err);
+    HATCH_TEST_OK(hatch_field_solve(&problem, &options, &keep, &scratch, &field, &err), &err);
     for (uint32_t p = 0; p < of.surface.point_count; p++) {
         double at[3], angle = line_angle(&of, p, &field.direction[3 * (size_t)p], &truth[3 * (size_t)p]);
         hatch_surface_position(&of.surface, p, at);
         double off = fabs(fabs(at[0]) - fabs(at[1]));
-        if (!patch[p] && (off < 0.02 || off > 0.2))
+        if (!region[p] && (off < 0.02 || off > 0.2))
             continue;
-        sum[patch[p]] += patch[p] ? angle : fmin(angle, PI / 2 - angle);
-        count[patch[p]]++;
+        sum[region[p]] += region[p] ? angle : fmin(angle, PI / 2 - angle);
+        count[region[p]]++;
     }
     return (struct means){sum[0] / count[0], sum[1] / count[1]};
 }
@@ -164,22 +162,22 @@ START_TEST(smoothing_over_a_jump_bends_the_axes)
 }
 END_TEST
 
-START_TEST(a_patch_of_swapped_axes_is_settled)
+START_TEST(a_region_of_swapped_axes_is_corrected)
 {
-    ck_assert_double_lt(smooth_jumps(true, 0.1).patch_rad, 10 * DEG);
+    ck_assert_double_lt(smooth_jumps(true, 0.1).region_rad, 10 * DEG);
 }
 END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("topo field stability");
+    Suite *suite = suite_create("field limits");
     TCase *tests = tcase_create("field");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, a_weight_for_all_smooths_clean_data_away);
-    tcase_add_test(tests, descent_from_the_data_keeps_singularities_of_the_noise);
-    tcase_add_test(tests, needles_do_not_push_neighbours_apart);
+    tcase_add_test(tests, a_uniform_weight_smooths_clean_data_away);
+    tcase_add_test(tests, descent_keeps_singularities_of_noise);
+    tcase_add_test(tests, needles_have_positive_weights);
     tcase_add_test(tests, smoothing_over_a_jump_bends_the_axes);
-    tcase_add_test(tests, a_patch_of_swapped_axes_is_settled);
+    tcase_add_test(tests, a_region_of_swapped_axes_is_corrected);
     suite_add_tcase(suite, tests);
     return suite;
 }
