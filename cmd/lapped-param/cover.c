@@ -119,16 +119,14 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     uint32_t *last = HATCH_NEW(scratch, uint32_t, source.vertex_count, err);
     uint32_t *before = last ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
     uint32_t *class_of = before ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    uint32_t *vertex = class_of ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    if (!vertex)
+    if (!class_of)
         return HATCH_LIMIT;
     find_classes(surface, texcoords, last, before, class_of);
-    HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, vertex,
-                                &splits, err));
+    HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, &splits, err));
     HATCH_TRY(
         hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep, &made->mesh, err));
     HATCH_TRY(hatch_mesh_add(&args->keep, &made->mesh, "TEXCOORD_0", 2, &uv, err));
-    memcpy(made->mesh.indices, vertex, corners * sizeof *vertex);
+    memcpy(made->mesh.indices, splits.indices, corners * sizeof *splits.indices);
     for (size_t v = 0; v < splits.count; v++)
         if (splits.class_at[v] != HATCH_NO_CLASS)
             memcpy(&uv[2 * v], &texcoords[2 * (size_t)splits.class_at[v]], 2 * sizeof *uv);
