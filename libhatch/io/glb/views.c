@@ -188,7 +188,8 @@ static size_t count_views(const struct hatch_scene *scene)
 {
     size_t count = (size_t)scene->skin_count + scene->texture_count;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        count += scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh);
+        count +=
+            scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh);
     for (uint32_t a = 0; a < scene->animation_count; a++)
         count += 2 * (size_t)scene->animations[a].channel_count;
     return count;
