@@ -69,8 +69,8 @@ static double normals_turn(const struct work *w, uint32_t face)
 /* The mean of the corners' directions, projected into the face's plane without turning them: readers of the file that
  * know nothing of parallel transport see the same. Along a crease it follows the crease on both sides.
  *   nearest  as in hatch_field_mean */
-static void find_line(const struct work *w, const uint32_t *corner, const double normal[3], double line[3],
-                      double *nearest)
+static void find_direction(const struct work *w, const uint32_t *corner, const double normal[3], double direction[3],
+                           double *nearest)
 {
     const struct hatch_surface *surface = w->domain->surface;
     double u[3], v[3], z[3][2];
@@ -83,7 +83,7 @@ static void find_line(const struct work *w, const uint32_t *corner, const double
         z[c][0] = square > 0 ? (x * x - y * y) / square : 0;
         z[c][1] = square > 0 ? 2 * x * y / square : 0;
     }
-    hatch_field_mean((const double(*)[2])z, u, v, line, nearest);
+    hatch_field_mean((const double(*)[2])z, u, v, direction, nearest);
 }
 
 static void measure_face(const struct work *w, uint32_t face)
@@ -94,19 +94,20 @@ static void measure_face(const struct work *w, uint32_t face)
     const double *at[3];
     for (int c = 0; c < 3; c++)
         at[c] = &surface->points[(size_t)corner[c] * 3];
-    double line[3], across[3], normal[3], nearest;
+    double direction[3], across[3], normal[3], nearest;
     hatch_vec_triangle(at[0], at[1], at[2], normal);
     w->area[face] = hatch_vec_normalize(normal) / 2;
-    find_line(w, corner, normal, line, &nearest);
-    hatch_vec_cross(normal, line, across);
+    find_direction(w, corner, normal, direction, &nearest);
+    hatch_vec_cross(normal, direction, across);
     for (int c = 1; c < 3; c++) {
         double side[3];
         hatch_vec_sub(at[c], at[0], side);
-        domain->flattened[(size_t)face * 4 + (size_t)(2 * c - 2)] = hatch_vec_dot(side, line);
+        domain->flattened[(size_t)face * 4 + (size_t)(2 * c - 2)] = hatch_vec_dot(side, direction);
         domain->flattened[(size_t)face * 4 + (size_t)(2 * c - 1)] = hatch_vec_dot(side, across);
     }
     domain->singular[face] = hatch_field_face_index(surface, w->input->frames, w->angle_rad, face) != 0;
-    /* The second term is the squared sine of the largest angle between line and corners' directions, per area. */
+    /* The second term is the squared sine of the largest angle between the directions of face and corners' directions,
+     * per area. */
     domain->turning_rate[face] = normals_turn(w, face) + (1 - nearest) / (2 * w->area[face]);
 }
 

@@ -13,9 +13,9 @@
 #define HATCH_MESH_ATTRIBUTES_READ 18u /* read from a file at most; commands add others */
 #define HATCH_MESH_NAME_MAX 64u        /* with the terminating zero */
 
-/* Attribute names are glTF's: POSITION (3 components), NORMAL (3), TANGENT (4: unit direction of rising u, and the sign
- * w with which w * (NORMAL × TANGENT) is the direction of falling v: 1 unless the texture is mirrored), TEXCOORD_0 (2),
- * TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
+/* Attribute names are glTF's: POSITION (3 components), NORMAL (3), TANGENT (4: unit direction of rising u, and the
+ * sign w with which w * (NORMAL × TANGENT) is the direction of falling v: 1 unless the texture is mirrored),
+ * TEXCOORD_0 (2), TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
 #define HATCH_MORPH_POSITION "morph POSITION" /* 3 per morph target: displacement of the vertex */
 #define HATCH_MORPH_NORMAL "morph NORMAL"     /* 3 per morph target; only together with HATCH_MORPH_POSITION */
 
