@@ -1,4 +1,4 @@
-/* meshgen: makes a built-in shape as GLB. */
+/* meshgen: writes a built-in shape as GLB. */
 #include <stdio.h>
 #include <string.h>
 
@@ -14,16 +14,15 @@ static bool field;
 static const char *const uv_choices[] = {"natural", "even", "whole", NULL};
 
 static const struct cmd_option options[] = {
-    {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N", "about how many triangles (default 10000)", &faces, NULL,
-     NULL},
-    {'J', "jitter", CMD_REAL, 0, 1, "SHARE", "irregular triangles: how far vertices move over the surface (default 0)",
-     &jitter, NULL, NULL},
-    {'N', "noise", CMD_REAL, 0, 1, "SHARE", "displacement along the normals, in mean edge lengths (default 0)", &noise,
+    {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N", "approximate number of triangles (default 10000)", &faces,
      NULL, NULL},
-    {'u', "uv", CMD_CHOICE, 0, 0, "HOW", "natural (the parameter; default), even (v by length), whole (0 to 1)", &uv,
-     uv_choices, NULL},
-    {'f', "field", CMD_FLAG, 0, 0, NULL, "add the shape's true principal directions, as dirfield would write them",
-     &field, NULL, NULL},
+    {'J', "jitter", CMD_REAL, 0, 1, "SHARE",
+     "irregular triangles; 1: vertices move by up to a quarter of a row (default 0)", &jitter, NULL, NULL},
+    {'N', "noise", CMD_REAL, 0, 1, "SHARE", "standard deviation along the normals, in mean edge lengths (default 0)",
+     &noise, NULL, NULL},
+    {'u', "uv", CMD_CHOICE, 0, 0, "HOW", "natural (by the parameter; default), even (v by arc length), whole (0 to 1)",
+     &uv, uv_choices, NULL},
+    {'f', "field", CMD_FLAG, 0, 0, NULL, "add the true first principal directions as _HATCH_DIR", &field, NULL, NULL},
     {0},
 };
 
@@ -50,7 +49,7 @@ static enum hatch_shape find_shape(const char *name)
     for (enum hatch_shape shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
         if (strcmp(hatch_shape_name(shape), name) == 0)
             return shape;
-    cmd_usage("%s: no such shape", name);
+    cmd_usage("%s: unknown shape; --help lists them", name);
 }
 
 int main(int argc, char **argv)
@@ -58,7 +57,7 @@ int main(int argc, char **argv)
     struct cmd_args args;
     cmd_begin(&program, argc, argv, &args);
     enum hatch_shape shape = find_shape(args.operands[0]);
-    const struct hatch_shape_options how = {
+    const struct hatch_shape_options shape_options = {
         .faces = (uint32_t)faces,
         .jitter = (float)jitter,
         .noise = (float)noise,
@@ -67,16 +66,16 @@ int main(int argc, char **argv)
         .field = field,
     };
     if (field && shape == HATCH_SHAPE_TEAPOT)
-        cmd_usage("--field: the teapot has no formula for its curvature");
+        cmd_usage("--field: the curvature of the teapot has no closed form");
     cmd_check_ending(args.output, "glb");
     struct cmd_output *output = cmd_open_output(args.output, true);
 
     struct hatch_err err;
     struct hatch_mesh mesh;
-    cmd_check(hatch_shape_make(shape, &how, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
+    cmd_check(hatch_shape_make(shape, &shape_options, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
     char comment[160];
     snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g --noise %g --uv %s%s --seed %llu",
-             hatch_shape_name(shape), how.faces, jitter, noise, uv_choices[uv], field ? " --field" : "",
+             hatch_shape_name(shape), shape_options.faces, jitter, noise, uv_choices[uv], field ? " --field" : "",
              (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err), NULL, &err);

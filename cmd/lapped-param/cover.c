@@ -5,20 +5,19 @@
 #include "lapped_param.h"
 #include "mesh/splits.h"
 
-#define ATLAS_MARGIN (1.0 / 256) /* two texels of a texture of 512 */
+#define ATLAS_MARGIN (1.0 / 256) /* between charts: two texels of a texture of 512 */
 
-/* What covering a mesh needs and nothing later does. */
+/* Data needed only while a mesh is covered. */
 struct work {
     struct hatch_arena arena;
-    struct hatch_mesh_notes notes;
     struct hatch_surface surface;
     struct hatch_frames frames;
-    double *direction, *confidence;
+    struct hatch_lapped_input input;
     struct hatch_lapped lapped;
 };
 
-/* Makes the mesh what its surface is, with a field and normals, as dirfield would write it: so that with
- * dirfield before it or without the same comes out. */
+/* Replaces the mesh by its cleaned surface with a field and normals, as dirfield would write it: the result is the same
+ * with dirfield before lapped-param or without. */
 static void prepare(struct cmd_args *args, struct lapped_param_part *part)
 {
     struct hatch_err err;
@@ -35,7 +34,7 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
     part->mesh->mesh = mesh;
 }
 
-/* Whether two meshes have the same surface: the same faces with the same corners. */
+/* Returns whether two meshes have the same surface: the same indices and positions. */
 static bool same_surface(const struct hatch_mesh *a, const struct hatch_mesh *b)
 {
     return a->vertex_count == b->vertex_count && a->face_count == b->face_count &&
@@ -45,26 +44,31 @@ static bool same_surface(const struct hatch_mesh *a, const struct hatch_mesh *b)
 }
 
 static enum hatch_status make_patches(struct cmd_args *args, const struct lapped_param_options *options,
-                                      const struct hatch_outline *outline, const struct lapped_param_part *part,
-                                      const struct hatch_mesh *source, struct work *work, struct hatch_err *err)
+                                      const struct lapped_param_part *part, const struct hatch_mesh *source,
+                                      struct work *work, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &part->mesh->mesh;
     struct hatch_surface_notes notes;
-    struct hatch_lapped_options how = options->lapped;
-    how.size = part->size;
+    struct hatch_lapped_options lapped_options = options->lapped;
+    lapped_options.size = part->size;
     if (same_surface(source, mesh))
         work->surface = *part->surface;
     else
         HATCH_TRY(hatch_surface_make(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
     HATCH_TRY(hatch_frames_make(&work->surface, &work->arena, &args->scratch, &work->frames, err));
     size_t points = work->surface.point_count;
-    work->direction = HATCH_NEW(&work->arena, double, 3 * points, err);
-    work->confidence = work->direction ? HATCH_NEW(&work->arena, double, points, err) : NULL;
-    if (!work->confidence)
+    double *direction = HATCH_NEW(&work->arena, double, 3 * points, err);
+    double *confidence = direction ? HATCH_NEW(&work->arena, double, points, err) : NULL;
+    if (!confidence)
         return HATCH_LIMIT;
-    hatch_field_of_mesh(&work->surface, &work->frames, mesh, work->direction, work->confidence);
-    return hatch_lapped_make(&work->surface, &work->frames, work->direction, work->confidence, outline, &how,
-                             cmd_pool(args), &work->arena, &args->scratch, &work->lapped, err);
+    hatch_field_of_mesh(&work->surface, &work->frames, mesh, direction, confidence);
+    work->input.surface = &work->surface;
+    work->input.frames = &work->frames;
+    work->input.direction = direction;
+    work->input.confidence = confidence;
+    work->input.mesh = mesh;
+    return hatch_lapped_make(&work->input, &lapped_options, cmd_pool(args), &work->arena, &args->scratch, &work->lapped,
+                             err);
 }
 
 static enum hatch_status make_meshes(struct cmd_args *args, const struct work *work, struct lapped_param_part *part,
@@ -76,14 +80,16 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
         return HATCH_LIMIT;
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         part->made[p] = *part->mesh;
-        HATCH_TRY(hatch_lapped_mesh(&work->surface, &part->mesh->mesh, lapped, p, work->direction, work->confidence,
-                                    part->tile, &args->keep, &args->scratch, &part->made[p].mesh, err));
+        HATCH_TRY(hatch_lapped_mesh(&work->input, lapped, p, &args->keep, &args->scratch, &part->made[p].mesh, err));
     }
     part->made_count = lapped->patch_count;
     return HATCH_OK;
 }
 
-/* class_of: per corner the first one at its vertex with its texture coordinates. */
+/* Finds for each corner the first one of the same vertex with the same texture coordinates.
+ *   last      zero per vertex; overwritten: 1 + the last first corner there
+ *   before    zero per corner; overwritten: 1 + the first corner of the same vertex before it
+ *   class_of  out: per corner */
 static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last, uint32_t *before,
                          uint32_t *class_of)
 {
@@ -100,7 +106,7 @@ static void find_classes(const struct hatch_surface *surface, const float *texco
     }
 }
 
-/* The mesh with its vertices given once for each place that they have in the atlas. */
+/* Splits the vertices of a mesh so that each has one position in the atlas, and adds TEXCOORD_0. */
 static enum hatch_status split(struct cmd_args *args, const struct work *work, const float *texcoords,
                                struct hatch_scene_mesh *made, struct hatch_err *err)
 {
@@ -113,24 +119,22 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     uint32_t *last = HATCH_NEW(scratch, uint32_t, source.vertex_count, err);
     uint32_t *before = last ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
     uint32_t *class_of = before ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    uint32_t *vertex = class_of ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    if (!vertex)
+    if (!class_of)
         return HATCH_LIMIT;
     find_classes(surface, texcoords, last, before, class_of);
-    HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, vertex,
-                                &splits, err));
+    HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, &splits, err));
     HATCH_TRY(
         hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep, &made->mesh, err));
     HATCH_TRY(hatch_mesh_add(&args->keep, &made->mesh, "TEXCOORD_0", 2, &uv, err));
-    memcpy(made->mesh.indices, vertex, corners * sizeof *vertex);
+    memcpy(made->mesh.indices, splits.indices, corners * sizeof *splits.indices);
     for (size_t v = 0; v < splits.count; v++)
         if (splits.class_at[v] != HATCH_NO_CLASS)
             memcpy(&uv[2 * v], &texcoords[2 * (size_t)splits.class_at[v]], 2 * sizeof *uv);
     return HATCH_OK;
 }
 
-static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_outline *outline, const struct work *work,
-                                    struct lapped_param_part *part, struct hatch_err *err)
+static enum hatch_status make_atlas(struct cmd_args *args, const struct work *work, struct lapped_param_part *part,
+                                    struct hatch_err *err)
 {
     double scale;
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -140,8 +144,7 @@ static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_ou
         return HATCH_LIMIT;
     part->made[0] = *part->mesh;
     part->made_count = 1;
-    HATCH_TRY(hatch_lapped_atlas(&work->surface, &work->lapped, outline, ATLAS_MARGIN, &args->scratch, texcoords,
-                                 &scale, err));
+    HATCH_TRY(hatch_lapped_atlas(&work->input, &work->lapped, ATLAS_MARGIN, &args->scratch, texcoords, &scale, err));
     part->atlas_side = 1 / scale;
     HATCH_TRY(split(args, work, texcoords, &part->made[0], err));
     hatch_arena_rewind(&args->scratch, mark);
@@ -151,20 +154,19 @@ static enum hatch_status make_atlas(struct cmd_args *args, const struct hatch_ou
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part)
 {
-    struct work work = {.direction = NULL};
+    struct work work = {.input = {.outline = outline, .tile = part->tile}};
     struct hatch_err err;
     const struct hatch_mesh source = part->mesh->mesh;
     hatch_arena_init(&work.arena, args->max_memory);
     prepare(args, part);
-    cmd_check(make_patches(args, options, outline, part, &source, &work, &err), part->name, &err);
-    cmd_check(options->atlas ? make_atlas(args, outline, &work, part, &err) : make_meshes(args, &work, part, &err),
-              part->name, &err);
+    cmd_check(make_patches(args, options, part, &source, &work, &err), part->name, &err);
+    cmd_check(options->atlas ? make_atlas(args, &work, part, &err) : make_meshes(args, &work, part, &err), part->name,
+              &err);
     part->patches = work.lapped.patch_count;
     part->patch_faces = work.lapped.face_count;
     part->faces = work.surface.face_count;
-    part->cut = work.lapped.cut;
-    part->enlarged = work.lapped.enlarged;
-    part->hidden = work.lapped.hidden;
-    part->placed = work.lapped.placed;
+    part->cut = work.lapped.cut_count;
+    part->enlarged = work.lapped.enlarged_count;
+    part->solved_faces = work.lapped.solved_faces;
     hatch_arena_free(&work.arena);
 }

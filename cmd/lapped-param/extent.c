@@ -4,7 +4,7 @@
 #include "math/box.h"
 #include "math/vector.h"
 
-/* The mesh's own box, moved; matrix: column-major. */
+/* Adds the transformed box of a mesh; matrix: column-major. */
 static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const float *matrix)
 {
     float ends[2][3];
@@ -21,6 +21,7 @@ static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const
     }
 }
 
+/* Mean scale of a matrix: the cube root of its determinant. */
 static double scale_of(const float *matrix)
 {
     double columns[3][3], cross[3];
@@ -30,9 +31,10 @@ static double scale_of(const float *matrix)
     return cbrt(fabs(hatch_vec_dot(cross, columns[2])));
 }
 
-/* Where a node's meshes stand: a skin's joints move them, the node itself does not. joints: room for all
- * matrices of the largest skin. */
-static const float *place_of(const struct hatch_scene *scene, uint32_t n, const float *world, float *joints)
+/* Returns the matrix that places a node's meshes: that of the skin's first joint where the node has a skin, which its
+ * own transform then does not move.
+ *   joints  room for the matrices of the largest skin */
+static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const float *world, float *joints)
 {
     if (scene->nodes[n].skin == HATCH_NONE)
         return world + 16 * (size_t)n;
@@ -57,18 +59,18 @@ void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene
         const struct hatch_node *node = &scene->nodes[n];
         if (node->mesh_count == 0)
             continue;
-        const float *place = place_of(scene, n, world, joints);
+        const float *matrix = matrix_of(scene, n, world, joints);
         for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++) {
-            add_mesh(&box, &scene->meshes[m].mesh, place);
-            extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : scale_of(place);
+            add_mesh(&box, &scene->meshes[m].mesh, matrix);
+            extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : scale_of(matrix);
         }
     }
-    /* What no node draws, or only without a volume, is as large as it is. */
+    /* Meshes that no node draws, or only with scale 0, keep their own units. */
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : 1;
-    static const float nowhere[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     for (uint32_t m = 0; m < scene->mesh_count && !box.any; m++)
-        add_mesh(&box, &scene->meshes[m].mesh, nowhere);
+        add_mesh(&box, &scene->meshes[m].mesh, identity);
     extent->diagonal = hatch_vec_distance(box.low, box.high);
     hatch_arena_rewind(&args->scratch, mark);
 }

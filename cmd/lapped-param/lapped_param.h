@@ -1,6 +1,6 @@
-/* What the files of lapped-param share. */
-#ifndef LAPPED_PARAM_H
-#define LAPPED_PARAM_H
+/* Declarations shared by the files of lapped-param. Functions allocate in args->keep and end the process on failure. */
+#ifndef LAPPED_PARAM_LAPPED_PARAM_H
+#define LAPPED_PARAM_LAPPED_PARAM_H
 
 #include "shared/cmd.h"
 #include "lapped/lapped.h"
@@ -8,46 +8,46 @@
 
 struct lapped_param_options {
     struct hatch_lapped_options lapped; /* size: as a share of the scene's diagonal, or 0 */
-    double tile;                        /* a tile's side in the scene's units; 0: a share of its diagonal */
-    double roughness, feather;
-    uint32_t mask_px;
-    bool atlas;
+    double tile;                        /* side of a tile in the scene's units; 0: a share of its diagonal */
+    double roughness, feather;          /* as in hatch_outline_make */
+    uint32_t mask_px;                   /* width and height of the outline's image */
+    bool atlas;                         /* make one atlas per mesh in place of patches */
 };
 
-/* How large things are at rest, in the scene's units. */
+/* Sizes of the scene at rest, in its units. */
 struct lapped_param_extent {
-    double diagonal; /* of the box around all that the nodes draw */
-    double *scale;   /* per mesh: the scene's units for one of its own, where its first node puts it */
+    double diagonal; /* of the box around everything that nodes draw */
+    double *scale;   /* per mesh: scene units per mesh unit, where its first node places it */
 };
 
-/* One mesh of the scene and what is made of it. */
+/* A mesh of the scene and the meshes made from it. */
 struct lapped_param_part {
     const char *name; /* of the input, for messages */
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
-    double size, tile; /* in the mesh's own terms */
-    struct hatch_scene_mesh *made;
+    double size, tile;             /* relative to the mesh's own diagonal; in its units */
+    struct hatch_scene_mesh *made; /* a mesh per patch, or one with an atlas */
     uint32_t made_count;
-    uint32_t patches, faces, patch_faces, cut, enlarged, hidden; /* figures for --verbose */
-    uint64_t placed;
-    double atlas_side; /* length of a unit of texture coordinates on the mesh; 0: no atlas */
+    uint32_t patches, faces, patch_faces, cut, enlarged; /* counts for --verbose */
+    uint64_t solved_faces;
+    double atlas_side; /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
 };
 
-/* Memory: args->keep. Dies on failure, as all of these do. */
+/* Measures the scene. */
 void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent);
 
-/* Takes out of the scene what belongs to its old texture coordinates: those, tangents, and textures of
- * materials, about which it warns. Refuses a scene that is lapped. */
+/* Removes what depends on the scene's old texture coordinates: those, tangents, and textures, of which it warns. Normal
+ * maps stay, with their coordinates as TEXCOORD_2. Refuses a scene that lapped-param has made. */
 void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene);
 
-/* Fills the part's made and figures: a mesh for each patch, or one with an atlas. */
+/* Covers a mesh; fills the part's made and counts. */
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part);
 
-/* Puts what was made in place of the scene's meshes. */
+/* Replaces the scene's meshes by those made from them. */
 void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, const struct lapped_param_part *parts);
 
-/* Gives all meshes materials that show them where the mask does, and the scene the mask as a PNG. */
+/* Adds the outline to the scene as a PNG texture that all materials read with TEXCOORD_1. */
 void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,
                        struct hatch_scene *scene);
 

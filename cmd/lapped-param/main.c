@@ -1,4 +1,4 @@
-/* lapped-param: covers a surface with overlapping patches whose texture coordinates follow a field. */
+/* lapped-param: covers surfaces with overlapping patches whose texture coordinates follow a direction field. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,29 +7,30 @@
 #include "io/glb/glb.h"
 #include "lapped_param.h"
 
-#define TILES_ON_DIAGONAL 4 /* a tile is so much smaller than the scene unless --tile says otherwise */
+#define TILES_ON_DIAGONAL 4 /* default: the diagonal of the scene over the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
 static int64_t mask_size = 1024;
 static bool atlas, mask_given, tile_given;
 
 static const struct cmd_option options[] = {
-    {'S', "size", CMD_REAL, 0.001, 1, "SHARE", "of a patch, in diagonals of the scene (default: from the surface)",
-     &size, NULL, NULL},
-    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where it is curved (default 0.5)", &curved, NULL,
-     NULL},
-    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "at which a patch stops to grow (default 1.5)", &stretch, NULL, NULL},
-    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "off the field at which it stops too (default 14)", &turn_deg, NULL,
-     NULL},
+    {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
+     "diameter of a patch over the scene's diagonal (default: chosen for each mesh)", &size, NULL, NULL},
+    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where the surface is curved (default 0.5)",
+     &curved, NULL, NULL},
+    {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "patches grow up to this stretch of the texture (default 1.5)",
+     &stretch, NULL, NULL},
+    {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "patches grow up to this angle between strokes and field (default 14)",
+     &turn_deg, NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
      "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, &tile_given},
-    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "of the patches' outline; 0 is a circle (default 0.3)", &roughness,
+    {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "irregularity of the outline; 0: a circle (default 0.3)", &roughness,
      NULL, NULL},
-    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of its soft border, in patches (default 0.045)", &feather,
-     NULL, NULL},
-    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "side of the outline's picture (default 1024)", &mask_size, NULL,
-     &mask_given},
-    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "one ordinary layout of texture coordinates, without a mask", &atlas, NULL,
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of the outline's soft border, in patches (default 0.045)",
+     &feather, NULL, NULL},
+    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the outline's image (default 1024)", &mask_size,
+     NULL, &mask_given},
+    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh, without a mask", &atlas, NULL,
      NULL},
     {0},
 };
@@ -43,7 +44,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "lapped-param",
     .operands = "[FILE]",
-    .summary = "cover a surface with overlapping patches whose hatching follows its form",
+    .summary = "cover surfaces with overlapping patches whose texture coordinates follow a direction field",
     .examples = examples,
     .options = options,
     .operands_min = 0,
@@ -52,11 +53,11 @@ static const struct cmd_program program = {
     .binary = true,
 };
 
-static void read_options(const struct cmd_args *args, struct lapped_param_options *how)
+static void read_options(const struct cmd_args *args, struct lapped_param_options *settings)
 {
     if (atlas && (mask_given || tile_given))
         cmd_usage("--%s does not go with --atlas", mask_given ? "mask-size" : "tile");
-    *how = (struct lapped_param_options){
+    *settings = (struct lapped_param_options){
         .lapped = {.size = size,
                    .curved = curved,
                    .stretch_max = stretch,
@@ -70,21 +71,22 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
     };
 }
 
-/* Sizes in the terms of a mesh that the scene shows larger or smaller than it is. */
-static void set_sizes(const struct lapped_param_options *how, const struct lapped_param_extent *extent, uint32_t index,
-                      struct lapped_param_part *part)
+/* Converts sizes to the units of a mesh, which its node may scale. */
+static void set_sizes(const struct lapped_param_options *settings, const struct lapped_param_extent *extent,
+                      uint32_t index, struct lapped_param_part *part)
 {
     float low[3] = {0}, high[3] = {0};
     double diagonal = 0, scale = extent->scale[index];
     hatch_mesh_bounds(&part->mesh->mesh, low, high);
     for (int k = 0; k < 3; k++)
         diagonal = hypot(diagonal, (double)high[k] - (double)low[k]);
-    part->tile = (how->tile > 0 ? how->tile : extent->diagonal / TILES_ON_DIAGONAL) / scale;
-    part->size = how->lapped.size > 0 ? fmin(how->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
+    part->tile = (settings->tile > 0 ? settings->tile : extent->diagonal / TILES_ON_DIAGONAL) / scale;
+    part->size = settings->lapped.size > 0 ? fmin(settings->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
 }
 
-static struct lapped_param_part *cover(struct cmd_args *args, const char *input, const struct lapped_param_options *how,
-                                       const struct hatch_outline *outline, struct hatch_scene *scene)
+static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
+                                       const struct lapped_param_options *settings, const struct hatch_outline *outline,
+                                       struct hatch_scene *scene)
 {
     struct hatch_err err;
     struct lapped_param_extent extent;
@@ -96,55 +98,54 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
         struct lapped_param_part *part = &parts[i];
         *part = (struct lapped_param_part){
             .name = cmd_input_name(input), .mesh = &scene->meshes[i], .surface = &surfaces[i]};
-        set_sizes(how, &extent, i, part);
-        lapped_param_cover(args, how, outline, part);
+        set_sizes(settings, &extent, i, part);
+        lapped_param_cover(args, settings, outline, part);
         part->atlas_side *= extent.scale[i];
         cmd_progress("patches", (double)(i + 1) / scene->mesh_count);
     }
     return parts;
 }
 
-static void describe(const struct lapped_param_part *parts, uint32_t count)
+static void print_notes(const struct lapped_param_part *parts, uint32_t count)
 {
-    uint32_t patches = 0, cut = 0, enlarged = 0, hidden = 0;
-    double faces = 0, patch_faces = 0, placed = 0;
+    uint32_t patches = 0, cut = 0, enlarged = 0;
+    double faces = 0, patch_faces = 0, solved_faces = 0;
     for (uint32_t i = 0; i < count; i++) {
         patches += parts[i].patches;
-        hidden += parts[i].hidden;
         cut += parts[i].cut;
         enlarged += parts[i].enlarged;
         faces += parts[i].faces;
         patch_faces += parts[i].patch_faces;
-        placed += (double)parts[i].placed;
+        solved_faces += (double)parts[i].solved_faces;
     }
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
-        cmd_note("mesh %u: the side of its texture is %g long in the scene", i, parts[i].atlas_side);
-    cmd_note("%u %s, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face", patches,
-             cmd_noun(patches, "patch", "patches"), patch_faces / faces, hidden, cut, enlarged);
-    cmd_note("each face was placed %.1f times", placed / faces);
+        cmd_note("mesh %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
+    cmd_note("%u %s, overlap %.2f; %u end inside their outline, %u enlarged to contain a face", patches,
+             cmd_noun(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
+    cmd_note("each face was solved for %.1f times", solved_faces / faces);
 }
 
 int main(int argc, char **argv)
 {
     struct cmd_args args;
-    struct lapped_param_options how;
+    struct lapped_param_options settings;
     struct hatch_scene scene;
     struct hatch_outline outline;
     struct hatch_err err;
     cmd_begin(&program, argc, argv, &args);
-    read_options(&args, &how);
+    read_options(&args, &settings);
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
     cmd_check_ending(args.output, "glb");
     struct cmd_output *output = cmd_open_output(args.output, true);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     lapped_param_clear(&args, name, &scene);
-    hatch_outline_make(args.seed, how.roughness, how.feather, &outline);
-    struct lapped_param_part *parts = cover(&args, input, &how, &outline, &scene);
-    describe(parts, scene.mesh_count);
+    hatch_outline_make(args.seed, settings.roughness, settings.feather, &outline);
+    struct lapped_param_part *parts = cover(&args, input, &settings, &outline, &scene);
+    print_notes(parts, scene.mesh_count);
     lapped_param_replace(&args, &scene, parts);
-    if (!how.atlas)
-        lapped_param_mask(&args, &outline, how.mask_px, &scene);
+    if (!settings.atlas)
+        lapped_param_mask(&args, &outline, settings.mask_px, &scene);
 
     char comment[256];
     snprintf(comment, sizeof comment,

@@ -3,14 +3,16 @@
 #include "io/png/png.h"
 #include "lapped_param.h"
 
-/* Texture coordinates and tangents give way to the hatching's, and so does a field that is none. */
-static bool gives_way(const struct hatch_mesh_attribute *attribute)
+/* Returns whether the hatching's texture coordinates replace an attribute: others, tangents, and a _HATCH_DIR of the
+ * wrong size. */
+static bool is_replaced(const struct hatch_mesh_attribute *attribute)
 {
     return strncmp(attribute->name, "TEXCOORD_", 9) == 0 || strcmp(attribute->name, "TANGENT") == 0 ||
            (strcmp(attribute->name, "_HATCH_DIR") == 0 && attribute->components != 4);
 }
 
-/* But those stay that a normal map is read with: as the third set, behind the hatching's and the outline's. */
+/* Removes replaced attributes. The coordinates that a normal map uses become TEXCOORD_2, after the hatching's and the
+ * outline's. */
 static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals)
 {
     char name[] = "TEXCOORD_n";
@@ -19,7 +21,7 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
     for (uint32_t a = 1; a < mesh->attribute_count; a++) {
         struct hatch_mesh_attribute *attribute = &mesh->attributes[a];
         bool wanted = normals && strcmp(attribute->name, name) == 0;
-        if (!wanted && gives_way(attribute) && !(normals && strcmp(attribute->name, "TANGENT") == 0))
+        if (!wanted && is_replaced(attribute) && !(normals && strcmp(attribute->name, "TANGENT") == 0))
             continue;
         mesh->attributes[kept] = *attribute;
         if (wanted)
@@ -29,7 +31,7 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
     mesh->attribute_count = kept;
 }
 
-/* Of the textures the normal maps' stay. */
+/* Keeps the textures of normal maps only. */
 static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -62,7 +64,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
         const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
         if (material && material->outline)
-            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: take the file that it was made of"), name,
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: use the file that it was made from"), name,
                       &err);
         if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
@@ -73,13 +75,13 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
         struct hatch_material *material = &scene->materials[m];
         count += textured[m];
         material->base.texture = HATCH_NONE;
-        /* Patches blend: what was opaque stays so, and what was not to be seen is not there. */
+        /* Patches need alpha for blending: a material under its alpha cutoff becomes invisible, others opaque. */
         material->base_color[3] = material->base_color[3] < material->alpha_cutoff ? 0 : 1;
         material->alpha_cutoff = 0;
     }
     keep_normals(args, name, scene);
     if (count > 0)
-        cmd_warn(name, "%u %s left out: the texture coordinates are the hatching's now", count,
+        cmd_warn(name, "%u %s left out: their texture coordinates have been replaced", count,
                  cmd_noun(count, "texture", "textures"));
 }
 
@@ -108,7 +110,7 @@ void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, cons
     scene->mesh_count = (uint32_t)total;
 }
 
-/* White, with the mask as alpha: a viewer that knows nothing of hatching shows the plain surface. */
+/* Encodes the mask as the alpha of a white PNG: a viewer that knows nothing of hatching shows the plain surface. */
 static void encode_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,
                         struct hatch_texture *texture)
 {
@@ -135,11 +137,11 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
     cmd_check(materials && textures ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t m = 0; m < plain; m++)
         materials[m] = scene->materials[m];
-    /* Without a material faces are seen from both sides. */
+    /* For meshes without a material, whose faces are visible from both sides. */
     materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}, .double_sided = true};
     for (uint32_t m = 0; m <= plain; m++) {
         materials[m].base = (struct hatch_texture_use){.texcoord = 1, .wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP}};
-        materials[m].normals.at.texture++; /* behind the mask */
+        materials[m].normals.at.texture++; /* after the mask */
         materials[m].blend = false;
         materials[m].outline = true;
     }

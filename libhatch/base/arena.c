@@ -12,7 +12,7 @@ struct hatch_arena_block {
     alignas(HATCH_ARENA_ALIGN) unsigned char payload[];
 };
 
-/* Blocks grow with the arena: small results stay small, large ones take few calls. */
+/* New blocks are as large as the arena, within these bounds: small results stay small, large ones need few blocks. */
 #define SMALLEST_BLOCK ((size_t)16 << 10)
 #define LARGEST_STEP ((size_t)4 << 20)
 
@@ -45,9 +45,9 @@ static size_t block_capacity(const struct hatch_arena *arena, size_t bytes)
     size_t step = arena->used_bytes < SMALLEST_BLOCK ? SMALLEST_BLOCK : arena->used_bytes;
     if (step > LARGEST_STEP)
         step = LARGEST_STEP;
-    size_t left = arena->limit_bytes - arena->used_bytes;
-    if (step > left)
-        step = left;
+    size_t available = arena->limit_bytes - arena->used_bytes;
+    if (step > available)
+        step = available;
     return bytes > step ? bytes : step;
 #endif
 }
@@ -74,10 +74,10 @@ static struct hatch_arena_block *add_block(struct hatch_arena *arena, size_t byt
     return block;
 }
 
-static void *take(struct hatch_arena *arena, size_t bytes)
+static void *allocate(struct hatch_arena *arena, size_t bytes)
 {
     if (arena->fail_countdown && --arena->fail_countdown == 0) {
-        arena->fail_countdown = 1; /* stay failed */
+        arena->fail_countdown = 1; /* keep failing */
         return NULL;
     }
     struct hatch_arena_block *block = arena->blocks;
@@ -112,9 +112,9 @@ void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, st
     assert(size > 0);
     void *at = NULL;
     if (count <= SIZE_MAX / size)
-        at = take(arena, count * size);
+        at = allocate(arena, count * size);
     if (!at)
-        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes beside %zu bytes in use, limit %zu", count,
+        hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes needed, %zu bytes in use, limit %zu", count,
                    size, arena->used_bytes, arena->limit_bytes);
     return at;
 }

@@ -77,12 +77,12 @@ enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
 {
     if (more <= buffer->capacity - buffer->size)
         return HATCH_OK;
-    size_t want = buffer->size + more;
-    if (want < more)
-        return hatch_fail(err, HATCH_LIMIT, "output larger than memory can hold");
-    size_t capacity = buffer->capacity > SIZE_MAX / 2 ? want : buffer->capacity * 2;
-    if (capacity < want)
-        capacity = want;
+    size_t needed = buffer->size + more;
+    if (needed < more)
+        return hatch_fail(err, HATCH_LIMIT, "the output is larger than memory can hold");
+    size_t capacity = buffer->capacity > SIZE_MAX / 2 ? needed : buffer->capacity * 2;
+    if (capacity < needed)
+        capacity = needed;
     if (capacity < 4096)
         capacity = 4096;
     uint8_t *data = HATCH_NEW_UNSET(buffer->arena, uint8_t, capacity, err);
@@ -130,11 +130,11 @@ enum hatch_status hatch_buffer_print(struct hatch_buffer *buffer, struct hatch_e
     va_list args, again;
     va_start(args, format);
     va_copy(again, args);
-    /* Most fits into the room that there is: then it is formatted once. */
+    /* Usually the text fits into the present capacity and is formatted once. */
     size_t room = buffer->capacity - buffer->size;
     int length = vsnprintf(room ? (char *)buffer->data + buffer->size : NULL, room, format, args);
     va_end(args);
-    enum hatch_status status = length < 0 ? hatch_fail(err, HATCH_LIMIT, "text too long to format")
+    enum hatch_status status = length < 0 ? hatch_fail(err, HATCH_LIMIT, "a text is too long to format")
                                           : hatch_buffer_reserve(buffer, (size_t)length + 1, err);
     if (status == HATCH_OK) {
         if ((size_t)length >= room)

@@ -1,25 +1,26 @@
-/* Numbers things by a 64-bit key: equal keys, equal numbers, counted from 0 in order of appearance. */
-#ifndef RENDER_LINES_KEYS_H
-#define RENDER_LINES_KEYS_H
+/* A hash table that numbers 64-bit keys: equal keys get equal numbers, counted from 0 in order of appearance. */
+#ifndef HATCH_BASE_KEYS_H
+#define HATCH_BASE_KEYS_H
 
 #include "base/arena.h"
 
 struct hatch_keys {
     struct hatch_arena *arena;
-    uint64_t *keys;           /* by number */
-    uint32_t *slots;          /* number + 1; 0: empty */
-    uint32_t count, capacity; /* capacity: a power of two, twice the keys that there is room for */
+    uint64_t *keys;    /* by number */
+    uint32_t *slots;   /* capacity entries: number + 1; 0: empty */
+    uint32_t count;    /* of different keys */
+    uint32_t capacity; /* a power of two, at least twice count */
 };
 
-/* An empty table in the arena, which grows there. */
+/* Makes an empty table, which grows in arena. */
 enum hatch_status hatch_keys_make(struct hatch_arena *arena, struct hatch_keys *keys,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* The key's number; keys->count - 1 after the call, and count one higher, when it is new. */
+/* Finds a key's number, or adds the key: count is then one higher and the number is count - 1. */
 enum hatch_status hatch_keys_number(struct hatch_keys *keys, uint64_t key, uint32_t *number,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The key of two numbers, whatever their order. */
+/* Returns a key for an unordered pair. */
 static inline uint64_t hatch_keys_pair(uint32_t a, uint32_t b)
 {
     return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;

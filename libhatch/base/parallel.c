@@ -13,10 +13,10 @@ struct job {
 
 struct hatch_pool {
     pthread_mutex_t lock;
-    pthread_cond_t changed; /* a job came, a job ended, or the pool closes */
+    pthread_cond_t changed; /* a job was queued, all jobs ended, or the pool closes */
     struct job queue[QUEUE_LENGTH];
     uint32_t first, queued;
-    uint32_t running; /* indices that some thread is at */
+    uint32_t running; /* indices being run */
     bool closing;
     uint32_t worker_count;
     pthread_t *workers;

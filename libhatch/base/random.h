@@ -1,11 +1,12 @@
-/* Counter-based random numbers: a pure function of (seed, stream, index), so that the n-th number is
- * the same on any thread, in any order. The mixing is SplitMix64's finaliser (Steele, Lea & Flood,
- * "Fast splittable pseudorandom number generators", OOPSLA 2014), applied to each of the three. */
+/* Counter-based random numbers: a function of (random seed, stream, index), so that the n-th number is the same on any
+ * thread and in any order. Each of the three is mixed by SplitMix64's finaliser (Steele, Lea & Flood, "Fast splittable
+ * pseudorandom number generators", OOPSLA 2014). */
 #ifndef HATCH_BASE_RANDOM_H
 #define HATCH_BASE_RANDOM_H
 
 #include <stdint.h>
 
+/* Returns a hash of x: SplitMix64's finaliser. */
 static inline uint64_t hatch_random_mix(uint64_t x)
 {
     x ^= x >> 30;
@@ -15,7 +16,7 @@ static inline uint64_t hatch_random_mix(uint64_t x)
     return x ^ x >> 31;
 }
 
-/* 64 uniform bits. */
+/* Returns 64 uniform bits. */
 static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t index)
 {
     uint64_t key = hatch_random_mix(seed + 0x9e3779b97f4a7c15u);
@@ -23,7 +24,7 @@ static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t
     return hatch_random_mix(key + (index + 1) * 0x9e3779b97f4a7c15u);
 }
 
-/* A uniform number in [0, 1), a multiple of 2^-24: exact in float. */
+/* Returns a uniform number in [0, 1), a multiple of 2^-24: exact in float. */
 static inline float hatch_random_unit(uint64_t seed, uint64_t stream, uint64_t index)
 {
     return (float)(hatch_random_u64(seed, stream, index) >> 40) * 0x1p-24f;

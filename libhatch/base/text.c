@@ -6,15 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes everything up to the separator off *rest; the separator goes too. */
-static struct hatch_text take_until(struct hatch_text *rest, char separator)
+/* Removes everything up to and including the separator from *rest; returns it without the separator. */
+static struct hatch_text split_at(struct hatch_text *rest, char separator)
 {
     const char *end = memchr(rest->at, separator, rest->length);
-    struct hatch_text taken = {rest->at, end ? (size_t)(end - rest->at) : rest->length};
-    size_t used = taken.length + (end ? 1 : 0);
+    struct hatch_text part = {rest->at, end ? (size_t)(end - rest->at) : rest->length};
+    size_t used = part.length + (end ? 1 : 0);
     rest->at += used;
     rest->length -= used;
-    return taken;
+    return part;
 }
 
 struct hatch_text hatch_text_of(struct hatch_bytes file)
@@ -31,7 +31,7 @@ bool hatch_text_line(struct hatch_text *rest, struct hatch_text *line)
 {
     if (rest->length == 0)
         return false;
-    *line = take_until(rest, '\n');
+    *line = split_at(rest, '\n');
     if (line->length && line->at[line->length - 1] == '\r')
         line->length--;
     return true;
@@ -61,10 +61,10 @@ bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field)
     if (!rest->at)
         return false;
     size_t before = rest->length;
-    *field = take_until(rest, '\t');
+    *field = split_at(rest, '\t');
     bool ended_by_tab = field->length < before;
     if (!ended_by_tab)
-        rest->at = NULL; /* a last, empty field after a tab is still to come otherwise */
+        rest->at = NULL; /* after a tab an empty last field follows */
     return true;
 }
 
@@ -103,7 +103,7 @@ struct digits {
     bool any;
 };
 
-#define MANTISSA_FULL 1000000000000000000u /* one digit more still fits 64 bits */
+#define MANTISSA_FULL 1000000000000000000u /* below this another digit fits in 64 bits */
 #define EXPONENT_MOST 10000
 
 static const char *read_digits(const char *at, const char *end, bool fraction, struct digits *d)
@@ -137,7 +137,7 @@ static const char *read_exponent(const char *at, const char *end, int *exponent)
     return p;
 }
 
-/* One rounding of two exact doubles is right; all else is left to the C library. */
+/* A product or quotient of two exact doubles is rounded correctly; the C library handles all other cases. */
 static double value_of(const struct digits *d)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

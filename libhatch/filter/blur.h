@@ -1,12 +1,13 @@
-/* Box blur on the torus. */
+/* Box blur of periodic images. */
 #ifndef HATCH_FILTER_BLUR_H
 #define HATCH_FILTER_BLUR_H
 
 #include "image/image.h"
 
-/* blurred[y * width + x] = the mean of one channel over the box of `side` pixels each way whose top
- * left pixel is (x, y), wrapping around. Sums are in doubles, in a fixed order. side: 1 .. width and
- * height. blurred: width * height doubles. */
+/* Computes the mean of a channel over a square box for every pixel, wrapping around. Sums are in doubles, in a fixed
+ * order.
+ *   side     of the box in pixels, 1 .. min(width, height)
+ *   blurred  out: width * height, [y * width + x] for the box with its top left pixel at (x, y) */
 enum hatch_status hatch_blur_box(const struct hatch_image *image, uint32_t channel, uint32_t side,
                                  struct hatch_arena *scratch, double *blurred, struct hatch_err *err) HATCH_MUST_USE;
 

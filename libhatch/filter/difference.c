@@ -45,7 +45,7 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
     };
 }
 
-/* sums[y * (width + 1) + x]: of all numbers of one channel above y and left of x. */
+/* Computes a summed-area table: sums[y * (width + 1) + x] is the sum of a channel over pixels above y and left of x. */
 static void sum_areas(const struct hatch_image *a, const struct hatch_image *b, uint32_t channel, double *sums)
 {
     size_t pitch = (size_t)a->width + 1;

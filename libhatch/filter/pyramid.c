@@ -2,8 +2,7 @@
 
 #include <assert.h>
 
-/* The overlap of fine pixel `fine` with coarse pixel `coarse`, in units of fine pixels, when fine_size
- * pixels are covered by coarse_size ones. */
+/* The overlap of a fine and a coarse pixel along one axis, in fine pixels; step: fine pixels per coarse one. */
 static float overlap(uint32_t fine, uint32_t coarse, float step)
 {
     float low = (float)coarse * step, high = low + step;

@@ -4,14 +4,15 @@
 
 #include "image/image.h"
 
-/* Fills coarse (of size max(1, fine/2) each way) with the mean of the fine pixels that each of its
- * pixels covers; where a size is odd, fine pixels count by the share that is covered, so that the mean
- * of the whole image is kept. Same channels. */
+/* Fills coarse with the mean of the fine pixels under each of its pixels; at odd sizes fine pixels are weighted by the
+ * area covered, so that the mean of the image is kept.
+ *   coarse  of size max(1, fine / 2) in each direction, with the same channels */
 void hatch_image_halve(const struct hatch_image *fine, struct hatch_image *coarse);
 
-/* Makes all levels of mipmap from `first` to the end of a full chain down to 1×1, each the box-filtered
- * one before it, in arena, and sets level_count. Levels 0 .. first-1 hold their images already, and
- * levels has room for HATCH_MIP_LEVELS_MAX. first: at least 1. */
+/* Completes a mip chain down to 1×1 by halving, and sets level_count.
+ *   mipmap  levels 0 .. first-1 are given; levels has room for HATCH_MIP_LEVELS_MAX
+ *   first   first level to make, at least 1
+ *   arena   for the pixels */
 enum hatch_status hatch_mipmap_complete(struct hatch_mipmap *mipmap, uint32_t first, struct hatch_arena *arena,
                                         struct hatch_err *err) HATCH_MUST_USE;
 

@@ -2,12 +2,11 @@
 
 #include <assert.h>
 
-static enum hatch_status build(const struct hatch_surface *surface, const struct hatch_lapped *lapped,
-                               const struct hatch_outline *outline, double margin, struct hatch_arena *scratch,
-                               float *texcoords, double *scale, struct hatch_err *err)
+static enum hatch_status build(const struct hatch_lapped_input *input, const struct hatch_lapped *lapped, double margin,
+                               struct hatch_arena *scratch, float *texcoords, double *scale, struct hatch_err *err)
 {
     struct hatch_charts charts;
-    HATCH_TRY(hatch_charts_make(surface, lapped, outline, scratch, &charts, err));
+    HATCH_TRY(hatch_charts_make(input->surface, lapped, input->outline, scratch, &charts, err));
     double *sizes = HATCH_NEW(scratch, double, 2 * (size_t)charts.count, err);
     double *corners = sizes ? HATCH_NEW(scratch, double, 2 * (size_t)charts.count, err) : NULL;
     if (!corners)
@@ -16,23 +15,23 @@ static enum hatch_status build(const struct hatch_surface *surface, const struct
         for (uint32_t i = 0; i < 2; i++)
             sizes[2 * c + i] = charts.boxes[c][2 + i] - charts.boxes[c][i];
     double side;
-    HATCH_TRY(hatch_shelves_pack(sizes, charts.count, margin, scratch, corners, &side, err));
-    for (size_t i = 0; i < 6 * (size_t)surface->face_count; i++) {
-        uint32_t chart = charts.of[i / 6];
-        double in_chart = charts.places[i] - charts.boxes[chart][i % 2];
+    HATCH_TRY(hatch_charts_pack(sizes, charts.count, margin, scratch, corners, &side, err));
+    for (size_t i = 0; i < 6 * (size_t)input->surface->face_count; i++) {
+        uint32_t chart = charts.chart_of[i / 6];
+        double in_chart = charts.positions[i] - charts.boxes[chart][i % 2];
         texcoords[i] = (float)((corners[2 * (size_t)chart + i % 2] + in_chart) / side);
     }
     *scale = 1 / side;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_lapped_atlas(const struct hatch_surface *surface, const struct hatch_lapped *lapped,
-                                     const struct hatch_outline *outline, double margin, struct hatch_arena *scratch,
-                                     float *texcoords, double *scale, struct hatch_err *err)
+enum hatch_status hatch_lapped_atlas(const struct hatch_lapped_input *input, const struct hatch_lapped *lapped,
+                                     double margin, struct hatch_arena *scratch, float *texcoords, double *scale,
+                                     struct hatch_err *err)
 {
     assert(margin >= 0);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = build(surface, lapped, outline, margin, scratch, texcoords, scale, err);
+    enum hatch_status status = build(input, lapped, margin, scratch, texcoords, scale, err);
     hatch_arena_rewind(scratch, mark);
     return status;
 }

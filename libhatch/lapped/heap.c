@@ -2,23 +2,23 @@
 
 #include <string.h>
 
-#define ROOM_MIN 64u
+#define CAPACITY_MIN 64u
 
-enum hatch_status hatch_heap_reserve(struct hatch_arena *arena, void **array, uint32_t *room, uint32_t want,
-                                     size_t size, struct hatch_err *err)
+enum hatch_status hatch_lapped_reserve(struct hatch_arena *arena, void **array, uint32_t *capacity, uint32_t needed,
+                                       size_t size, struct hatch_err *err)
 {
-    if (want <= *room)
+    if (needed <= *capacity)
         return HATCH_OK;
-    uint32_t more = *room < ROOM_MIN ? ROOM_MIN : *room;
-    while (more < want)
+    uint32_t more = *capacity < CAPACITY_MIN ? CAPACITY_MIN : *capacity;
+    while (more < needed)
         more = more > UINT32_MAX / 2 ? UINT32_MAX : more * 2;
     void *larger = hatch_arena_array(arena, more, size, err);
     if (!larger)
         return HATCH_LIMIT;
-    if (*room)
-        memcpy(larger, *array, (size_t)*room * size);
+    if (*capacity)
+        memcpy(larger, *array, (size_t)*capacity * size);
     *array = larger;
-    *room = more;
+    *capacity = more;
     return HATCH_OK;
 }
 
@@ -30,7 +30,7 @@ static bool before(const struct hatch_heap_item *a, const struct hatch_heap_item
 enum hatch_status hatch_heap_push(struct hatch_heap *heap, double key, uint32_t id, struct hatch_err *err)
 {
     void *items = heap->items;
-    HATCH_TRY(hatch_heap_reserve(heap->arena, &items, &heap->room, heap->count + 1, sizeof *heap->items, err));
+    HATCH_TRY(hatch_lapped_reserve(heap->arena, &items, &heap->capacity, heap->count + 1, sizeof *heap->items, err));
     heap->items = items;
     struct hatch_heap_item item = {key, id};
     uint32_t at = heap->count++;

@@ -1,4 +1,4 @@
-/* A queue of numbered things, smallest key first; equal keys by number, so that order is total. */
+/* A binary heap of numbered items, smallest key first; equal keys by number, so that the order is total. */
 #ifndef HATCH_LAPPED_HEAP_H
 #define HATCH_LAPPED_HEAP_H
 
@@ -11,21 +11,26 @@ struct hatch_heap_item {
     uint32_t id;
 };
 
+/* Starts as {.arena = a}. */
 struct hatch_heap {
     struct hatch_heap_item *items;
-    uint32_t count, room;
+    uint32_t count, capacity;
     struct hatch_arena *arena;
 };
 
-/* Adds an item; the heap begins as {.arena = a} and doubles there. */
+/* Adds an item. */
 enum hatch_status hatch_heap_push(struct hatch_heap *heap, double key, uint32_t id,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* false when it is empty. */
+/* Removes the smallest item; false when the heap is empty. */
 bool hatch_heap_pop(struct hatch_heap *heap, struct hatch_heap_item *item);
 
-/* Room for at least `want` items of size bytes in *array, the first *room of which are kept. */
-enum hatch_status hatch_heap_reserve(struct hatch_arena *arena, void **array, uint32_t *room, uint32_t want,
-                                     size_t size, struct hatch_err *err) HATCH_MUST_USE;
+/* Grows an array by doubling, if necessary; new items are zero. The old array stays in the arena.
+ *   array     in, out: start of the array
+ *   capacity  in, out: number of items that fit
+ *   needed      number of items that must fit
+ *   size      of an item, in bytes */
+enum hatch_status hatch_lapped_reserve(struct hatch_arena *arena, void **array, uint32_t *capacity, uint32_t needed,
+                                       size_t size, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

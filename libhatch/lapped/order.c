@@ -5,31 +5,31 @@
 #include "math/vector.h"
 #include "mesh/edges.h"
 
-/* Distance of a patch's middle from covered ground, in radii of its core: disks that cover a plane
- * with the least overlap stand √3 radii apart. */
-#define WAVE_BEST 0.73
-#define WAVE_MIN 0.55
-#define WAVE_MAX 1.0
+/* Distance of a seed face from covered faces, in radii of the core: disks that cover a plane with the least overlap are
+ * √3 radii apart. */
+#define DISTANCE_BEST 0.73
+#define DISTANCE_MIN 0.55
+#define DISTANCE_MAX 1.0
 
-enum hatch_status hatch_order_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
+enum hatch_status hatch_order_make(const struct hatch_patch_domain *domain, const struct hatch_outline *outline,
                                    const uint8_t *covered, struct hatch_arena *arena, struct hatch_order *order,
                                    struct hatch_err *err)
 {
-    const struct hatch_surface *surface = ground->surface;
-    struct hatch_order made = {.ground = ground, .covered = covered};
-    made.core = 2 * (outline->core_min + outline->reach_max - outline->feather) / 2;
-    made.wave.arena = made.front.arena = made.gaps.arena = arena;
+    const struct hatch_surface *surface = domain->surface;
+    struct hatch_order made = {.domain = domain, .covered = covered};
+    made.core_ratio = 2 * (outline->core_min + outline->reach_max - outline->feather) / 2;
+    made.queue.arena = made.candidates.arena = made.gaps.arena = arena;
     made.distance = HATCH_NEW(arena, double, surface->face_count, err);
     made.middle = made.distance ? HATCH_NEW(arena, double, (size_t)surface->face_count * 3, err) : NULL;
-    made.late = made.middle ? HATCH_NEW(arena, uint8_t, surface->face_count, err) : NULL;
-    made.smooth = made.late ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
+    made.postponed = made.middle ? HATCH_NEW(arena, uint8_t, surface->face_count, err) : NULL;
+    made.smooth = made.postponed ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
     made.items = made.smooth ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
     made.spare = made.items ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
     if (!made.spare)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < surface->face_count; f++) {
         made.distance[f] = HUGE_VAL;
-        made.late[f] = ground->singular[f];
+        made.postponed[f] = domain->singular[f];
         for (uint32_t c = 0; c < 3; c++) {
             const double *at = &surface->points[3 * (size_t)surface->corners[3 * (size_t)f + c]];
             hatch_vec_add_scaled(&made.middle[3 * (size_t)f], 1.0 / 3, at, &made.middle[3 * (size_t)f]);
@@ -39,7 +39,8 @@ enum hatch_status hatch_order_make(const struct hatch_ground *ground, const stru
     return HATCH_OK;
 }
 
-/* Sorts by key, byte by byte, equal keys as they stand; spare: as many. After four passes all are back in items. */
+/* Stable radix sort by key, one byte per pass; after four passes the result is in items.
+ *   spare  room for count items */
 static void sort_items(struct hatch_order_item *items, uint32_t count, struct hatch_order_item *spare)
 {
     for (uint32_t shift = 0; shift < 32; shift += 8) {
@@ -59,66 +60,67 @@ static void sort_items(struct hatch_order_item *items, uint32_t count, struct ha
     }
 }
 
-void hatch_order_component(struct hatch_order *order, uint32_t number)
+void hatch_order_start_component(struct hatch_order *order, uint32_t number)
 {
-    const struct hatch_component *component = &order->ground->surface->components[number];
+    const struct hatch_component *component = &order->domain->surface->components[number];
     order->first_face = component->first_face;
     order->face_count = component->face_count;
     order->smooth_count = order->smooth_next = 0;
-    order->wave.count = order->front.count = order->gaps.count = 0;
-    order->filling = false;
+    order->queue.count = order->candidates.count = order->gaps.count = 0;
+    order->filling_gaps = false;
     struct hatch_order_item *items = &order->items[component->first_face];
     for (uint32_t i = 0; i < component->face_count; i++) {
-        float rough = (float)order->ground->rough[component->first_face + i];
-        /* The bits of a float that is not negative rise with it. */
-        memcpy(&items[i].key, &rough, sizeof rough);
+        float rate = (float)order->domain->turning_rate[component->first_face + i];
+        /* The bits of floats that are not negative are ordered as the floats are. */
+        memcpy(&items[i].key, &rate, sizeof rate);
         items[i].face = component->first_face + i;
     }
     sort_items(items, component->face_count, &order->spare[component->first_face]);
     for (uint32_t i = 0; i < component->face_count; i++)
-        if (!order->late[items[i].face])
+        if (!order->postponed[items[i].face])
             order->smooth[order->smooth_count++] = items[i].face;
 }
 
-/* Distance to covered ground in radii of the core of a patch that begins here. Faces are covered as a whole, and
- * their middles are where distances begin: an edge of it lies under cores already. */
-static double ratio(const struct hatch_order *order, uint32_t face)
+/* Distance to covered faces in radii of the core of a patch that begins here. Distances are between middles of faces:
+ * one edge length of them is covered already. */
+static double relative_distance(const struct hatch_order *order, uint32_t face)
 {
-    return (order->distance[face] - order->ground->grain[face]) / (order->core * order->ground->wish[face]);
+    return (order->distance[face] - order->domain->edge_length[face]) /
+           (order->core_ratio * order->domain->target_radius[face]);
 }
 
-static enum hatch_status begin_filling(struct hatch_order *order, struct hatch_err *err)
+static enum hatch_status begin_filling_gaps(struct hatch_order *order, struct hatch_err *err)
 {
-    order->filling = true;
+    order->filling_gaps = true;
     for (uint32_t f = order->first_face; f < order->first_face + order->face_count; f++)
         if (!order->covered[f])
-            HATCH_TRY(hatch_heap_push(&order->gaps, -ratio(order, f), f, err));
+            HATCH_TRY(hatch_heap_push(&order->gaps, -relative_distance(order, f), f, err));
     return HATCH_OK;
 }
 
 enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err)
 {
     struct hatch_heap_item item;
-    while (!order->filling && hatch_heap_pop(&order->front, &item)) {
-        double now = ratio(order, item.id);
-        if (!order->covered[item.id] && !order->late[item.id] && now >= WAVE_MIN) {
+    while (!order->filling_gaps && hatch_heap_pop(&order->candidates, &item)) {
+        double now = relative_distance(order, item.id);
+        if (!order->covered[item.id] && !order->postponed[item.id] && now >= DISTANCE_MIN) {
             *face = item.id;
             return HATCH_OK;
         }
     }
     for (; order->smooth_next < order->smooth_count; order->smooth_next++) {
         uint32_t f = order->smooth[order->smooth_next];
-        if (!order->covered[f] && !order->late[f] && ratio(order, f) > WAVE_MIN) {
+        if (!order->covered[f] && !order->postponed[f] && relative_distance(order, f) > DISTANCE_MIN) {
             *face = f;
             return HATCH_OK;
         }
     }
-    if (!order->filling)
-        HATCH_TRY(begin_filling(order, err));
+    if (!order->filling_gaps)
+        HATCH_TRY(begin_filling_gaps(order, err));
     while (hatch_heap_pop(&order->gaps, &item)) {
         if (order->covered[item.id])
             continue;
-        double now = -ratio(order, item.id);
+        double now = -relative_distance(order, item.id);
         if (now > item.key) {
             HATCH_TRY(hatch_heap_push(&order->gaps, now, item.id, err));
             continue;
@@ -130,28 +132,29 @@ enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, st
     return HATCH_OK;
 }
 
-static enum hatch_status approach(struct hatch_order *order, uint32_t face, double distance, struct hatch_err *err)
+static enum hatch_status lower_distance(struct hatch_order *order, uint32_t face, double distance,
+                                        struct hatch_err *err)
 {
     order->distance[face] = distance;
-    if (order->filling)
+    if (order->filling_gaps)
         return HATCH_OK;
-    double now = ratio(order, face);
-    if (now >= WAVE_MIN && now <= WAVE_MAX && !order->late[face])
-        HATCH_TRY(hatch_heap_push(&order->front, fabs(now - WAVE_BEST), face, err));
+    double now = relative_distance(order, face);
+    if (now >= DISTANCE_MIN && now <= DISTANCE_MAX && !order->postponed[face])
+        HATCH_TRY(hatch_heap_push(&order->candidates, fabs(now - DISTANCE_BEST), face, err));
     return HATCH_OK;
 }
 
-enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,
-                                      struct hatch_err *err)
+enum hatch_status hatch_order_add_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,
+                                          struct hatch_err *err)
 {
-    const struct hatch_surface *surface = order->ground->surface;
-    order->wave.count = 0;
+    const struct hatch_surface *surface = order->domain->surface;
+    order->queue.count = 0;
     for (uint32_t i = 0; i < count; i++) {
         order->distance[faces[i]] = 0;
-        HATCH_TRY(hatch_heap_push(&order->wave, 0, faces[i], err));
+        HATCH_TRY(hatch_heap_push(&order->queue, 0, faces[i], err));
     }
     struct hatch_heap_item item;
-    while (hatch_heap_pop(&order->wave, &item)) {
+    while (hatch_heap_pop(&order->queue, &item)) {
         if (item.key > order->distance[item.id])
             continue;
         for (uint32_t c = 0; c < 3; c++) {
@@ -161,10 +164,11 @@ enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t 
             uint32_t next = other / 3;
             double distance =
                 item.key + hatch_vec_distance(&order->middle[3 * (size_t)item.id], &order->middle[3 * (size_t)next]);
-            if (distance >= order->distance[next] || distance > 1.5 * order->core * order->ground->wish[next])
+            if (distance >= order->distance[next] ||
+                distance > 1.5 * order->core_ratio * order->domain->target_radius[next])
                 continue;
-            HATCH_TRY(approach(order, next, distance, err));
-            HATCH_TRY(hatch_heap_push(&order->wave, distance, next, err));
+            HATCH_TRY(lower_distance(order, next, distance, err));
+            HATCH_TRY(hatch_heap_push(&order->queue, distance, next, err));
         }
     }
     return HATCH_OK;

@@ -6,16 +6,17 @@
 
 #include "base/random.h"
 
+/* Fourier coefficients of the radius. */
 #define WAVES 8
-/* What the mask's border texels need to stay 0 under filtering. */
-#define REACH 0.48
-/* How deep the dents of the roughest outline are, as a share of its radius. */
-#define DENT 0.22
-/* Directions at which the border is measured, on half a turn. */
+/* Largest radius: the mask's border texels must stay 0 under filtering. */
+#define REACH_MAX 0.48
+/* Depth of the dents of the roughest outline, as a share of its radius. */
+#define DENT_MAX 0.22
+/* Directions per half turn at which the border is measured. */
 #define SAMPLES 512
 
-/* The wave in a direction: powers of a complex number of length 1 instead of the angle, so that the
- * result has the same bits on every machine. */
+/* The core's radius in a direction, by powers of a complex number of length 1: unlike sines of multiples of the angle
+ * they have the same bits on every machine. */
 static double wave_at(const struct hatch_outline *outline, double cosine, double sine)
 {
     double sum = outline->wave[0][0], re = 1, im = 0;
@@ -28,7 +29,7 @@ static double wave_at(const struct hatch_outline *outline, double cosine, double
     return sum;
 }
 
-/* Steepest change of the radius over the angle. */
+/* Upper bound of the derivative of the radius with respect to the angle. */
 static double slope_of(const struct hatch_outline *outline)
 {
     double slope = 0;
@@ -37,7 +38,7 @@ static double slope_of(const struct hatch_outline *outline)
     return slope;
 }
 
-/* Bounds of the radius over all directions: the sampled ones, and what may lie between. */
+/* Bounds of the radius over all directions: of the samples, and of the change between two of them. */
 static void measure(const struct hatch_outline *outline, double bounds[2])
 {
     bounds[0] = HUGE_VAL;
@@ -58,14 +59,14 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
 {
     assert(roughness >= 0 && roughness <= 1 && feather >= 0.01 && feather <= 0.3);
     *outline = (struct hatch_outline){.feather = feather};
-    /* A first wave would only move the blob. */
+    /* The first harmonic would only move the blob. */
     for (uint64_t k = 2; k < WAVES; k++)
         for (uint64_t i = 0; i < 2; i++)
             outline->wave[k][i] = (2 * (double)hatch_random_unit(seed, k, i) - 1) / (double)k;
     double bounds[2];
     measure(outline, bounds);
-    double core_max = REACH - feather;
-    double dent = roughness * DENT * core_max / (bounds[1] - bounds[0]);
+    double core_max = REACH_MAX - feather;
+    double dent = roughness * DENT_MAX * core_max / (bounds[1] - bounds[0]);
     for (int k = 2; k < WAVES; k++)
         for (int i = 0; i < 2; i++)
             outline->wave[k][i] *= dent;
@@ -73,33 +74,33 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
     measure(outline, bounds);
     outline->core_min = bounds[0];
     outline->reach_max = bounds[1] + feather;
-    /* See hatch_outline_depth: straight ways that come nearer to the middle than this are long enough. */
+    /* See hatch_outline_depth. */
     double inner = outline->core_min - (bounds[1] - bounds[0]) / 2;
     double slope = slope_of(outline) / inner;
     outline->steep = sqrt(1 + slope * slope);
 }
 
-/* Distance from the middle, and the core's radius in that direction. */
-static double polar(const struct hatch_outline *outline, const double place[2], double *radius)
+/* Returns the distance from the middle, and in *radius the core's radius in that direction. */
+static double polar(const struct hatch_outline *outline, const double uv[2], double *radius)
 {
-    double x = place[0] - 0.5, y = place[1] - 0.5;
+    double x = uv[0] - 0.5, y = uv[1] - 0.5;
     double distance = sqrt(x * x + y * y);
     *radius = distance > 0 ? wave_at(outline, x / distance, y / distance) : outline->core_min;
     return distance;
 }
 
-double hatch_outline_opacity(const struct hatch_outline *outline, const double place[2])
+double hatch_outline_opacity(const struct hatch_outline *outline, const double uv[2])
 {
-    double radius, distance = polar(outline, place, &radius);
+    double radius, distance = polar(outline, uv, &radius);
     return fmin(1, fmax(0, 1 - (distance - radius) / outline->feather));
 }
 
-/* On a straight way that stays outside the circle of radius `inner` the radius minus the border's
- * changes no faster than `steep`; a way to the border that enters it is at least as long as twice
- * what inner is short of core_min, which is what the border's radii differ by. */
-double hatch_outline_depth(const struct hatch_outline *outline, const double place[2])
+/* Along a segment outside the circle of radius `inner`, the distance to the border along the radius changes by at most
+ * `steep` per length. A segment to the border that enters that circle is at least as long as from uv to the circle plus
+ * from the circle to core_min. */
+double hatch_outline_depth(const struct hatch_outline *outline, const double uv[2])
 {
-    double radius, distance = polar(outline, place, &radius);
+    double radius, distance = polar(outline, uv, &radius);
     double depth = radius - distance;
     if (depth <= 0)
         return depth;
@@ -109,46 +110,46 @@ double hatch_outline_depth(const struct hatch_outline *outline, const double pla
     return fmax(outline->core_min - distance, fmin(depth / outline->steep, through));
 }
 
-double hatch_outline_distance(const struct hatch_outline *outline, const double place[2])
+double hatch_outline_distance(const struct hatch_outline *outline, const double uv[2])
 {
-    double x = place[0] - 0.5, y = place[1] - 0.5;
+    double x = uv[0] - 0.5, y = uv[1] - 0.5;
     double outside = sqrt(x * x + y * y) - outline->reach_max;
     if (outside >= outline->feather)
         return outside;
-    double radius, distance = polar(outline, place, &radius);
-    double past = distance - radius - outline->feather;
-    return past <= 0 ? past : fmax(outside, past / outline->steep);
+    double radius, distance = polar(outline, uv, &radius);
+    double outside_ramp = distance - radius - outline->feather;
+    return outside_ramp <= 0 ? outside_ramp : fmax(outside, outside_ramp / outline->steep);
 }
 
-/* How far, in texels of the finest level, a bilinear read two levels down sees: its four texels are
- * 4 wide. */
-#define SEEN_PX 6.5
+/* Half the side, in texels of the finest level, of the footprint of a bilinear read two levels coarser, where texels
+ * are 4 wide. */
+#define FOOTPRINT_PX 6.5
 
-/* Whether the core comes into the square of that half side around a place: asked at 25 places, none
- * of whose squares is farther from its middle than .36 of it. */
-static bool square_meets_core(const struct hatch_outline *outline, const double place[2], double seen)
+/* Returns whether the core may reach into the square of half side `footprint` around uv, tested at 25 points: no point
+ * of the square is farther than .36 of the half side from one of them. */
+static bool square_meets_core(const struct hatch_outline *outline, const double uv[2], double footprint)
 {
-    double depth = hatch_outline_depth(outline, place);
-    if (depth >= 0 || -depth > 1.5 * seen * outline->steep)
+    double depth = hatch_outline_depth(outline, uv);
+    if (depth >= 0 || -depth > 1.5 * footprint * outline->steep)
         return depth >= 0;
     for (int i = 0; i < 25; i++) {
-        double at[2] = {place[0] + seen * (i % 5 - 2) / 2, place[1] + seen * (i / 5 - 2) / 2};
-        if (hatch_outline_depth(outline, at) >= -0.36 * seen * outline->steep)
+        double at[2] = {uv[0] + footprint * (i % 5 - 2) / 2, uv[1] + footprint * (i / 5 - 2) / 2};
+        if (hatch_outline_depth(outline, at) >= -0.36 * footprint * outline->steep)
             return true;
     }
     return false;
 }
 
-static float texel(const struct hatch_outline *outline, double seen, const double place[2])
+static float texel(const struct hatch_outline *outline, double footprint, const double uv[2])
 {
-    double x = place[0] - 0.5, y = place[1] - 0.5, away = x * x + y * y;
+    double x = uv[0] - 0.5, y = uv[1] - 0.5, away = x * x + y * y;
     if (away >= outline->reach_max * outline->reach_max)
         return 0;
-    if (away <= outline->core_min * outline->core_min || square_meets_core(outline, place, seen))
+    if (away <= outline->core_min * outline->core_min || square_meets_core(outline, uv, footprint))
         return 1;
-    double radius, distance = polar(outline, place, &radius);
-    double begin = fmin(1.42 * seen, outline->feather * 0.75);
-    double ramp = 1 - (distance - radius - begin) / (outline->feather - begin);
+    double radius, distance = polar(outline, uv, &radius);
+    double ramp_start = fmin(1.42 * footprint, outline->feather * 0.75);
+    double ramp = 1 - (distance - radius - ramp_start) / (outline->feather - ramp_start);
     return (float)fmin(1, fmax(0, ramp));
 }
 
@@ -158,11 +159,11 @@ enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint
     assert(side_px >= 8);
     struct hatch_image made;
     HATCH_TRY(hatch_image_make(arena, side_px, side_px, "Y", &made, err));
-    double seen = SEEN_PX / side_px;
+    double footprint = FOOTPRINT_PX / side_px;
     for (uint32_t y = 1; y + 1 < side_px; y++) {
         for (uint32_t x = 1; x + 1 < side_px; x++) {
-            double place[2] = {(x + 0.5) / side_px, (y + 0.5) / side_px};
-            made.pixels[y * side_px + x] = texel(outline, seen, place);
+            double uv[2] = {(x + 0.5) / side_px, (y + 0.5) / side_px};
+            made.pixels[y * side_px + x] = texel(outline, footprint, uv);
         }
     }
     *mask = made;

@@ -4,32 +4,34 @@
 #include "lapped/atlas.h"
 #include "lapped/heap.h"
 
-/* Halvings of the search for the smallest square. */
+/* Bisections in the search for the smallest square. */
 #define SEARCH_ROUNDS 40
 
-/* Lays the boxes in the given order in rows of the given width; returns how high they stand. */
-static double lay(const double *sizes, const uint32_t *order, uint32_t count, double width, double gap, double *corners)
+/* Packs the boxes in the given order onto shelves of the given width; returns the height of all, infinite when a box is
+ * too wide. */
+static double fill_shelves(const double *sizes, const uint32_t *order, uint32_t count, double width, double gap,
+                           double *corners)
 {
-    double x = gap, y = gap, row = 0;
+    double x = gap, y = gap, shelf_height = 0;
     for (uint32_t i = 0; i < count; i++) {
         const double *size = &sizes[2 * (size_t)order[i]];
         if (x > gap && x + size[0] + gap > width) {
             x = gap;
-            y += row + gap;
-            row = 0;
+            y += shelf_height + gap;
+            shelf_height = 0;
         }
         if (x + size[0] + gap > width)
             return HUGE_VAL;
         corners[2 * (size_t)order[i]] = x;
         corners[2 * (size_t)order[i] + 1] = y;
         x += size[0] + gap;
-        row = fmax(row, size[1]);
+        shelf_height = fmax(shelf_height, size[1]);
     }
-    return y + row + gap;
+    return y + shelf_height + gap;
 }
 
-enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double margin, struct hatch_arena *scratch,
-                                     double *corners, double *side, struct hatch_err *err)
+enum hatch_status hatch_charts_pack(const double *sizes, uint32_t count, double margin, struct hatch_arena *scratch,
+                                    double *corners, double *side, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_heap heap = {.arena = scratch};
@@ -44,18 +46,18 @@ enum hatch_status hatch_shelves_pack(const double *sizes, uint32_t count, double
     if (status == HATCH_OK) {
         for (uint32_t i = 0; hatch_heap_pop(&heap, &item); i++)
             order[i] = item.id;
-        /* Gaps take a quarter of the side at most. */
+        /* Limited so that gaps take at most a quarter of the side. */
         margin = fmin(margin, 0.125 / sqrt((double)count));
         double low = 0;
         high *= 2;
         for (int i = 0; i < SEARCH_ROUNDS; i++) {
             double middle = (low + high) / 2;
-            if (lay(sizes, order, count, middle, margin * middle, corners) <= middle)
+            if (fill_shelves(sizes, order, count, middle, margin * middle, corners) <= middle)
                 high = middle;
             else
                 low = middle;
         }
-        lay(sizes, order, count, high, margin * high, corners);
+        fill_shelves(sizes, order, count, high, margin * high, corners);
         *side = high;
     }
     hatch_arena_rewind(scratch, mark);

@@ -4,61 +4,66 @@
 
 #include "lapped/work.h"
 
-/* How much more a turning of the strokes costs than a stretch along or between them. */
+/* Weight of turning strokes against stretching them lengthwise or sideways. */
 #define TURN_WEIGHT 5.0
-/* A patch may be larger here and smaller there than its faces: strokes that run apart, and a surface
- * that cannot be flattened, then cost neither angle nor shape. Within which bounds, in how many
- * rounds, and by how much of what is wanted in each. */
+/* The scale of a face in the plane may vary over a patch, so that diverging strokes, and a surface that cannot be
+ * flattened, need neither turning nor stretching: bounds of the scale, number of solutions, and over-relaxation of
+ * the change between two of them. */
 #define SCALE_MIN 0.6
 #define SCALE_MAX 1.6
 #define SCALE_ROUNDS 4
 #define SCALE_STEP 1.7
-/* Mean change of the scales that is not worth a round. */
+/* Mean change of the scales at which the rounds end. */
 #define SCALE_SETTLED 0.005
-/* Other orders are tried where the envelope is larger than this times vertices to the power of 1.5. */
+/* Other numberings are tried where the envelope has more entries than this times vertices to the power of 1.5. */
 #define ENVELOPE_FAIR 1.5
-/* Strips for each vertex in which they are numbered. */
+/* Strips of the plane per vertex, for sorting. */
 #define STRIPS 4u
-/* How much a face may weigh in one entry: a needle would drown its neighbours in rounding. */
-#define STEEP_MAX 1e7
-/* The share of a diagonal that is left at least. */
+/* Largest entry of a face in the matrix: a needle's would otherwise lose its neighbours' to rounding. */
+#define ENTRY_MAX 1e7
+/* Least pivot as a share of the diagonal entry. */
 #define PIVOT_MIN 1e-12
-/* Weight of a face that is not asked to follow the field. */
-#define FREE_WEIGHT 1e-3
+/* Relative weight of a face with an index, which need not follow the field. */
+#define SINGULAR_WEIGHT 1e-3
 
-static enum hatch_status make_room(struct hatch_solver *of, const struct hatch_patch *patch, struct hatch_err *err)
+static enum hatch_status reserve_arrays(struct hatch_solver *solver, const struct hatch_patch *patch,
+                                        struct hatch_err *err)
 {
     uint32_t count = patch->vertex_count;
-    void *array = of->gradients;
+    void *array = solver->gradients;
+    HATCH_TRY(hatch_lapped_reserve(solver->arena, &array, &solver->gradient_capacity, 8 * patch->face_count,
+                                   sizeof *solver->gradients, err));
+    solver->gradients = array;
+    array = solver->strip_rank;
+    HATCH_TRY(hatch_lapped_reserve(solver->arena, &array, &solver->strip_capacity, STRIPS * count,
+                                   sizeof *solver->strip_rank, err));
+    solver->strip_rank = array;
+    array = solver->rank;
+    HATCH_TRY(hatch_lapped_reserve(solver->arena, &array, &solver->rank_capacity, count, sizeof *solver->rank, err));
+    solver->rank = array;
+    array = solver->first_column;
+    HATCH_TRY(hatch_lapped_reserve(solver->arena, &array, &solver->column_capacity, count, sizeof *solver->first_column,
+                                   err));
+    solver->first_column = array;
+    array = solver->row_start;
     HATCH_TRY(
-        hatch_heap_reserve(of->arena, &array, &of->gradient_room, 8 * patch->face_count, sizeof *of->gradients, err));
-    of->gradients = array;
-    array = of->places;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->places_room, STRIPS * count, sizeof *of->places, err));
-    of->places = array;
-    array = of->rank;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->rank_room, count, sizeof *of->rank, err));
-    of->rank = array;
-    array = of->first;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->first_room, count, sizeof *of->first, err));
-    of->first = array;
-    array = of->start;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->start_room, count, sizeof *of->start, err));
-    of->start = array;
-    array = of->right;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->right_room, count, sizeof *of->right, err));
-    of->right = array;
+        hatch_lapped_reserve(solver->arena, &array, &solver->start_capacity, count, sizeof *solver->row_start, err));
+    solver->row_start = array;
+    array = solver->right_side;
+    HATCH_TRY(
+        hatch_lapped_reserve(solver->arena, &array, &solver->right_capacity, count, sizeof *solver->right_side, err));
+    solver->right_side = array;
     return HATCH_OK;
 }
 
-/* The box around the vertices; returns its longer axis. */
+/* Finds the box around the vertices; returns its longer axis. */
 static uint32_t find_box(const struct hatch_patch *patch, double low[2], double high[2])
 {
     low[0] = low[1] = HUGE_VAL;
     high[0] = high[1] = -HUGE_VAL;
     for (uint32_t v = 0; v < patch->vertex_count; v++) {
         for (uint32_t i = 0; i < 2; i++) {
-            double at = patch->place[2 * v + i];
+            double at = patch->xy[2 * v + i];
             low[i] = at < low[i] ? at : low[i];
             high[i] = at > high[i] ? at : high[i];
         }
@@ -66,63 +71,64 @@ static uint32_t find_box(const struct hatch_patch *patch, double low[2], double 
     return high[1] - low[1] > high[0] - low[0];
 }
 
-/* Numbers the vertices by a sweep along an axis of the plane, in strips of which each holds about none or one:
- * the envelope is then about as wide as the patch is across. Without an axis (2) against the order of growth,
- * which is better where long faces lie across each other. */
-static void number(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t axis, const double low[2],
-                   const double high[2])
+/* Ranks the vertices in the order of a sweep along an axis, by strips that contain at most one on average: the envelope
+ * is then about as wide as the patch. Axis 2 stands for the reverse order of growth, which is better where long faces
+ * lie across each other. */
+static void number_vertices(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t axis,
+                            const double low[2], const double high[2])
 {
-    uint32_t count = patch->vertex_count, strips = STRIPS * count, *rank = of->rank, next = 0;
+    uint32_t count = patch->vertex_count, strips = STRIPS * count, *rank = solver->rank, next = 0;
     for (uint32_t v = 0; v < count && axis == 2; v++)
         rank[v] = count - 1 - v;
     if (axis == 2)
         return;
     double scale = strips / (high[axis] - low[axis]);
-    memset(of->places, 0, strips * sizeof *of->places);
+    memset(solver->strip_rank, 0, strips * sizeof *solver->strip_rank);
     for (uint32_t v = 0; v < count; v++) {
-        double strip = scale * (patch->place[2 * v + axis] - low[axis]);
+        double strip = scale * (patch->xy[2 * v + axis] - low[axis]);
         rank[v] = strip < strips ? (uint32_t)strip : strips - 1;
-        of->places[rank[v]]++;
+        solver->strip_rank[rank[v]]++;
     }
     for (uint32_t i = 0; i < strips; i++) {
-        uint32_t here = of->places[i];
-        of->places[i] = next;
+        uint32_t here = solver->strip_rank[i];
+        solver->strip_rank[i] = next;
         next += here;
     }
     for (uint32_t v = 0; v < count; v++)
-        rank[v] = of->places[rank[v]]++;
+        rank[v] = solver->strip_rank[rank[v]]++;
 }
 
-/* The first column of each row; returns how many entries lie within. */
-static uint64_t find_envelope(struct hatch_solver *of, const struct hatch_patch *patch)
+/* Finds the first column of each row; returns the number of entries in the envelope. */
+static uint64_t find_envelope(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
     for (uint32_t i = 0; i < patch->vertex_count; i++)
-        of->first[i] = i;
+        solver->first_column[i] = i;
     for (uint32_t i = 0; i < 3 * patch->face_count; i++) {
-        uint32_t a = of->rank[patch->corners[i]];
-        uint32_t b = of->rank[patch->corners[i % 3 == 2 ? i - 2 : i + 1]];
+        uint32_t a = solver->rank[patch->corners[i]];
+        uint32_t b = solver->rank[patch->corners[i % 3 == 2 ? i - 2 : i + 1]];
         uint32_t low = a < b ? a : b, high = a < b ? b : a;
-        if (low < of->first[high])
-            of->first[high] = low;
+        if (low < solver->first_column[high])
+            solver->first_column[high] = low;
     }
     uint64_t size = 0;
     for (uint32_t i = 0; i < patch->vertex_count; i++)
-        size += i - of->first[i] + 1;
+        size += i - solver->first_column[i] + 1;
     return size;
 }
 
-static enum hatch_status shape_envelope(struct hatch_solver *of, const struct hatch_patch *patch, struct hatch_err *err)
+static enum hatch_status choose_numbering(struct hatch_solver *solver, const struct hatch_patch *patch,
+                                          struct hatch_err *err)
 {
     double low[2], high[2];
     uint32_t axis = find_box(patch, low, high), best = axis;
     double count = patch->vertex_count;
-    number(of, patch, axis, low, high);
-    uint64_t least = find_envelope(of, patch);
+    number_vertices(solver, patch, axis, low, high);
+    uint64_t least = find_envelope(solver, patch);
     for (uint32_t other = 0; other < 3 && (double)least > ENVELOPE_FAIR * count * sqrt(count); other++) {
         if (other == axis)
             continue;
-        number(of, patch, other, low, high);
-        uint64_t found = find_envelope(of, patch);
+        number_vertices(solver, patch, other, low, high);
+        uint64_t found = find_envelope(solver, patch);
         if (found < least) {
             least = found;
             best = other;
@@ -130,26 +136,28 @@ static enum hatch_status shape_envelope(struct hatch_solver *of, const struct ha
         axis = other;
     }
     if (best != axis) {
-        number(of, patch, best, low, high);
-        find_envelope(of, patch);
+        number_vertices(solver, patch, best, low, high);
+        find_envelope(solver, patch);
     }
     uint32_t size = 0;
     for (uint32_t i = 0; i < patch->vertex_count; i++) {
-        of->start[i] = size - of->first[i];
-        size += i - of->first[i] + 1;
+        solver->row_start[i] = size - solver->first_column[i];
+        size += i - solver->first_column[i] + 1;
     }
-    void *array = of->matrix;
-    HATCH_TRY(hatch_heap_reserve(of->arena, &array, &of->matrix_room, size, sizeof *of->matrix, err));
-    of->matrix = array;
-    memset(of->matrix, 0, size * sizeof *of->matrix);
+    void *array = solver->matrix;
+    HATCH_TRY(hatch_lapped_reserve(solver->arena, &array, &solver->matrix_capacity, size, sizeof *solver->matrix, err));
+    solver->matrix = array;
+    memset(solver->matrix, 0, size * sizeof *solver->matrix);
     return HATCH_OK;
 }
 
-/* Gradients of a face's three hat functions in the frame of its signed line; returns its area. */
-static double hat_gradients(const struct hatch_ground *ground, uint32_t face, int8_t sign, double gradient[3][2])
+/* Computes the gradients of a face's three hat functions in the face's plane, x along its signed direction; returns its
+ * area. */
+static double hat_gradients(const struct hatch_patch_domain *domain, uint32_t face, int8_t sign, double gradient[3][2])
 {
-    const double *flat = &ground->flat[(size_t)face * 4];
-    double least = HATCH_LAPPED_THIN * (flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2] + flat[3] * flat[3]);
+    const double *flat = &domain->flattened[(size_t)face * 4];
+    double least =
+        HATCH_LAPPED_AREA_FLOOR * (flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2] + flat[3] * flat[3]);
     double doubled = flat[0] * flat[3] - flat[2] * flat[1];
     doubled = doubled > least ? doubled : least;
     gradient[1][0] = sign * flat[3] / doubled;
@@ -161,74 +169,74 @@ static double hat_gradients(const struct hatch_ground *ground, uint32_t face, in
     return doubled / 2;
 }
 
-static void find_gradients(struct hatch_solver *of, const struct hatch_ground *ground, const struct hatch_patch *patch)
+static void find_gradients(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
+                           const struct hatch_patch *patch)
 {
     for (uint32_t f = 0; f < patch->face_count; f++) {
         uint32_t face = patch->faces[f];
-        double *to = &of->gradients[8 * f];
-        double area = hat_gradients(ground, face, patch->sign[f], (double(*)[2])to);
-        double steep = 0;
+        double *to = &solver->gradients[8 * f];
+        double area = hat_gradients(domain, face, patch->sign[f], (double(*)[2])to);
+        double largest = 0;
         for (int i = 0; i < 6; i += 2) {
             double own = area * (to[i] * to[i] + to[i + 1] * to[i + 1]);
-            steep = own > steep ? own : steep;
+            largest = own > largest ? own : largest;
         }
-        area *= steep > STEEP_MAX ? STEEP_MAX / steep : 1;
-        to[6] = ground->singular[face] ? FREE_WEIGHT * area : area;
+        area *= largest > ENTRY_MAX ? ENTRY_MAX / largest : 1;
+        to[6] = domain->singular[face] ? SINGULAR_WEIGHT * area : area;
         to[7] = 1;
     }
 }
 
-/* Adds a face's part of the normal equations. The first vertex stays where it is, at the origin: its
- * row and column are left out. */
-static void add_matrix(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
+/* Adds a face's part of the normal equations. Vertex 0 is fixed at the origin: its row and column are left out. */
+static void add_matrix(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    const double *gradient = &of->gradients[8 * local], weight = gradient[6];
+    const double *gradient = &solver->gradients[8 * local], weight = gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
-        uint32_t row = of->rank[corner[a]];
+        uint32_t row = solver->rank[corner[a]];
         for (uint32_t b = 0; b < 3; b++) {
-            uint32_t column = of->rank[corner[b]];
+            uint32_t column = solver->rank[corner[b]];
             if (corner[b] == 0 || column > row)
                 continue;
             double along = weight * gradient[2 * a] * gradient[2 * b];
-            double over = weight * gradient[2 * a + 1] * gradient[2 * b + 1];
-            double *entry = of->matrix[(uint32_t)(of->start[row] + column)];
-            entry[0] += along + TURN_WEIGHT * over;
-            entry[1] += TURN_WEIGHT * along + over;
+            double across = weight * gradient[2 * a + 1] * gradient[2 * b + 1];
+            double *entry = solver->matrix[(uint32_t)(solver->row_start[row] + column)];
+            entry[0] += along + TURN_WEIGHT * across;
+            entry[1] += TURN_WEIGHT * along + across;
         }
     }
 }
 
-/* How much larger a face lies in the plane than it is. */
-static double scale_of(const struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
+/* The mean of a face's scales along x and y in the plane. */
+static double scale_of(const struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t local)
 {
-    const double *gradient = &of->gradients[8 * local];
+    const double *gradient = &solver->gradients[8 * local];
     double sum = 0;
     for (uint32_t c = 0; c < 3; c++) {
-        const double *at = &patch->place[2 * patch->corners[3 * local + c]];
+        const double *at = &patch->xy[2 * patch->corners[3 * local + c]];
         sum += at[0] * gradient[2 * c] + at[1] * gradient[2 * c + 1];
     }
     return sum / 2;
 }
 
-static void add_right(struct hatch_solver *of, const struct hatch_patch *patch, uint32_t local)
+static void add_right_side(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    const double *gradient = &of->gradients[8 * local], weight = gradient[7] * gradient[6];
+    const double *gradient = &solver->gradients[8 * local], weight = gradient[7] * gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
-        double *right = of->right[of->rank[corner[a]]];
+        double *right = solver->right_side[solver->rank[corner[a]]];
         right[0] += weight * gradient[2 * a];
         right[1] += weight * gradient[2 * a + 1];
     }
 }
 
-/* What is left of a value without the sum of products, for x and y side by side; in four chains, a fixed
- * order in which the processor need not wait for each sum. */
-static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double left[2])
+/* Subtracts a dot product from value, of x and of y. Four partial sums hide the processor's latency; the order of
+ * summation is fixed. */
+static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double value[2])
 {
     double sum[4][2] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     size_t i = 0, fours = count & ~3u;
@@ -242,24 +250,24 @@ static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double 
         sum[0][0] += a[i][0] * b[i][0];
         sum[0][1] += a[i][1] * b[i][1];
     }
-    left[0] -= sum[0][0] + sum[1][0] + (sum[2][0] + sum[3][0]);
-    left[1] -= sum[0][1] + sum[1][1] + (sum[2][1] + sum[3][1]);
+    value[0] -= sum[0][0] + sum[1][0] + (sum[2][0] + sum[3][0]);
+    value[1] -= sum[0][1] + sum[1][1] + (sum[2][1] + sum[3][1]);
 }
 
-static double (*row_of(const struct hatch_solver *of, uint32_t row))[2]
+static double (*row_of(const struct hatch_solver *solver, uint32_t row))[2]
 {
-    return &of->matrix[(uint32_t)(of->start[row] + of->first[row])];
+    return &solver->matrix[(uint32_t)(solver->row_start[row] + solver->first_column[row])];
 }
 
-/* Cholesky's factors in place of the matrices; on the diagonal stands its inverse. */
-static void factor(const struct hatch_solver *of, uint32_t count)
+/* Replaces the matrices by their Cholesky factors, with inverted diagonals. */
+static void factorize(const struct hatch_solver *solver, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        uint32_t low = of->first[i];
-        double(*row)[2] = row_of(of, i);
+        uint32_t low = solver->first_column[i];
+        double(*row)[2] = row_of(solver, i);
         for (uint32_t j = low; j < i; j++) {
-            uint32_t from = of->first[j] > low ? of->first[j] : low;
-            double(*other)[2] = &row_of(of, j)[from - of->first[j]];
+            uint32_t from = solver->first_column[j] > low ? solver->first_column[j] : low;
+            double(*other)[2] = &row_of(solver, j)[from - solver->first_column[j]];
             double value[2] = {row[j - low][0], row[j - low][1]};
             subtract_dot(&row[from - low], other, j - from, value);
             row[j - low][0] = value[0] * other[j - from][0];
@@ -273,20 +281,20 @@ static void factor(const struct hatch_solver *of, uint32_t count)
     }
 }
 
-/* Solutions in place of the right sides. */
-static void substitute(const struct hatch_solver *of, uint32_t count)
+/* Replaces the right sides by the solutions. */
+static void substitute(const struct hatch_solver *solver, uint32_t count)
 {
-    double(*restrict right)[2] = of->right;
+    double(*restrict right)[2] = solver->right_side;
     for (uint32_t i = 0; i < count; i++) {
-        uint32_t low = of->first[i];
-        double(*row)[2] = row_of(of, i);
+        uint32_t low = solver->first_column[i];
+        double(*row)[2] = row_of(solver, i);
         subtract_dot(row, &right[low], i - low, right[i]);
         right[i][0] *= row[i - low][0];
         right[i][1] *= row[i - low][1];
     }
     for (uint32_t i = count; i-- > 0;) {
-        uint32_t low = of->first[i];
-        double(*restrict row)[2] = row_of(of, i);
+        uint32_t low = solver->first_column[i];
+        double(*restrict row)[2] = row_of(solver, i);
         double x = right[i][0] *= row[i - low][0], y = right[i][1] *= row[i - low][1];
         for (uint32_t j = low; j < i; j++) {
             right[j][0] -= row[j - low][0] * x;
@@ -295,13 +303,13 @@ static void substitute(const struct hatch_solver *of, uint32_t count)
     }
 }
 
-/* Gives the faces the scales that they have now; false when hardly any changes. */
-static bool rescale(struct hatch_solver *of, const struct hatch_patch *patch)
+/* Moves the faces' target scales towards those of the solution; false when they hardly change. */
+static bool update_scales(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
     double change = 0, whole = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {
-        double *scale = &of->gradients[8 * f + 7], weight = of->gradients[8 * f + 6];
-        double next = *scale + SCALE_STEP * (scale_of(of, patch, f) - *scale);
+        double *scale = &solver->gradients[8 * f + 7], weight = solver->gradients[8 * f + 6];
+        double next = *scale + SCALE_STEP * (scale_of(solver, patch, f) - *scale);
         next = next < SCALE_MIN ? SCALE_MIN : next > SCALE_MAX ? SCALE_MAX : next;
         change += weight * fabs(next - *scale);
         whole += weight;
@@ -310,42 +318,42 @@ static bool rescale(struct hatch_solver *of, const struct hatch_patch *patch)
     return change > SCALE_SETTLED * whole;
 }
 
-/* Places the vertices for the faces' scales. */
-static void place(struct hatch_solver *of, struct hatch_patch *patch)
+/* Solves for the positions with the faces' present target scales. */
+static void solve_positions(struct hatch_solver *solver, struct hatch_patch *patch)
 {
-    memset(of->right, 0, patch->vertex_count * sizeof *of->right);
+    memset(solver->right_side, 0, patch->vertex_count * sizeof *solver->right_side);
     for (uint32_t f = 0; f < patch->face_count; f++)
-        add_right(of, patch, f);
-    substitute(of, patch->vertex_count);
+        add_right_side(solver, patch, f);
+    substitute(solver, patch->vertex_count);
     for (uint32_t v = 0; v < patch->vertex_count; v++)
-        memcpy(&patch->place[2 * v], of->right[of->rank[v]], sizeof *of->right);
+        memcpy(&patch->xy[2 * v], solver->right_side[solver->rank[v]], sizeof *solver->right_side);
 }
 
-enum hatch_status hatch_solver_solve(struct hatch_solver *of, const struct hatch_ground *ground,
+enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err)
 {
-    HATCH_TRY(make_room(of, patch, err));
-    HATCH_TRY(shape_envelope(of, patch, err));
-    find_gradients(of, ground, patch);
+    HATCH_TRY(reserve_arrays(solver, patch, err));
+    HATCH_TRY(choose_numbering(solver, patch, err));
+    find_gradients(solver, domain, patch);
     for (uint32_t f = 0; f < patch->face_count; f++)
-        add_matrix(of, patch, f);
-    uint32_t fixed = of->rank[0];
-    double *pivot = of->matrix[(uint32_t)(of->start[fixed] + fixed)];
+        add_matrix(solver, patch, f);
+    uint32_t fixed = solver->rank[0];
+    double *pivot = solver->matrix[(uint32_t)(solver->row_start[fixed] + fixed)];
     pivot[0] = pivot[1] = 1;
-    factor(of, patch->vertex_count);
-    place(of, patch);
-    for (int round = 1; round < SCALE_ROUNDS && rescale(of, patch); round++)
-        place(of, patch);
+    factorize(solver, patch->vertex_count);
+    solve_positions(solver, patch);
+    for (int round = 1; round < SCALE_ROUNDS && update_scales(solver, patch); round++)
+        solve_positions(solver, patch);
     return HATCH_OK;
 }
 
-void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
+void hatch_patch_fit(const struct hatch_patch_domain *domain, const struct hatch_patch *patch, uint32_t local,
                      struct hatch_fit *fit)
 {
     double gradient[3][2], jacobian[2][2] = {{0, 0}, {0, 0}};
-    hat_gradients(ground, patch->faces[local], patch->sign[local], gradient);
+    hat_gradients(domain, patch->faces[local], patch->sign[local], gradient);
     for (uint32_t c = 0; c < 3; c++) {
-        const double *at = &patch->place[2 * patch->corners[3 * local + c]];
+        const double *at = &patch->xy[2 * patch->corners[3 * local + c]];
         for (int i = 0; i < 2; i++)
             for (int j = 0; j < 2; j++)
                 jacobian[i][j] += at[i] * gradient[c][j];
@@ -356,5 +364,5 @@ void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch
     fit->determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
     double squared = half * half - fit->determinant * fit->determinant;
     fit->stretch = fit->determinant > 0 ? (half + sqrt(fmax(0, squared))) / fit->determinant : HUGE_VAL;
-    fit->turn = fit->determinant > 0 && jacobian[1][1] > 0 ? fabs(jacobian[1][0]) / jacobian[1][1] : HUGE_VAL;
+    fit->angle_tan = fit->determinant > 0 && jacobian[1][1] > 0 ? fabs(jacobian[1][0]) / jacobian[1][1] : HUGE_VAL;
 }

@@ -1,258 +1,280 @@
-/* What the parts of lapped share: the ground that patches grow on, the patch that grows, and who
- * covers what. Lengths are those of the surface: one is a component's mean edge. In the plane of a
- * patch x runs along the field and y at a right angle, counter-clockwise as the faces are; only the
- * coordinates that leave this module are turned so that v falls. */
+/* Internals that the files of lapped share: the surface prepared for patches, the patch being grown, the solver, and
+ * the record of covered faces. Lengths are those of the surface: 1 is a component's mean edge. In the plane of a patch
+ * x runs along the field and y at a right angle, so that faces are counter-clockwise; v falls with y only in the
+ * coordinates that leave this module. */
 #ifndef HATCH_LAPPED_WORK_H
 #define HATCH_LAPPED_WORK_H
 
 #include "lapped/heap.h"
 #include "lapped/lapped.h"
 
-/* Twice the area of a face counts as so much at least, in squares of its sides: the rest is rounding. */
-#define HATCH_LAPPED_THIN 1e-12
+/* Lower bound of twice a face's area over the sum of its squared sides: smaller values are rounding. */
+#define HATCH_LAPPED_AREA_FLOOR 1e-12
 
-/* Faces as the patches see them. */
-struct hatch_ground {
+/* The surface with what patches need to know of each face. A face has one direction: the mean of its corners' as they
+ * stand in space. */
+struct hatch_patch_domain {
     const struct hatch_surface *surface;
-    double *flat;       /* 4 a face: corners 1 and 2 seen from corner 0, in the frame of the face's line */
-    double *rough;      /* per face: turning of normals and of the field, smoothed, per length */
-    double *wish;       /* per face: radius wanted of a patch that begins there; one that holds it, and neighbours
-                           of its size */
-    double *grain;      /* per face: the length of an edge around it */
-    uint8_t *singular;  /* per face: the field has an index */
-    int8_t *bend;       /* per side: the sign with which the line of the face behind goes on in this one; doubled
-                           where the two are coherent; 0 where no patch goes on */
-    uint32_t faces_max; /* of a patch */
+    double *flattened;     /* 4 a face: corners 1 and 2 relative to corner 0, x along the face's direction */
+    double *turning_rate;  /* per face: radians by which normals and field turn per length, smoothed */
+    double *target_radius; /* per face: radius of a patch that begins there, half the side of the mask's square */
+    double *edge_length;   /* per face: typical length of an edge around it */
+    uint8_t *singular;     /* per face: 1 where the field has an index */
+    int8_t *matching;   /* per side: sign that takes the direction of the face behind it to this face's; 1 or -1, 2 or
+                           -2 where the two are within 60°; 0 where no patch may cross */
+    uint32_t faces_max; /* of one patch */
 };
 
-enum hatch_status hatch_ground_make(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                    const double *direction, const struct hatch_outline *outline,
-                                    const struct hatch_lapped_options *options, struct hatch_pool *pool,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_ground *ground,
-                                    struct hatch_err *err) HATCH_MUST_USE;
+/* Prepares a surface for patches; the same for any number of threads. The arrays live in arena. */
+enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input,
+                                          const struct hatch_lapped_options *options, struct hatch_pool *pool,
+                                          struct hatch_arena *arena, struct hatch_arena *scratch,
+                                          struct hatch_patch_domain *domain, struct hatch_err *err);
 
-/* A face's corner in the frame of its line. */
-static inline void hatch_ground_corner(const struct hatch_ground *ground, uint32_t face, uint32_t corner, double at[2])
+/* Returns a face's corner (0 .. 2) in the face's plane: relative to corner 0, x along the face's direction. */
+static inline void hatch_patch_domain_corner(const struct hatch_patch_domain *domain, uint32_t face, uint32_t corner,
+                                             double xy[2])
 {
-    const double *flat = &ground->flat[(size_t)face * 4];
-    at[0] = corner == 0 ? 0 : flat[2 * corner - 2];
-    at[1] = corner == 0 ? 0 : flat[2 * corner - 1];
+    const double *flattened = &domain->flattened[(size_t)face * 4];
+    xy[0] = corner == 0 ? 0 : flattened[2 * corner - 2];
+    xy[1] = corner == 0 ? 0 : flattened[2 * corner - 1];
 }
 
-/* The smallest circle around a triangle of the plane; returns its radius. */
-double hatch_patch_circle(const double at[3][2], double center[2]);
+/* Finds the smallest circle around a triangle of the plane; returns its radius. */
+double hatch_patch_enclosing_circle(const double corners[3][2], double center[2]);
 
-/* By how much the core of a patch is larger than a face must be for it to hold neighbours of its size as well. */
-#define HATCH_LAPPED_HOLD 1.9
+/* Least radius of a patch's core over that of the circle around its seed face: neighbours of the same size then fit
+ * into the core, too. */
+#define HATCH_LAPPED_CORE_FACTOR 1.9
 
-/* A side of the patch behind which it has no face but there is one. */
-struct hatch_rim {
-    uint32_t side;    /* the surface's */
+/* A side on the boundary of a patch; another face of the surface lies behind it. */
+struct hatch_boundary_side {
+    uint32_t side;    /* of the surface */
     uint32_t ends[2]; /* local vertices */
-    bool covered;     /* the face behind is */
-    bool may;         /* growth may take it */
+    bool covered;     /* the face behind is covered */
+    bool growable;    /* growth may add the face behind */
 };
 
-/* How a face lies: nearly as the field is, past a limit, or between. */
-enum hatch_past { HATCH_LAPPED_WITHIN, HATCH_LAPPED_PAST, HATCH_LAPPED_WIDE };
+/* Distortion of a face against the limits; near: within them, but not far from the one of the angle. */
+enum hatch_limit_state { HATCH_LAPPED_WITHIN, HATCH_LAPPED_EXCEEDED, HATCH_LAPPED_NEAR };
 
-/* The patch that grows. Local faces and vertices are numbered in order of growth: any first part of
- * the faces is a disk too. */
+/* The patch being grown. Local faces and vertices are numbered in order of growth: the first n faces are a disk for any
+ * n. Arrays live in the growth's arena. */
 struct hatch_patch {
-    uint32_t seed;
-    double center[2], radius, turn[2]; /* turn: cosine and sine from the plane to the mask */
-    double offset[2];                  /* of the center, from that of the smallest circle around the first face */
-    double seed_radius;                /* of that circle */
+    uint32_t seed_face;
+    double center[2], radius, rotation[2]; /* of the outline; rotation: cosine and sine from the plane to the mask */
+    double offset[2];                      /* of the center, from that of the circle around the seed face */
+    double seed_radius;                    /* radius that the core needs there to contain the seed face */
     uint32_t face_count, vertex_count;
-    uint32_t *faces;   /* surface's faces */
-    uint32_t *corners; /* 3 a face: local vertices */
-    int8_t *sign;      /* per face: 1 or -1: which way its line counts */
-    uint32_t *points;  /* surface's points of local vertices */
-    double *place;     /* 2 a vertex: in the plane */
-    uint8_t *steps;    /* per face: how far it lies inside covered ground, in faces from one that is bare */
-    uint8_t *past;     /* per face: enum hatch_past */
-    struct hatch_rim *rim;
-    uint32_t rim_count;
-    uint32_t measured;               /* faces at the beginning of which it is known whether they are past a limit */
-    uint32_t past_count, wide_count; /* of them */
-    uint32_t face_room, point_room, rim_room; /* of what there is per face, per vertex, per side of the rim */
-    uint32_t faces_max;                       /* growth ends at so many */
+    uint32_t *faces;        /* the surface's faces */
+    uint32_t *corners;      /* 3 a face: local vertices */
+    int8_t *sign;           /* per face: 1 where x runs along the face's direction, -1 where against it */
+    uint32_t *points;       /* per vertex: the surface's point */
+    double *xy;             /* 2 a vertex: position in the patch's plane */
+    uint8_t *covered_depth; /* per face: 0 when not covered, else 1 + the depth of the face from which it was added */
+    uint8_t *limit_state;   /* per face: enum hatch_limit_state */
+    struct hatch_boundary_side *boundary;
+    uint32_t boundary_count;
+    uint32_t measured_count;             /* the first so many faces have a limit_state */
+    uint32_t exceeded_count, near_count; /* of measured faces: that are HATCH_LAPPED_EXCEEDED, HATCH_LAPPED_NEAR */
+    uint32_t face_capacity, vertex_capacity, boundary_capacity;
+    uint32_t faces_max; /* growth stops at this number */
 };
 
-/* Texture coordinates of a patch's vertices, two each, in floats of which none turns a face over, where a
- * way was found. Statuses: HATCH_LIMIT. */
+/* Computes a patch's texture coordinates as floats, in tiles, moved by up to 32 float steps where rounding would
+ * turn faces over and a move can prevent it.
+ *   patch  one of lapped's
+ *   tile   side of a tile, in the mesh's units
+ *   hatch  out: 2 a vertex */
 enum hatch_status hatch_lapped_round(const struct hatch_lapped *lapped, const struct hatch_lapped_patch *patch,
                                      double tile, struct hatch_arena *scratch, float *hatch,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Places of the plane that the outline must leave outside. */
+/* Points of the plane that the outline must leave outside. Starts as {.arena = a}. */
 struct hatch_obstacles {
     struct hatch_arena *arena;
-    double *at; /* 2 each */
-    uint32_t count, room;
+    double *xy; /* 2 a point */
+    uint32_t count, capacity;
 };
 
-/* Where a face or point stands in the patch that had this round. */
-struct hatch_stamp {
+/* Local index of a face or point; valid while round is the growth's. */
+struct hatch_local_index {
     uint32_t round, local;
 };
 
-/* Where a solution last placed a point, and for which patch. */
-struct hatch_known {
-    double place[2];
-    uint32_t number;
+/* Position of a point in the last solution for a patch. */
+struct hatch_last_position {
+    double xy[2];
+    uint32_t patch_number;
 };
 
-/* A growth's view of the whole surface: which faces and points are in the patch, by stamps. */
+/* Growth of one patch after another. */
 struct hatch_growth {
-    const struct hatch_ground *ground;
+    const struct hatch_patch_domain *domain;
     const struct hatch_outline *outline;
-    const uint8_t *covered; /* per face */
+    const uint8_t *covered; /* per face of the surface */
     struct hatch_patch patch;
     struct hatch_arena *arena;
-    struct hatch_heap heap;
+    struct hatch_heap heap; /* sides to grow across, by distance from the center */
     struct hatch_obstacles obstacles;
-    uint32_t round, number;                   /* of this growth, of this patch */
-    struct hatch_stamp *face, *point;         /* per face, per point */
-    uint32_t *barred;                         /* per face: the patch that must not hold it */
-    struct hatch_known *known;                /* per point */
-    uint32_t unfolded;                        /* vertices of the patch that no solution has placed */
-    uint32_t *budget;                         /* per face: faces that a patch that begins here begins with */
-    uint32_t *tried, tried_count, tried_room; /* faces of the patch as it first was */
+    uint32_t round, patch_number;              /* counters: restarts from a seed face, patches begun */
+    struct hatch_local_index *face, *point;    /* per face, per point of the surface */
+    uint32_t *excluded_from;                   /* per face: number of the patch that must not contain it */
+    struct hatch_last_position *last_position; /* per point */
+    uint32_t unsolved_count;                   /* vertices that no solution for this patch has placed */
+    uint32_t *start_faces_max;                 /* per face: the first faces_max of a patch that begins there */
+    uint32_t *first_attempt;                   /* faces of the patch after its first round */
+    uint32_t first_attempt_count, first_attempt_capacity;
 };
 
-enum hatch_status hatch_growth_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
+/* Allocates a growth in arena.
+ *   covered  per face; kept by reference, may change between patches */
+enum hatch_status hatch_growth_make(const struct hatch_patch_domain *domain, const struct hatch_outline *outline,
                                     const uint8_t *covered, struct hatch_arena *arena, struct hatch_growth *growth,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Begins a new patch at a face. */
-void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed);
+/* Begins a new patch, without faces yet. */
+void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed_face);
 
-/* Grows anew from the seed over all faces that the outline touches, as far as the patch stays what
- * lapped.h promises; points that a solution placed keep their places, others are unfolded. */
+/* Grows the patch again from its seed face over all faces that the outline touches, as far as the patch keeps the
+ * guarantees of lapped.h. Points keep their last position, others are unfolded next to their neighbours. */
 enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Goes on from the faces that the patch has, where the outline has come over its rim. */
+/* Continues growth from the faces that the patch has, where the outline reaches beyond its boundary. */
 enum hatch_status hatch_growth_extend(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
 
-/* A place of the patch's plane in mask coordinates. */
-void hatch_patch_mask(const struct hatch_patch *patch, const double place[2], double mask[2]);
+/* Converts a position in the patch's plane to mask coordinates. */
+void hatch_patch_mask(const struct hatch_patch *patch, const double xy[2], double mask[2]);
 
-/* Whether opacity over 0 may be found on a way between two places of the plane. Never false where it
- * is. */
+/* Returns whether a segment of the plane may contain a point with opacity over 0; false is certain. */
 bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline, const double a[2],
                          const double b[2]);
 
-/* The patch's other local face across a side of local face f, or the reason why there is none. */
-enum hatch_side { HATCH_SIDE_INSIDE, HATCH_SIDE_BORDER, HATCH_SIDE_OPEN };
-enum hatch_side hatch_growth_side(const struct hatch_growth *growth, uint32_t side);
+/* Returns whether the patch contains the face behind a side of the surface and joins it there. */
+bool hatch_growth_side_inside(const struct hatch_growth *growth, uint32_t side);
 
-/* Least squares to the field. */
+/* Solves for the positions of a patch's vertices by least squares to the field: normal equations for x and for y,
+ * Cholesky factors within their envelope. Starts as {.arena = a}; arrays are reused from patch to patch. */
 struct hatch_solver {
     struct hatch_arena *arena;
-    uint32_t *rank;                   /* of each vertex along the plane's longer axis */
-    uint32_t *places;                 /* per strip of the plane: the next rank there */
-    uint32_t *first;                  /* per row: the envelope's first column */
-    uint32_t *start;                  /* per row: where column 0 would stand in matrix; wraps */
-    double *gradients;                /* 8 a face: of its corners' hat functions, 2 each, its weight, its scale */
-    double (*matrix)[2], (*right)[2]; /* of x and of y side by side */
-    uint32_t places_room, rank_room, first_room, start_room, gradient_room, matrix_room, right_room;
+    uint32_t *rank;                        /* per vertex: its row */
+    uint32_t *strip_rank;                  /* per strip of the plane: the next rank there */
+    uint32_t *first_column;                /* per row: where its envelope begins */
+    uint32_t *row_start;                   /* per row: index in matrix of column 0; wraps around below 0 */
+    double *gradients;                     /* 8 a face: of its corners' hat functions, 2 each; weight; target scale */
+    double (*matrix)[2], (*right_side)[2]; /* of x and of y */
+    uint32_t rank_capacity, strip_capacity, column_capacity, start_capacity;
+    uint32_t gradient_capacity, matrix_capacity, right_capacity;
 };
 
-/* Places the patch's vertices anew. */
-enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_ground *ground,
+/* Computes new positions for the patch's vertices. */
+enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* How one face lies in the plane: its determinant, its larger singular value over the smaller, and
- * the tangent of the angle between line and strokes; infinite where it is turned over. */
+/* Distortion of a face by its map into the plane. */
 struct hatch_fit {
-    double determinant, stretch, turn;
+    double determinant; /* 1 keeps the area; under 0 when turned over */
+    double stretch;     /* larger over smaller singular value, 1 ..; infinite when turned over */
+    double angle_tan;   /* tangent of the angle between field and x axis; infinite when turned over or over 90° */
 };
-void hatch_patch_fit(const struct hatch_ground *ground, const struct hatch_patch *patch, uint32_t local,
+
+/* Measures the distortion of a local face. */
+void hatch_patch_fit(const struct hatch_patch_domain *domain, const struct hatch_patch *patch, uint32_t local,
                      struct hatch_fit *fit);
 
-/* Remembers the places that the vertices have now. */
-void hatch_growth_keep(struct hatch_growth *growth);
+/* Stores the vertices' positions as the last ones of their points. */
+void hatch_growth_store_positions(struct hatch_growth *growth);
 
+/* Adds points along the segment from a to b. */
 enum hatch_status hatch_obstacles_add(struct hatch_obstacles *obstacles, const double a[2], const double b[2],
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Slides the outline so that it stays large and clear of the obstacles and its core still holds the
- * first face; false, and no larger than floor or that needs, where it cannot. */
-bool hatch_patch_slide(struct hatch_patch *patch, const struct hatch_outline *outline,
-                       const struct hatch_obstacles *obstacles, double floor);
+/* Moves the outline, within the room that its core has around the seed face, to where it can be largest without
+ * containing an obstacle, and sets that radius; where none over radius_min is possible, the larger of radius_min and
+ * hatch_patch_radius_min. */
+void hatch_patch_avoid_obstacles(struct hatch_patch *patch, const struct hatch_outline *outline,
+                                 const struct hatch_obstacles *obstacles, double radius_min);
 
-/* The smallest radius with which the core holds the first face. */
-double hatch_patch_least(const struct hatch_patch *patch, const struct hatch_outline *outline);
+/* Returns the smallest radius with which the core contains the seed face. */
+double hatch_patch_radius_min(const struct hatch_patch *patch, const struct hatch_outline *outline);
 
-/* Grows and places a patch that begins at a face, within the limits. least: the radius below which it
- * is given up. */
 struct hatch_patch_notes {
-    bool cut;      /* its faces end inside its outline */
-    bool enlarged; /* the outline is larger than was wished */
-    bool given_up;
-    uint64_t placed; /* faces in all systems solved */
+    bool cut;              /* its faces end inside its outline */
+    bool enlarged;         /* its outline is larger than the options ask for, to hold the seed face */
+    bool given_up;         /* it would be smaller than radius_min, or its seed face exceeds a limit */
+    uint64_t solved_faces; /* faces in all systems solved: the cost */
 };
+
+/* Grows and solves a patch from a seed face until it is within the limits; the result is growth->patch.
+ *   radius_min  radius below which the patch is given up; 0: never */
 enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_solver *solver,
-                                   const struct hatch_lapped_options *options, uint32_t seed, double least,
+                                   const struct hatch_lapped_options *options, uint32_t seed_face, double radius_min,
                                    struct hatch_patch_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Who covers what. Patches are laid under those that were there: a face is left out of a patch once
- * the cores of earlier ones cover it. */
-struct hatch_cover_entry {
+/* The faces covered by the union of the cores of all patches so far. A new patch is drawn below those: a face is left
+ * out of it once it is covered. */
+struct hatch_core_coverage_entry {
     uint32_t next;     /* of the same face, or UINT32_MAX */
-    double mask[3][2]; /* of the face's corners */
+    double mask[3][2]; /* of the face's corners in one patch */
 };
 
-struct hatch_cover {
+struct hatch_core_coverage {
     const struct hatch_outline *outline;
     struct hatch_arena *arena;
     uint8_t *covered; /* per face */
-    uint32_t *head;   /* per face: its first entry */
-    struct hatch_cover_entry *entries;
-    uint32_t entry_count, entry_room;
+    uint32_t *head;   /* per face: its first entry, or UINT32_MAX */
+    struct hatch_core_coverage_entry *entries;
+    uint32_t entry_count, entry_capacity;
 };
 
-enum hatch_status hatch_cover_make(const struct hatch_outline *outline, uint32_t face_count, struct hatch_arena *arena,
-                                   struct hatch_cover *cover, struct hatch_err *err) HATCH_MUST_USE;
+/* Makes a coverage without patches, in arena. */
+enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
+                                           struct hatch_arena *arena, struct hatch_core_coverage *coverage,
+                                           struct hatch_err *err) HATCH_MUST_USE;
 
-/* Adds a face of a patch. *shows: whether the patch may be seen on it. covered[face] is set once the cores hold
- * the whole face, and never where they do not. */
-enum hatch_status hatch_cover_add(struct hatch_cover *cover, uint32_t face, const double mask[3][2], bool *shows,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+/* Adds a face of a patch. covered[face] becomes 1 only when the cores certainly contain the whole face.
+ *   mask   of the face's corners
+ *   shows  out: whether the patch may be visible on the face */
+enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, uint32_t face, const double mask[3][2],
+                                          bool *shows, struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_order_item {
     uint32_t key, face;
 };
 
-/* Where the next patch begins. */
+/* The order in which faces become seed faces: smooth places first, each next one at the best distance from covered
+ * faces, gaps at the end. */
 struct hatch_order {
-    const struct hatch_ground *ground;
-    double core; /* radius of the core over that of the outline's square */
+    const struct hatch_patch_domain *domain;
+    double core_ratio; /* radius of the core over that of the outline's square */
     const uint8_t *covered;
-    double *distance; /* per face: to covered ground, or infinite */
-    double *middle;   /* 3 a face */
-    uint8_t *late;    /* per face: no patch begins here before gaps are filled */
-    uint32_t *smooth; /* faces of the component, smoothest first */
+    double *distance;   /* per face: over the surface to the nearest covered face; infinite when far */
+    double *middle;     /* 3 a face */
+    uint8_t *postponed; /* per face: no patch begins here before gaps are filled */
+    uint32_t *smooth;   /* faces of the component, by rising turning_rate */
     uint32_t smooth_count, smooth_next;
     struct hatch_order_item *items, *spare; /* per face: to sort them */
-    struct hatch_heap wave, front, gaps;
-    bool filling; /* only gaps are left */
-    uint32_t first_face, face_count;
+    struct hatch_heap queue;                /* of Dijkstra's algorithm: faces whose distance has fallen */
+    struct hatch_heap candidates;           /* faces at a suitable distance from covered ones, best first */
+    struct hatch_heap gaps;                 /* remaining faces, farthest first */
+    bool filling_gaps;                      /* only gaps remain in this component */
+    uint32_t first_face, face_count;        /* of the component */
 };
 
-enum hatch_status hatch_order_make(const struct hatch_ground *ground, const struct hatch_outline *outline,
+/* Allocates an order in arena.
+ *   covered  per face; kept by reference */
+enum hatch_status hatch_order_make(const struct hatch_patch_domain *domain, const struct hatch_outline *outline,
                                    const uint8_t *covered, struct hatch_arena *arena, struct hatch_order *order,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Goes on to a component. */
-void hatch_order_component(struct hatch_order *order, uint32_t component);
+/* Starts a component of the surface. */
+void hatch_order_start_component(struct hatch_order *order, uint32_t component);
 
-/* The next face to begin with, or HATCH_NO_SIDE when the component is covered. */
+/* Returns in *face the next seed face, or HATCH_NO_SIDE when the component is covered. */
 enum hatch_status hatch_order_next(struct hatch_order *order, uint32_t *face, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Tells of faces newly covered. */
-enum hatch_status hatch_order_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,
-                                      struct hatch_err *err) HATCH_MUST_USE;
+/* Updates distances for faces that have just become covered. */
+enum hatch_status hatch_order_add_covered(struct hatch_order *order, const uint32_t *faces, uint32_t count,
+                                          struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

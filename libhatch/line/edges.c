@@ -76,8 +76,8 @@ static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_
         const uint32_t *p = &made->point[3 * f];
         dropped[f] = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
     }
-    return hatch_edges_find(made->point, mesh->face_count, made->point_count, dropped, arena, scratch, &made->edges,
-                            err);
+    const struct hatch_connectivity faces = {made->point, mesh->face_count, made->point_count, dropped};
+    return hatch_edges_find(&faces, arena, scratch, &made->edges, err);
 }
 
 /* Marks the points at the ends of edges of one face. Returns whether there are any. */
@@ -114,7 +114,7 @@ static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease
     made->kinds = HATCH_NEW(arena, uint8_t, made->edges.count, err);
     if (!made->kinds)
         return HATCH_LIMIT;
-    hatch_edges_kinds(mesh, &made->edges, crease_rad, made->kinds);
+    hatch_edges_classify(mesh, &made->edges, crease_rad, made->kinds);
     return HATCH_OK;
 }
 
@@ -143,7 +143,7 @@ static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hat
     uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
     if (!sharp)
         return HATCH_LIMIT;
-    hatch_edges_kinds(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
+    hatch_edges_classify(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
     for (uint32_t e = 0; e < edges->edges.count; e++)
         if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH &&
             hatch_line_edge_is_smoothed(mesh, edges, e))

@@ -1,18 +1,17 @@
-/* A box along the axes that grows around points. */
+/* An axis-aligned bounding box of points. */
 #ifndef HATCH_MATH_BOX_H
 #define HATCH_MATH_BOX_H
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Begins as {.any = false}. */
+/* Starts as {.any = false}. */
 struct hatch_box {
-    double low[3], high[3]; /* unset while it holds no point */
-    bool any;               /* a point has been put into it */
+    double low[3], high[3]; /* unset while there are no points */
+    bool any;               /* a point has been added */
 };
 
-/* The smallest box that holds what it held and the point; coordinates that are no numbers are passed over
- * but in the first point. */
+/* Extends the box to a point. NaN coordinates are ignored, except in the first point. */
 static inline void hatch_box_add(struct hatch_box *box, const double point[3])
 {
     for (int k = 0; k < 3; k++) {

@@ -8,10 +8,11 @@ struct hatch_weighted {
     double value, weight; /* finite; weight at least 0 */
 };
 
-/* out[i]: the smallest value such that it and all below it weigh at least shares[i] of the whole; NaN
- * where there are none. Sorts values by value, then by weight, so that sums have one order on every
- * machine. shares: count_shares of 0 .. 1, rising. */
-void hatch_percentiles(struct hatch_weighted *values, size_t count, const double *shares, size_t count_shares,
+/* Computes percentiles: the smallest value such that it and all below it have at least a share of the total weight.
+ *   values  sorted by value, then by weight, so that sums have one order on every machine
+ *   shares  0 .. 1, rising
+ *   out     per share; NaN where there are no values */
+void hatch_percentiles(struct hatch_weighted *values, size_t count, const double *shares, size_t share_count,
                        double *out);
 
 #endif

@@ -1,16 +1,18 @@
-/* Vectors of three doubles, for geometry that must hold at any scale: floats are widened, worked on
- * here and rounded once at the end. */
+/* Vectors of three doubles. Geometry that must hold at any scale widens floats, computes in doubles and rounds once at
+ * the end. */
 #ifndef HATCH_MATH_VECTOR_H
 #define HATCH_MATH_VECTOR_H
 
 #include <math.h>
 
+/* Widens floats to doubles. */
 static inline void hatch_vec_of(const float from[3], double to[3])
 {
     for (int i = 0; i < 3; i++)
         to[i] = (double)from[i];
 }
 
+/* Rounds doubles to floats. */
 static inline void hatch_vec_round(const double from[3], float to[3])
 {
     for (int i = 0; i < 3; i++)
@@ -29,7 +31,7 @@ static inline void hatch_vec_sub(const double a[3], const double b[3], double ou
         out[i] = a[i] - b[i];
 }
 
-/* out = a + scale * b; out may be a or b. */
+/* out = a + scale * b; out may be a or b */
 static inline void hatch_vec_add_scaled(const double a[3], double scale, const double b[3], double out[3])
 {
     for (int i = 0; i < 3; i++)
@@ -41,7 +43,7 @@ static inline double hatch_vec_dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* out must be neither a nor b. */
+/* out = a × b; out must be neither a nor b */
 static inline void hatch_vec_cross(const double a[3], const double b[3], double out[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -61,7 +63,7 @@ static inline double hatch_vec_distance(const double a[3], const double b[3])
     return hatch_vec_length(d);
 }
 
-/* Scales a to length 1 and returns the length it had; a zero vector stays and returns 0. */
+/* Scales a to length 1; returns its former length. A zero vector stays unchanged. */
 static inline double hatch_vec_normalize(double a[3])
 {
     double length = hatch_vec_length(a);
@@ -70,7 +72,7 @@ static inline double hatch_vec_normalize(double a[3])
     return length;
 }
 
-/* out = (b - a) × (c - a): twice the triangle's area along its normal. */
+/* out = (b - a) × (c - a): the triangle's normal, twice as long as its area */
 static inline void hatch_vec_triangle(const double a[3], const double b[3], const double c[3], double out[3])
 {
     double ab[3], ac[3];
@@ -79,8 +81,8 @@ static inline void hatch_vec_triangle(const double a[3], const double b[3], cons
     hatch_vec_cross(ab, ac, out);
 }
 
-/* A unit vector at a right angle to the unit vector normal: the axis along which normal is shortest,
- * made orthogonal. */
+/* Returns in out a unit vector orthogonal to the unit vector normal: the axis of normal's smallest component, made
+ * orthogonal. */
 static inline void hatch_vec_any_orthogonal(const double normal[3], double out[3])
 {
     int axis = 0;

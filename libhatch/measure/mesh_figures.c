@@ -171,9 +171,9 @@ static enum hatch_status measure(struct work *w, struct hatch_err *err)
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &out->points, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     find_used(w, flags);
-    HATCH_TRY(hatch_edges_find(w->point, mesh->face_count, out->points, w->dropped, scratch, scratch, &w->edges, err));
-    HATCH_TRY(hatch_mesh_count_pinched(w->point, mesh->face_count, out->points, &w->edges, w->dropped, scratch,
-                                       &out->non_manifold_points, err));
+    const struct hatch_connectivity faces = {w->point, mesh->face_count, out->points, w->dropped};
+    HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &w->edges, err));
+    HATCH_TRY(hatch_mesh_count_pinched(&faces, &w->edges, scratch, &out->non_manifold_points, err));
     find_components(w);
     memset(flags, 0, mesh->vertex_count);
     find_boundary(w, flags);

@@ -1,5 +1,5 @@
-/* Cleaning works on points (welded positions), so that unwelded files are judged as the surfaces they
- * are, and changes vertices only by leaving out those that no face uses. */
+/* Cleaning works on points (welded positions), so that it treats unwelded meshes as the surfaces that they are.
+ * Vertices stay apart; only those that no face uses are dropped. */
 #include <string.h>
 
 #include "mesh/dropped.h"
@@ -17,24 +17,25 @@ struct work {
 
 static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
+    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, w->point_count, w->dropped};
     struct hatch_edges edges;
-    HATCH_TRY(
-        hatch_edges_find(w->point, w->mesh->face_count, w->point_count, w->dropped, scratch, scratch, &edges, err));
+    HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &edges, err));
     uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)w->mesh->face_count * 3, err);
     if (!partner)
         return HATCH_LIMIT;
     hatch_edges_partners(&edges, NULL, w->mesh->face_count, partner);
-    struct hatch_orientation result;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, partner, w->dropped, scratch, w->flipped, NULL, &result, err));
+    struct hatch_orientation result = {.flipped = w->flipped};
+    HATCH_TRY(hatch_mesh_orient(w->mesh, &faces, partner, scratch, &result, err));
     w->notes.faces_flipped = result.faces_flipped;
     w->notes.contrary_edges = result.contrary_edges;
     for (uint32_t e = 0; e < edges.count; e++)
         w->notes.non_manifold_edges += edges.first[e + 1] - edges.first[e] > 2;
-    return hatch_mesh_count_pinched(w->point, w->mesh->face_count, w->point_count, &edges, w->dropped, scratch,
-                                    &w->notes.non_manifold_points, err);
+    return hatch_mesh_count_pinched(&faces, &edges, scratch, &w->notes.non_manifold_points, err);
 }
 
-/* new_vertex: zeros. origin: the old vertex of each new one. Returns how many are left. */
+/* Numbers the vertices that faces use; returns their number.
+ *   new_vertex  in: zeros; out: per old vertex
+ *   origin      out: per new vertex, the old one */
 static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex, uint32_t *origin)
 {
     const struct hatch_mesh *mesh = w->mesh;
@@ -92,7 +93,7 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena, struct
     if (!w->flipped)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &w->point_count, err));
-    if (mesh->attribute_count == 1) /* else they may differ in what they carry */
+    if (mesh->attribute_count == 1) /* vertices at one position may differ in other attributes */
         w->notes.vertices_apart = mesh->vertex_count - w->point_count;
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     w->notes.degenerate_dropped = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);

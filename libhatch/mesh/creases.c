@@ -4,14 +4,14 @@
 
 #include "math/vector.h"
 
-/* Faces that lie on one another leave an edge in directions that differ by rounding only. */
+/* Faces on top of one another leave an edge in directions that differ by rounding only. */
 #define COS_SAME 0.9999
 
-static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_t *sides, uint32_t count,
-                                    double cos_crease)
+static enum hatch_edge_kind classify(const struct hatch_mesh *mesh, const uint32_t *sides, uint32_t count,
+                                     double cos_crease)
 {
     double first[3], other[3];
-    uint32_t at = 0, told = 1;
+    uint32_t at = 0, directions = 1;
     bool same = true, opposite = false, bent = false;
     while (at < count && !hatch_side_direction(mesh, sides[at], first))
         at++;
@@ -19,22 +19,22 @@ static enum hatch_edge_kind kind_of(const struct hatch_mesh *mesh, const uint32_
         if (!hatch_side_direction(mesh, sides[i], other))
             continue;
         double cosine = hatch_vec_dot(first, other);
-        told++;
+        directions++;
         same = same && cosine > COS_SAME;
         opposite = opposite || -cosine >= cos_crease;
         bent = bent || (-cosine < cos_crease && cosine < COS_SAME);
     }
-    if (count == 1 || (told > 1 && same))
+    if (count == 1 || (directions > 1 && same))
         return HATCH_EDGE_BOUNDARY;
-    return told > 1 && (bent || !opposite) ? HATCH_EDGE_CREASE : HATCH_EDGE_SMOOTH;
+    return directions > 1 && (bent || !opposite) ? HATCH_EDGE_CREASE : HATCH_EDGE_SMOOTH;
 }
 
-void hatch_edges_kinds(const struct hatch_mesh *mesh, const struct hatch_edges *edges, double crease_rad,
-                       uint8_t *kinds)
+void hatch_edges_classify(const struct hatch_mesh *mesh, const struct hatch_edges *edges, double crease_rad,
+                          uint8_t *kinds)
 {
     assert(crease_rad >= 0 && crease_rad < 3.1416);
     double cos_crease = cos(crease_rad);
     for (uint32_t e = 0; e < edges->count; e++)
         kinds[e] =
-            (uint8_t)kind_of(mesh, &edges->sides[edges->first[e]], edges->first[e + 1] - edges->first[e], cos_crease);
+            (uint8_t)classify(mesh, &edges->sides[edges->first[e]], edges->first[e + 1] - edges->first[e], cos_crease);
 }

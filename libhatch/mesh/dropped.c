@@ -37,20 +37,20 @@ enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t fac
     while (capacity < (size_t)face_count * 2)
         capacity *= 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* face + 1 */
+    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* hash table: face + 1, or 0 */
     if (!slots)
         return HATCH_LIMIT;
     uint32_t found = 0;
     for (uint32_t f = 0; f < face_count; f++) {
         if (dropped[f])
             continue;
-        uint32_t mine[3], other[3];
-        sorted_points(point, f, mine);
-        uint64_t hash = hatch_random_mix((uint64_t)mine[0] << 32 | mine[1]);
-        size_t slot = hatch_random_mix(hash ^ mine[2]) & (capacity - 1);
+        uint32_t own[3], other[3];
+        sorted_points(point, f, own);
+        uint64_t hash = hatch_random_mix((uint64_t)own[0] << 32 | own[1]);
+        size_t slot = hatch_random_mix(hash ^ own[2]) & (capacity - 1);
         for (; slots[slot]; slot = (slot + 1) & (capacity - 1)) {
             sorted_points(point, slots[slot] - 1, other);
-            if (memcmp(mine, other, sizeof mine) == 0)
+            if (memcmp(own, other, sizeof own) == 0)
                 break;
         }
         if (slots[slot]) {

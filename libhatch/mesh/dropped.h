@@ -1,16 +1,18 @@
-/* Faces that no surface has a use for. */
+/* Degenerate and duplicate faces. */
 #ifndef HATCH_MESH_DROPPED_H
 #define HATCH_MESH_DROPPED_H
 
 #include "mesh/mesh.h"
 
-/* Sets dropped[f] to 1 for every face with a repeated point or without area. Returns how many it set.
- * point: the 3 * face_count corners' points. */
+/* Marks faces with a repeated point or without area; returns their number.
+ *   point    3 * face_count: the point of each corner
+ *   dropped  in, out: per face; 1 for those found */
 uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped);
 
-/* Sets dropped[f] to 1 for every face on the same three points as an earlier one, whichever way round
- * they go, and counts them. Faces already dropped take no part. point: the 3 * face_count corners'
- * points. */
+/* Marks faces with the same three points, in any order, as an earlier face.
+ *   point    3 * face_count: the point of each corner
+ *   dropped  in, out: per face; faces already dropped are ignored
+ *   count    out: number of faces found */
 enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
                                              struct hatch_arena *scratch, uint32_t *count,
                                              struct hatch_err *err) HATCH_MUST_USE;

@@ -5,7 +5,7 @@
 
 #include "math/vector.h"
 
-#define FLAT 1e-5 /* height over width: what a face of floats may have by rounding alone */
+#define FLAT 1e-5 /* height over width of a face that may be due to rounding of floats */
 
 void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point, uint32_t *point)
 {
@@ -25,7 +25,7 @@ static uint32_t high_point(const uint32_t *point, uint32_t side)
     return a < b ? b : a;
 }
 
-/* One pass of a stable counting sort. starts: point_count + 1 entries, overwritten. */
+/* One pass of a stable counting sort of sides. starts: room for point_count + 1. */
 static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t *point, uint32_t point_count,
                     const uint32_t *from, uint32_t *to, uint32_t count, uint32_t *starts)
 {
@@ -38,16 +38,16 @@ static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t 
         to[starts[key(point, from[i])]++] = from[i];
 }
 
-static uint32_t list_sides(const uint32_t *point, uint32_t face_count, const uint8_t *dropped, uint32_t *sides)
+static uint32_t list_sides(const struct hatch_connectivity *faces, uint32_t *sides)
 {
     uint32_t count = 0;
-    for (uint32_t side = 0; side < face_count * 3; side++)
-        if (!(dropped && dropped[side / 3]) && point[side] != point[hatch_side_end(side)])
+    for (uint32_t side = 0; side < faces->face_count * 3; side++)
+        if (!(faces->dropped && faces->dropped[side / 3]) && faces->point[side] != faces->point[hatch_side_end(side)])
             sides[count++] = side;
     return count;
 }
 
-static void group(const uint32_t *point, uint32_t side_count, struct hatch_edges *edges)
+static void group_by_edge(const uint32_t *point, uint32_t side_count, struct hatch_edges *edges)
 {
     edges->count = 0;
     for (uint32_t i = 0; i < side_count; i++) {
@@ -60,12 +60,11 @@ static void group(const uint32_t *point, uint32_t side_count, struct hatch_edges
     edges->first[edges->count] = side_count;
 }
 
-enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, uint32_t point_count,
-                                   const uint8_t *dropped, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_edges *edges, struct hatch_err *err)
+enum hatch_status hatch_edges_find(const struct hatch_connectivity *faces, struct hatch_arena *arena,
+                                   struct hatch_arena *scratch, struct hatch_edges *edges, struct hatch_err *err)
 {
-    assert(face_count <= UINT32_MAX / 3 - 1);
-    size_t all = (size_t)face_count * 3;
+    assert(faces->face_count <= UINT32_MAX / 3 - 1);
+    size_t all = (size_t)faces->face_count * 3;
     struct hatch_edges found;
     found.first = HATCH_NEW(arena, uint32_t, all + 1, err);
     found.sides = found.first ? HATCH_NEW(arena, uint32_t, all, err) : NULL;
@@ -74,13 +73,13 @@ enum hatch_status hatch_edges_find(const uint32_t *point, uint32_t face_count, u
         return HATCH_LIMIT;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *listed = HATCH_NEW(scratch, uint32_t, all, err);
-    uint32_t *starts = listed ? HATCH_NEW(scratch, uint32_t, (size_t)point_count + 1, err) : NULL;
+    uint32_t *starts = listed ? HATCH_NEW(scratch, uint32_t, (size_t)faces->point_count + 1, err) : NULL;
     if (starts) {
-        uint32_t count = list_sides(point, face_count, dropped, found.sides);
-        sort_by(high_point, point, point_count, found.sides, listed, count, starts);
-        sort_by(low_point, point, point_count, listed, found.sides, count, starts);
+        uint32_t count = list_sides(faces, found.sides);
+        sort_by(high_point, faces->point, faces->point_count, found.sides, listed, count, starts);
+        sort_by(low_point, faces->point, faces->point_count, listed, found.sides, count, starts);
         memset(found.edge_of, 0xff, all * sizeof *found.edge_of);
-        group(point, count, &found);
+        group_by_edge(faces->point, count, &found);
         *edges = found;
     }
     hatch_arena_rewind(scratch, mark);
@@ -110,7 +109,7 @@ bool hatch_side_direction(const struct hatch_mesh *mesh, uint32_t side, double d
     hatch_vec_sub(b, a, along);
     hatch_vec_sub(c, a, direction);
     hatch_vec_normalize(along);
-    double reach = hatch_vec_length(direction);
+    double width = hatch_vec_length(direction);
     hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, along), along, direction);
-    return hatch_vec_normalize(direction) > FLAT * reach;
+    return hatch_vec_normalize(direction) > FLAT * width;
 }

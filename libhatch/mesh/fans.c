@@ -41,7 +41,7 @@ uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, 
     for (uint32_t side = 0; side < corner_count; side++)
         if (partner[side] != HATCH_NO_EDGE && side < partner[side])
             join_sides(point, side, partner[side], fan);
-    /* A root is the lowest corner of its fan, so its number is known before its members ask. */
+    /* A root is the lowest corner of its fan: it is numbered before the other members. */
     for (uint32_t i = 0; i < corner_count; i++)
         fan[i] = hatch_sets_find(fan, i);
     for (uint32_t i = 0; i < corner_count; i++)
@@ -49,25 +49,24 @@ uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, 
     return fan_count;
 }
 
-enum hatch_status hatch_mesh_count_pinched(const uint32_t *point, uint32_t face_count, uint32_t point_count,
-                                           const struct hatch_edges *edges, const uint8_t *dropped,
+enum hatch_status hatch_mesh_count_pinched(const struct hatch_connectivity *faces, const struct hatch_edges *edges,
                                            struct hatch_arena *scratch, uint32_t *count, struct hatch_err *err)
 {
+    uint32_t corner_count = faces->face_count * 3, pinched = 0;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *parent = HATCH_NEW(scratch, uint32_t, (size_t)face_count * 3, err);
-    uint8_t *fans = parent ? HATCH_NEW(scratch, uint8_t, point_count, err) : NULL;
+    uint32_t *parent = HATCH_NEW(scratch, uint32_t, (size_t)faces->face_count * 3, err);
+    uint8_t *fans = parent ? HATCH_NEW(scratch, uint8_t, faces->point_count, err) : NULL; /* per point, at most 2 */
     if (!fans) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    hatch_sets_init(parent, face_count * 3);
+    hatch_sets_init(parent, corner_count);
     for (uint32_t e = 0; e < edges->count; e++)
         for (uint32_t i = edges->first[e] + 1; i < edges->first[e + 1]; i++)
-            join_sides(point, edges->sides[edges->first[e]], edges->sides[i], parent);
-    uint32_t pinched = 0;
-    for (uint32_t i = 0; i < face_count * 3; i++)
-        if (parent[i] == i && !(dropped && dropped[i / 3]) && fans[point[i]] < 2)
-            pinched += ++fans[point[i]] == 2;
+            join_sides(faces->point, edges->sides[edges->first[e]], edges->sides[i], parent);
+    for (uint32_t i = 0; i < corner_count; i++)
+        if (parent[i] == i && !(faces->dropped && faces->dropped[i / 3]) && fans[faces->point[i]] < 2)
+            pinched += ++fans[faces->point[i]] == 2;
     *count = pinched;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;

@@ -25,7 +25,8 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
     assert(components >= 1);
     assert(strlen(name) < HATCH_MESH_NAME_MAX);
     if (mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh holds at most %u", name, HATCH_MESH_ATTRIBUTES_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh has at most %u attributes", name,
+                          HATCH_MESH_ATTRIBUTES_MAX);
     float *floats = HATCH_NEW(arena, float, (size_t)mesh->vertex_count *components, err);
     if (!floats)
         return HATCH_LIMIT;
@@ -65,7 +66,7 @@ const struct hatch_mesh_attribute *hatch_mesh_attribute(const struct hatch_mesh 
     return NULL;
 }
 
-uint32_t hatch_mesh_targets(const struct hatch_mesh *mesh)
+uint32_t hatch_mesh_target_count(const struct hatch_mesh *mesh)
 {
     const struct hatch_mesh_attribute *morph = hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION);
     return morph ? morph->components / 3 : 0;
@@ -103,8 +104,8 @@ enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_e
         return hatch_fail(err, HATCH_BAD_INPUT, "no faces");
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
         if (mesh->indices[i] >= mesh->vertex_count)
-            return hatch_fail(err, HATCH_BAD_INPUT, "face %zu: vertex %u of %u", i / 3, mesh->indices[i],
-                              mesh->vertex_count);
+            return hatch_fail(err, HATCH_BAD_INPUT, "face %zu: vertex index %u, want one below %u", i / 3,
+                              mesh->indices[i], mesh->vertex_count);
     HATCH_TRY(check_positions(mesh, err));
     double corners[3][3];
     for (uint32_t f = 0; f < mesh->face_count; f++)

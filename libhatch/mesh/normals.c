@@ -7,14 +7,14 @@
 #include "mesh/fans.h"
 #include "mesh/splits.h"
 
-/* Corners that share one normal form a class. Without a crease angle the class is the point; with
- * one, corners are joined across the edges that are not sharp. */
+/* Corners that share a normal form a class: those of one point without a crease angle, those joined across edges that
+ * are not sharp with one. */
 struct work {
     const struct hatch_mesh *mesh;
     uint32_t *point;    /* per corner */
     uint32_t *class_of; /* per corner */
     uint32_t class_count;
-    double *sum; /* 3 per class */
+    double *sum; /* 3 per class: of the faces' normals */
 };
 
 static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
@@ -27,7 +27,6 @@ static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, doub
     return !(hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb));
 }
 
-/* Corners are joined across the edges of two faces that are not sharp. */
 static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edges *edges, const uint8_t *sharp,
                                           struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -43,8 +42,9 @@ static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edg
 static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
+    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, point_count, NULL};
     struct hatch_edges edges;
-    HATCH_TRY(hatch_edges_find(w->point, w->mesh->face_count, point_count, NULL, scratch, scratch, &edges, err));
+    HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &edges, err));
     uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges.count, err);
     if (!sharp)
         return HATCH_LIMIT;
@@ -87,7 +87,7 @@ static void store_normals(const struct work *w, const struct hatch_splits *s, fl
         if (s->class_at[v] != HATCH_NO_CLASS)
             hatch_vec_copy(&w->sum[(size_t)s->class_at[v] * 3], normal);
         if (!(hatch_vec_normalize(normal) > 0))
-            normal[2] = 1; /* no face with an area, or faces that cancel: any unit vector */
+            normal[2] = 1; /* no face with an area, or faces that cancel out: any unit vector */
         hatch_vec_round(normal, &normals[(size_t)v * 3]);
     }
 }
@@ -100,12 +100,9 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena, 
     struct hatch_splits s;
     struct hatch_mesh made;
     float *data;
-    uint32_t *indices = HATCH_NEW(scratch, uint32_t, corners, err);
-    if (!indices)
-        return HATCH_LIMIT;
-    HATCH_TRY(hatch_splits_make(mesh->indices, w->class_of, corners, mesh->vertex_count, scratch, indices, &s, err));
+    HATCH_TRY(hatch_splits_make(mesh->indices, w->class_of, corners, mesh->vertex_count, scratch, &s, err));
     HATCH_TRY(hatch_mesh_gather(mesh, s.origin, s.count, mesh->face_count, arena, &made, err));
-    memcpy(made.indices, indices, corners * sizeof *indices);
+    memcpy(made.indices, s.indices, corners * sizeof *s.indices);
     HATCH_TRY(hatch_mesh_add(arena, &made, "NORMAL", 3, &data, err));
     store_normals(w, &s, data);
     *out = made;

@@ -4,21 +4,22 @@
 
 #include "math/vector.h"
 
+/* A component found by breadth-first search. */
 struct flood {
     const struct hatch_mesh *mesh;
-    const uint32_t *point;
+    const struct hatch_connectivity *faces;
     const uint32_t *partner;
-    uint8_t *flipped;
-    uint8_t *seen;   /* per face */
-    uint32_t *queue; /* faces of the component, in the order found */
+    uint8_t *flipped; /* per face */
+    uint8_t *seen;    /* per face */
+    uint32_t *queue;  /* faces of the component */
     uint32_t count;
-    bool closed;
+    bool closed; /* all sides are joined */
 };
 
 /* Two sides of one edge agree when they run in opposite directions. */
 static bool agree(const struct flood *f, uint32_t side, uint32_t other)
 {
-    bool same_way = f->point[side] == f->point[other];
+    bool same_way = f->faces->point[side] == f->faces->point[other];
     return same_way == (f->flipped[side / 3] != f->flipped[other / 3]);
 }
 
@@ -42,8 +43,8 @@ static void flood_from(struct flood *f, uint32_t start)
         }
 }
 
-/* Six times the volume, as turned. Measured from the component's first corner, so that a far offset
- * does not drown it. */
+/* Six times the volume with the faces turned, relative to the component's first corner: a large offset from the origin
+ * would cancel all digits. */
 static double volume(const struct flood *f)
 {
     double sum = 0, origin[3], corners[3][3], normal[3];
@@ -60,7 +61,7 @@ static double volume(const struct flood *f)
     return sum;
 }
 
-/* The component's edges of two faces that disagree, as turned and as they came. */
+/* Counts the component's contrary edges with the faces turned, and as they were. */
 static void count_contrary(const struct flood *f, uint32_t *turned, uint32_t *before)
 {
     *turned = *before = 0;
@@ -69,11 +70,12 @@ static void count_contrary(const struct flood *f, uint32_t *turned, uint32_t *be
         if (other == HATCH_NO_EDGE || other < side)
             continue;
         *turned += !agree(f, side, other);
-        *before += f->point[side] == f->point[other];
+        *before += f->faces->point[side] == f->faces->point[other];
     }
 }
 
-static void settle(struct flood *f, struct hatch_orientation *result)
+/* Decides which side of the component is outside. */
+static void choose_side(struct flood *f, struct hatch_orientation *result)
 {
     uint32_t turned = 0, contrary, before;
     for (uint32_t i = 0; i < f->count; i++)
@@ -82,7 +84,7 @@ static void settle(struct flood *f, struct hatch_orientation *result)
     result->contrary_edges += contrary < before ? contrary : before;
     if (turned == 0)
         return;
-    if (before <= contrary) { /* one side alone: no turning helps */
+    if (before <= contrary) { /* non-orientable, and turning gains nothing */
         for (uint32_t i = 0; i < f->count; i++)
             f->flipped[f->queue[i]] = 0;
         return;
@@ -94,30 +96,30 @@ static void settle(struct flood *f, struct hatch_orientation *result)
     result->faces_flipped += other_side ? f->count - turned : turned;
 }
 
-enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const uint32_t *point, const uint32_t *partner,
-                                    const uint8_t *dropped, struct hatch_arena *scratch, uint8_t *flipped,
-                                    uint32_t *component, struct hatch_orientation *result, struct hatch_err *err)
+enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const struct hatch_connectivity *faces,
+                                    const uint32_t *partner, struct hatch_arena *scratch,
+                                    struct hatch_orientation *orientation, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct flood f = {.mesh = mesh, .point = point, .partner = partner, .flipped = flipped};
+    struct flood f = {.mesh = mesh, .faces = faces, .partner = partner, .flipped = orientation->flipped};
     f.seen = HATCH_NEW(scratch, uint8_t, mesh->face_count, err);
     f.queue = f.seen ? HATCH_NEW(scratch, uint32_t, mesh->face_count, err) : NULL;
     if (!f.queue) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    struct hatch_orientation found = {0};
-    memset(flipped, 0, mesh->face_count);
+    struct hatch_orientation found = {.flipped = orientation->flipped, .component = orientation->component};
+    memset(found.flipped, 0, mesh->face_count);
     for (uint32_t face = 0; face < mesh->face_count; face++) {
-        if (f.seen[face] || (dropped && dropped[face]))
+        if (f.seen[face] || (faces->dropped && faces->dropped[face]))
             continue;
         flood_from(&f, face);
-        settle(&f, &found);
-        for (uint32_t i = 0; component && i < f.count; i++)
-            component[f.queue[i]] = found.components;
+        choose_side(&f, &found);
+        for (uint32_t i = 0; found.component && i < f.count; i++)
+            found.component[f.queue[i]] = found.components;
         found.components++;
     }
-    *result = found;
+    *orientation = found;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

@@ -4,9 +4,10 @@
 
 #include "base/keys.h"
 
-/* values: three numbers a vertex that have to be equal, too. */
-static enum hatch_status number(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
-                                struct hatch_remap *weld, struct hatch_err *err)
+/* Numbers vertices that are equal in position and values.
+ *   values  3 a vertex */
+static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
+                                         struct hatch_remap *remap, struct hatch_err *err)
 {
     uint32_t *point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
     uint32_t *value = point ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL, unused;
@@ -20,36 +21,36 @@ static enum hatch_status number(const struct hatch_mesh *mesh, float *values, st
     HATCH_TRY(hatch_keys_make(scratch, &keys, err));
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint64_t key = (uint64_t)point[v] << 32 | value[v];
-        HATCH_TRY(hatch_keys_number(&keys, key, &weld->number[v], err));
-        if (keys.count > weld->count)
-            weld->first[weld->count++] = v;
+        HATCH_TRY(hatch_keys_number(&keys, key, &remap->number[v], err));
+        if (keys.count > remap->count)
+            remap->first[remap->count++] = v;
     }
     return HATCH_OK;
 }
 
-static enum hatch_status weld_by(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
+static enum hatch_status make(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
     struct hatch_remap made = {.number = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err)};
     made.first = made.number ? HATCH_NEW(arena, uint32_t, mesh->vertex_count, err) : NULL;
     if (!made.first)
         return HATCH_LIMIT;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = number(mesh, values, scratch, &made, err);
+    enum hatch_status status = number_vertices(mesh, values, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
-        *weld = made;
+        *remap = made;
     return status;
 }
 
 enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_remap *weld, struct hatch_err *err)
+                                        struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
-    return weld_by(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, weld, err);
+    return make(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, remap, err);
 }
 
 enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                          struct hatch_remap *weld, struct hatch_err *err)
+                                          struct hatch_remap *remap, struct hatch_err *err)
 {
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     float *values = HATCH_NEW(arena, float, 3 * (size_t)mesh->vertex_count, err);
@@ -57,7 +58,7 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
         return HATCH_LIMIT;
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
-    return weld_by(mesh, values, arena, arena, weld, err);
+    return make(mesh, values, arena, arena, remap, err);
 }
 
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,

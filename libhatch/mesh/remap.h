@@ -1,26 +1,28 @@
-/* Vertices that are one but for what textures need. */
-#ifndef RENDER_WELD_H
-#define RENDER_WELD_H
+/* Vertex remap tables: each vertex gets the index of the first vertex that equals it in position and one attribute. */
+#ifndef HATCH_MESH_REMAP_H
+#define HATCH_MESH_REMAP_H
 
 #include "mesh/mesh.h"
 
 struct hatch_remap {
-    uint32_t count;
-    uint32_t *number; /* of each of the mesh's vertices: below count, in order of appearance */
-    uint32_t *first;  /* of each number: its first vertex */
+    uint32_t count;   /* number of different vertices */
+    uint32_t *number; /* per vertex: its new index, below count, in order of appearance */
+    uint32_t *first;  /* per new index: the first vertex that has it; room for all vertices */
 };
 
-/* Numbers vertices by position and normal; the mesh has both. */
+/* Makes a table of vertices that are equal in POSITION and NORMAL; the mesh has both.
+ *   remap  out: its arrays live in arena */
 enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_remap *weld,
+                                        struct hatch_arena *scratch, struct hatch_remap *remap,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same by position and TEXCOORD_0; temporaries stay in the arena, too. */
+/* Makes a table of vertices that are equal in POSITION and TEXCOORD_0; the mesh has both. Leaves temporary data in
+ * arena. */
 enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                          struct hatch_remap *weld, struct hatch_err *err) HATCH_MUST_USE;
+                                          struct hatch_remap *remap, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Adds the attributes that `from` has and `to` has not: vertex v gets those of from's vertex
- * origin_of[v]. Texture coordinates are left out. POSITION is filled. */
+/* Copies all attributes except texture coordinates to a mesh that has POSITION alone.
+ *   origin_of  per vertex of `to`: the vertex of `from` */
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
                                          struct hatch_arena *arena, struct hatch_mesh *to,
                                          struct hatch_err *err) HATCH_MUST_USE;

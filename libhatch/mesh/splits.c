@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* The first class keeps the vertex, the others' copies form a chain behind it. next: per vertex the next
- * copy, or 0. */
+/* Finds or makes the vertex for a class. The first class keeps the vertex; copies form a linked list from there.
+ *   next  per vertex: the next copy, or 0 */
 static uint32_t vertex_for(struct hatch_splits *s, uint32_t *next, uint32_t vertex, uint32_t class)
 {
     while (s->class_at[vertex] != class) {
@@ -21,21 +21,22 @@ static uint32_t vertex_for(struct hatch_splits *s, uint32_t *next, uint32_t vert
 }
 
 enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
-                                    uint32_t vertex_count, struct hatch_arena *scratch, uint32_t *indices,
-                                    struct hatch_splits *splits, struct hatch_err *err)
+                                    uint32_t vertex_count, struct hatch_arena *scratch, struct hatch_splits *splits,
+                                    struct hatch_err *err)
 {
     size_t most = corner_count + vertex_count;
     struct hatch_splits made = {.count = vertex_count};
     made.class_at = HATCH_NEW(scratch, uint32_t, most, err);
     made.origin = made.class_at ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
-    uint32_t *next = made.origin ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
+    made.indices = made.origin ? HATCH_NEW(scratch, uint32_t, corner_count, err) : NULL;
+    uint32_t *next = made.indices ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
     if (!next)
         return HATCH_LIMIT;
     memset(made.class_at, 0xff, most * sizeof *made.class_at);
     for (uint32_t v = 0; v < vertex_count; v++)
         made.origin[v] = v;
     for (size_t i = 0; i < corner_count; i++)
-        indices[i] = vertex_for(&made, next, vertex[i], class_of[i]);
+        made.indices[i] = vertex_for(&made, next, vertex[i], class_of[i]);
     *splits = made;
     return HATCH_OK;
 }

@@ -1,4 +1,4 @@
-/* Giving vertices once for each class of corners that they serve. */
+/* Splitting vertices so that each serves corners of one class only. */
 #ifndef HATCH_MESH_SPLITS_H
 #define HATCH_MESH_SPLITS_H
 
@@ -6,17 +6,19 @@
 
 #define HATCH_NO_CLASS UINT32_MAX
 
-/* The vertices afterwards: the old ones under their numbers, then the copies. */
+/* The vertices after splitting: the old ones under their old indices, then the copies. */
 struct hatch_splits {
     uint32_t count;
-    uint32_t *origin;   /* per vertex: the old one */
-    uint32_t *class_at; /* per vertex: of its corners; HATCH_NO_CLASS for one that no corner uses */
+    uint32_t *origin;   /* per vertex: the old vertex */
+    uint32_t *class_at; /* per vertex: class of its corners; HATCH_NO_CLASS where no corner uses it */
+    uint32_t *indices;  /* per corner: its vertex */
 };
 
-/* vertex, class_of: of each of the corner_count corners. indices: per corner its vertex afterwards; may be
- * vertex itself. The first class to ask keeps the old vertex. */
+/* Splits vertices. The class of a vertex's first corner keeps the old index.
+ *   vertex, class_of  per corner
+ *   splits            out: its arrays live in scratch */
 enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
-                                    uint32_t vertex_count, struct hatch_arena *scratch, uint32_t *indices,
-                                    struct hatch_splits *splits, struct hatch_err *err) HATCH_MUST_USE;
+                                    uint32_t vertex_count, struct hatch_arena *scratch, struct hatch_splits *splits,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

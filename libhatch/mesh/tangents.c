@@ -3,8 +3,8 @@
 #include "math/vector.h"
 #include "mesh/mesh.h"
 
-/* Adds a face's directions of rising u and falling v, each times the area, to its vertices' sums.
- * sums: 6 doubles a vertex. */
+/* Adds a face's unit directions of rising u and falling v, weighted by area, to its vertices' sums.
+ *   sums  6 a vertex */
 static void add_face(const struct hatch_mesh *mesh, uint32_t face, const float *texcoords, double *sums)
 {
     const uint32_t *index = &mesh->indices[(size_t)face * 3];
@@ -44,9 +44,9 @@ static void store(const float *normal_in, const double *sum, float *tangent)
     hatch_vec_of(normal_in, normal);
     hatch_vec_normalize(normal);
     hatch_vec_add_scaled(sum, -hatch_vec_dot(sum, normal), normal, t);
-    double length = hatch_vec_length(sum), left = hatch_vec_normalize(t);
-    /* A sum along the normal leaves only rounding: no direction. */
-    if (!(left > 1e-6 * length))
+    double length = hatch_vec_length(sum), rest = hatch_vec_normalize(t);
+    /* Where the sum is along the normal only rounding remains. */
+    if (!(rest > 1e-6 * length))
         hatch_vec_any_orthogonal(normal, t);
     hatch_vec_cross(normal, t, other);
     hatch_vec_round(t, tangent);

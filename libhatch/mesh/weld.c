@@ -6,26 +6,26 @@
 
 #define EMPTY UINT32_MAX
 
-/* The share of the mesh's size up to which a coordinate counts as 0: a sphere's pole is often made of vertices at
- * the sine of pi, which is 1e-16 in doubles. */
-#define NOTHING 0x1p-40f
+/* Coordinates up to this share of the mesh's size count as 0: the vertices at a sphere's pole are often at sin(π),
+ * which is 1e-16 in doubles. */
+#define ZERO_SHARE 0x1p-40f
 
-/* A position as bits that are equal exactly where the numbers are: -0 becomes 0. */
-static void position_bits(const float *position, float nothing, uint32_t bits[3])
+/* The bits of a position, with -0 and coordinates up to zero_max replaced by 0. */
+static void position_bits(const float *position, float zero_max, uint32_t bits[3])
 {
     for (int k = 0; k < 3; k++) {
         memcpy(&bits[k], &position[k], sizeof bits[k]);
-        if (fabsf(position[k]) <= nothing)
+        if (fabsf(position[k]) <= zero_max)
             bits[k] = 0;
     }
 }
 
-static float nothing_beside(const struct hatch_mesh *mesh)
+static float find_zero_max(const struct hatch_mesh *mesh)
 {
     float low[3], high[3], size = 0;
     if (hatch_mesh_bounds(mesh, low, high))
         for (int k = 0; k < 3; k++)
-            size = fmaxf(size, NOTHING * high[k] - NOTHING * low[k]);
+            size = fmaxf(size, ZERO_SHARE * high[k] - ZERO_SHARE * low[k]);
     return size;
 }
 
@@ -38,22 +38,22 @@ static uint64_t hash(const uint32_t bits[3])
 enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch, uint32_t *vertex_to_point,
                                   uint32_t *point_count, struct hatch_err *err)
 {
-    const float *positions = mesh->attributes[0].data, nothing = nothing_beside(mesh);
+    const float *positions = mesh->attributes[0].data, zero_max = find_zero_max(mesh);
     size_t capacity = 16;
     while (capacity < (size_t)mesh->vertex_count * 2)
         capacity *= 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* the first vertex of a point */
+    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* first vertex of a point, or EMPTY */
     if (!slots)
         return HATCH_LIMIT;
     memset(slots, 0xff, capacity * sizeof *slots);
     uint32_t count = 0;
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t bits[3], other[3];
-        position_bits(&positions[(size_t)v * 3], nothing, bits);
+        position_bits(&positions[(size_t)v * 3], zero_max, bits);
         size_t slot = hash(bits) & (capacity - 1);
         for (; slots[slot] != EMPTY; slot = (slot + 1) & (capacity - 1)) {
-            position_bits(&positions[(size_t)slots[slot] * 3], nothing, other);
+            position_bits(&positions[(size_t)slots[slot] * 3], zero_max, other);
             if (memcmp(bits, other, sizeof bits) == 0)
                 break;
         }

@@ -13,7 +13,7 @@ enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_
         if (scene->skins[i].joint_count > joints)
             joints = scene->skins[i].joint_count;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        uint32_t more = hatch_mesh_targets(&scene->meshes[i].mesh);
+        uint32_t more = hatch_mesh_target_count(&scene->meshes[i].mesh);
         targets = more > targets ? more : targets;
     }
     struct hatch_pose made = {.scene = scene, .animation = HATCH_NONE};
@@ -95,7 +95,7 @@ bool hatch_pose_shapes(const struct hatch_scene *scene, uint32_t node, const str
 {
     bool skinned = scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(mesh, "JOINTS_0", 4) &&
                    hatch_mesh_find(mesh, "WEIGHTS_0", 4);
-    return skinned || hatch_mesh_targets(mesh) > 0;
+    return skinned || hatch_mesh_target_count(mesh) > 0;
 }
 
 /* A vertex's vector as the morph targets make it. moves: NULL where there are none. */
@@ -121,7 +121,7 @@ void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_
     bool skinned = skin != HATCH_NONE && ids && weights;
     if (skinned)
         hatch_scene_skin(scene, skin, pose->world, pose->joints);
-    hatch_scene_weights(scene, node, pose->animation, pose->time_s, hatch_mesh_targets(from), pose->weights);
+    hatch_scene_weights(scene, node, pose->animation, pose->time_s, hatch_mesh_target_count(from), pose->weights);
     double matrix[16], p[3];
     hatch_pose_matrix(pose, node, matrix);
     for (size_t v = 0; v < from->vertex_count; v++) {

@@ -1,5 +1,5 @@
-/* Curvature of the shapes with a formula. Each is the zero set of a function F; on its tangent plane the
- * Hessian of F over the gradient's length is the shape operator, whose eigenvalues are the principal
+/* Curvature in closed form. Each shape but the teapot is the zero set of a function F; the Hessian of F over the length
+ * of its gradient, restricted to the tangent plane, is the shape operator, whose eigenvalues are the principal
  * curvatures (do Carmo, "Differential Geometry of Curves and Surfaces", §3). */
 #include "shapes/shapes.h"
 
@@ -7,92 +7,94 @@
 
 #define TUBE_CENTRE 1.0
 
-/* F's gradient and Hessian at a point. */
-struct jet {
+/* Gradient and Hessian of F at a point. */
+struct derivatives {
     double gradient[3], hessian[3][3];
 };
 
 /* Adds scale * a aᵀ to the Hessian. */
-static void add_outer(struct jet *jet, double scale, const double a[3])
+static void add_outer(struct derivatives *d, double scale, const double a[3])
 {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            jet->hessian[i][k] += scale * a[i] * a[k];
+            d->hessian[i][k] += scale * a[i] * a[k];
 }
 
 /* F = Σ weight x² / 2 */
-static void quadric(const double p[3], const double weight[3], struct jet *jet)
+static void quadric(const double p[3], const double weight[3], struct derivatives *d)
 {
     for (int k = 0; k < 3; k++) {
-        jet->gradient[k] = weight[k] * p[k];
-        jet->hessian[k][k] = weight[k];
+        d->gradient[k] = weight[k] * p[k];
+        d->hessian[k][k] = weight[k];
     }
 }
 
-/* F = ρ + slope y and F = (ρ - R)²/2 + y²/2, with ρ the distance from the y axis. */
-static void cone(const double radial[3], double rho, struct jet *jet)
+/* F = ρ + y / 2, with ρ the distance from the y axis */
+static void cone(const double radial[3], double rho, struct derivatives *d)
 {
     const double around[3] = {radial[2], 0, -radial[0]};
-    hatch_vec_copy(radial, jet->gradient);
-    jet->gradient[1] = 0.5;
-    add_outer(jet, 1 / rho, around);
+    hatch_vec_copy(radial, d->gradient);
+    d->gradient[1] = 0.5;
+    add_outer(d, 1 / rho, around);
 }
 
-static void torus(const double p[3], const double radial[3], double rho, struct jet *jet)
+/* F = (ρ - R)²/2 + y²/2 */
+static void torus(const double p[3], const double radial[3], double rho, struct derivatives *d)
 {
     const double around[3] = {radial[2], 0, -radial[0]}, up[3] = {0, 1, 0};
     double off = rho - TUBE_CENTRE;
     for (int k = 0; k < 3; k++)
-        jet->gradient[k] = off * radial[k];
-    jet->gradient[1] = p[1];
-    add_outer(jet, 1, radial);
-    add_outer(jet, off / rho, around);
-    add_outer(jet, 1, up);
+        d->gradient[k] = off * radial[k];
+    d->gradient[1] = p[1];
+    add_outer(d, 1, radial);
+    add_outer(d, off / rho, around);
+    add_outer(d, 1, up);
 }
 
-static bool find_jet(enum hatch_shape shape, const double p[3], struct jet *jet)
+static bool find_derivatives(enum hatch_shape shape, const double p[3], struct derivatives *d)
 {
     static const double sphere[3] = {1, 1, 1}, cylinder[3] = {1, 0, 1};
     static const double ellipsoid[3] = {1, 1 / 0.49, 1 / 0.25};
-    *jet = (struct jet){.gradient = {0, 0, 0}};
+    *d = (struct derivatives){.gradient = {0, 0, 0}};
     double rho = sqrt(p[0] * p[0] + p[2] * p[2]);
     double radial[3] = {rho > 0 ? p[0] / rho : 0, 0, rho > 0 ? p[2] / rho : 0};
     switch (shape) {
     case HATCH_SHAPE_SPHERE:
-        quadric(p, sphere, jet);
+        quadric(p, sphere, d);
         return true;
     case HATCH_SHAPE_CYLINDER:
-        quadric(p, cylinder, jet);
+        quadric(p, cylinder, d);
         return true;
     case HATCH_SHAPE_ELLIPSOID:
-        quadric(p, ellipsoid, jet);
+        quadric(p, ellipsoid, d);
         return true;
     case HATCH_SHAPE_CONE:
-        cone(radial, rho, jet);
+        cone(radial, rho, d);
         return rho > 0;
     case HATCH_SHAPE_TORUS:
-        torus(p, radial, rho, jet);
+        torus(p, radial, rho, d);
         return rho > 0;
     case HATCH_SHAPE_PLANE:
-        jet->gradient[2] = 1;
+        d->gradient[2] = 1;
         return true;
     case HATCH_SHAPE_SADDLE:
-        jet->gradient[0] = -p[0];
-        jet->gradient[1] = p[1];
-        jet->gradient[2] = 1;
-        jet->hessian[0][0] = -1;
-        jet->hessian[1][1] = 1;
+        d->gradient[0] = -p[0];
+        d->gradient[1] = p[1];
+        d->gradient[2] = 1;
+        d->hessian[0][0] = -1;
+        d->hessian[1][1] = 1;
         return true;
     case HATCH_SHAPE_WAVE:
-        jet->gradient[0] = -cos(4 * p[0]) / 2;
-        jet->gradient[2] = 1;
-        jet->hessian[0][0] = 2 * sin(4 * p[0]);
+        d->gradient[0] = -cos(4 * p[0]) / 2;
+        d->gradient[2] = 1;
+        d->hessian[0][0] = 2 * sin(4 * p[0]);
         return true;
     default:
         return false;
     }
 }
 
+/* aᵀ H b */
 static double form(double hessian[3][3], const double a[3], const double b[3])
 {
     double sum = 0;
@@ -104,17 +106,17 @@ static double form(double hessian[3][3], const double a[3], const double b[3])
 bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], double normal[3], double direction[3],
                            double curvature[2])
 {
-    struct jet jet;
+    struct derivatives d;
     double s[3], t[3];
-    if (!find_jet(shape, position, &jet))
+    if (!find_derivatives(shape, position, &d))
         return false;
-    hatch_vec_copy(jet.gradient, normal);
+    hatch_vec_copy(d.gradient, normal);
     double length = hatch_vec_normalize(normal);
     hatch_vec_any_orthogonal(normal, s);
     hatch_vec_cross(normal, s, t);
-    /* Eigenvalues of the symmetric matrix (a b; b c). */
-    double a = form(jet.hessian, s, s) / length, b = form(jet.hessian, s, t) / length;
-    double c = form(jet.hessian, t, t) / length;
+    /* eigenvalues of the symmetric matrix (a b; b c) */
+    double a = form(d.hessian, s, s) / length, b = form(d.hessian, s, t) / length;
+    double c = form(d.hessian, t, t) / length;
     double middle = (a + c) / 2, spread = sqrt((a - c) * (a - c) / 4 + b * b);
     double sign = middle < 0 ? -1 : 1;
     curvature[0] = middle + sign * spread;
@@ -123,7 +125,7 @@ bool hatch_shape_curvature(enum hatch_shape shape, const double position[3], dou
         direction[k] = 0;
     if (!(spread > 1e-9 * (fabs(middle) + 1)))
         return false;
-    /* (a - k2) s + b t, or b s + (c - k2) t: the longer one is the eigenvector of k1. */
+    /* The eigenvector of k1 is (a - k2) s + b t or b s + (c - k2) t: the longer one is accurate. */
     double along[2] = {a - curvature[1], b}, other[2] = {b, c - curvature[1]};
     bool first = fabs(along[0]) >= fabs(other[1]);
     for (int k = 0; k < 3; k++)

@@ -5,8 +5,8 @@
 #include "base/random.h"
 #include "math/vector.h"
 
-/* Where a row stands: its piece of v, and its place in it. */
-struct row_place {
+/* A row of the grid: its piece of v, and its number within the piece. */
+struct piece_row {
     uint32_t piece, row;
 };
 
@@ -35,23 +35,24 @@ uint32_t hatch_grid_face_count(const struct hatch_grid *grid)
     return (2 * row_count(grid) - poles) * grid->columns;
 }
 
-static struct row_place place_of(const struct hatch_grid *grid, uint32_t row)
+static struct piece_row piece_row_of(const struct hatch_grid *grid, uint32_t row)
 {
-    struct row_place place = {0, row};
-    while (place.piece + 1 < grid->surface.v_pieces && place.row >= grid->rows[place.piece]) {
-        place.row -= grid->rows[place.piece];
-        place.piece++;
+    struct piece_row at = {0, row};
+    while (at.piece + 1 < grid->surface.v_pieces && at.row >= grid->rows[at.piece]) {
+        at.row -= grid->rows[at.piece];
+        at.piece++;
     }
-    return place;
+    return at;
 }
 
-/* The first vertex of a row; a pole at the top has one vertex less than a row. */
+/* The first vertex of a row; a pole has one vertex less than other rows. */
 static uint32_t row_start(const struct hatch_grid *grid, uint32_t row)
 {
     uint32_t start = row * (grid->columns + 1);
     return row > 0 && grid->surface.pole_first ? start - 1 : start;
 }
 
+/* Random streams of a grid. */
 enum use { MOVE_U, MOVE_V, DIAGONAL, NOISE, USES = 16 };
 
 static uint64_t stream_of(uint64_t stream, enum use use)
@@ -59,7 +60,7 @@ static uint64_t stream_of(uint64_t stream, enum use use)
     return stream * USES + (uint64_t)use;
 }
 
-/* A grid point's number, the same for both ends of a seam and for all vertices of a pole. */
+/* The number of a grid point: the same on both sides of a seam and for all vertices of a pole. */
 static uint64_t point_number(const struct hatch_grid *grid, uint32_t row, uint32_t column)
 {
     if (grid->surface.wraps_v && row == row_count(grid))
@@ -69,20 +70,19 @@ static uint64_t point_number(const struct hatch_grid *grid, uint32_t row, uint32
     return (uint64_t)row * (grid->columns + 1) + column;
 }
 
-/* How far jitter moves a grid point, in grid steps: up to a quarter each way, so that no triangle of a
- * regular grid can turn over. */
-static double moved(double jitter, uint64_t seed, uint64_t stream, uint64_t point)
+/* Displacement of a grid point by jitter, in grid steps: at most a quarter, so that no triangle can turn over. */
+static double jitter_offset(double jitter, uint64_t seed, uint64_t stream, uint64_t point)
 {
     return jitter * 0.5 * ((double)hatch_random_unit(seed, stream, point) - 0.5);
 }
 
-/* The parameters of a vertex, before wrapping. Borders and poles are not moved across themselves. */
+/* The parameters of a vertex, before wrapping. Vertices on borders and at poles are not moved. */
 static void parameters(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
                        uint32_t row, uint32_t column, double *u, double *v)
 {
-    const struct hatch_formula *surface = &grid->surface;
-    struct row_place place = place_of(grid, row);
-    double i = column, j = place.row, rows = grid->rows[place.piece];
+    const struct hatch_parametric *surface = &grid->surface;
+    struct piece_row at = piece_row_of(grid, row);
+    double i = column, j = at.row, rows = grid->rows[at.piece];
     bool inner_row = surface->wraps_v || (row > 0 && row < row_count(grid));
     bool inner_column = surface->wraps_u || (column > 0 && column < grid->columns);
     if (is_pole(grid, row)) {
@@ -90,14 +90,14 @@ static void parameters(const struct hatch_grid *grid, const struct hatch_shape_o
     } else if (inner_row && inner_column && options->jitter > 0) {
         uint64_t point = point_number(grid, row, column);
         double jitter = (double)options->jitter;
-        i += moved(jitter, options->seed, stream_of(stream, MOVE_U), point);
-        j += moved(jitter, options->seed, stream_of(stream, MOVE_V), point);
-        /* The step above a piece's first row is the piece before's. */
-        if (j < 0 && place.piece > 0)
-            j *= rows / grid->rows[place.piece - 1];
+        i += jitter_offset(jitter, options->seed, stream_of(stream, MOVE_U), point);
+        j += jitter_offset(jitter, options->seed, stream_of(stream, MOVE_V), point);
+        /* Above a piece's first row the step is that of the previous piece. */
+        if (j < 0 && at.piece > 0)
+            j *= rows / grid->rows[at.piece - 1];
     }
     *u = i / grid->columns * surface->u_pieces;
-    *v = place.piece + j / rows;
+    *v = at.piece + j / rows;
 }
 
 static double wrapped(double x, double period)
@@ -127,13 +127,13 @@ struct vertex_arrays {
 static void fill_vertex(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
                         uint32_t row, uint32_t column, const struct vertex_arrays *arrays, size_t vertex)
 {
-    const struct hatch_formula *surface = &grid->surface;
+    const struct hatch_parametric *surface = &grid->surface;
     bool last_column = surface->wraps_u && column == grid->columns;
     bool last_row = surface->wraps_v && row == row_count(grid);
     double u, v;
-    /* Both sides of a seam are evaluated at one place, so that they agree to the last bit. */
+    /* Both sides of a seam are evaluated at the same parameters, so that they agree to the last bit. */
     parameters(grid, options, stream, last_row ? 0 : row, last_column ? 0 : column, &u, &v);
-    struct hatch_formula_point point;
+    struct hatch_parametric_point point;
     surface->at(surface, surface->wraps_u ? wrapped(u, surface->u_pieces) : u,
                 surface->wraps_v ? wrapped(v, surface->v_pieces) : v, &point);
     hatch_vec_round(point.position, &arrays->position[vertex * 3]);
@@ -158,8 +158,7 @@ static void add_face(uint32_t **index, uint32_t a, uint32_t b, uint32_t c)
     *(*index)++ = c;
 }
 
-/* The faces of the strip below row: counter-clockwise seen from outside, where u runs right and v
- * down. */
+/* Writes the faces between a row and the next one, counter-clockwise seen from outside. */
 static void fill_strip(const struct hatch_grid *grid, const struct hatch_shape_options *options, uint64_t stream,
                        uint32_t row, uint32_t first_vertex, uint32_t **index)
 {
@@ -197,8 +196,8 @@ void hatch_grid_fill(const struct hatch_grid *grid, const struct hatch_shape_opt
     }
 }
 
-/* A normal deviate as the sum of twelve uniform ones: exact in double on every machine, unlike one
- * by logarithm and cosine; its tails end at 6 deviations. */
+/* A standard normal deviate as the sum of twelve uniform ones: exact in doubles on every machine, unlike logarithm and
+ * cosine; at most 6 deviations. */
 static double normal_deviate(uint64_t seed, uint64_t stream, uint64_t index)
 {
     double sum = -6;
@@ -214,7 +213,7 @@ void hatch_grid_displace(const struct hatch_grid *grid, double distance, uint64_
     const float *normal = &hatch_mesh_find(mesh, "NORMAL", 3)[(size_t)first_vertex * 3];
     for (uint32_t row = 0; row <= row_count(grid); row++)
         for (uint32_t column = 0; column < row_vertices(grid, row); column++) {
-            /* A pole's vertices may have many normals (a cone's apex) and stay together. */
+            /* The vertices of a pole may have different normals (a cone's apex) and must stay together. */
             double by = is_pole(grid, row) ? 0
                                            : distance * normal_deviate(seed, stream_of(stream, NOISE),
                                                                        point_number(grid, row, column));

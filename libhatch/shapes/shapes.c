@@ -20,8 +20,8 @@ const char *hatch_shape_name(enum hatch_shape shape)
 struct surfaces {
     uint32_t count;
     struct hatch_grid grids[HATCH_SHAPE_SURFACES_MAX];
-    struct hatch_formula_size sizes[HATCH_SHAPE_SURFACES_MAX];
-    double even[HATCH_SHAPE_SURFACES_MAX][HATCH_FORMULA_PIECES_MAX * (HATCH_GRID_SAMPLES + 1)];
+    struct hatch_parametric_size sizes[HATCH_SHAPE_SURFACES_MAX];
+    double even[HATCH_SHAPE_SURFACES_MAX][HATCH_PARAMETRIC_PIECES_MAX * (HATCH_GRID_SAMPLES + 1)];
 };
 
 static double at_least(double least, double value)
@@ -29,20 +29,20 @@ static double at_least(double least, double value)
     return value < least ? least : value;
 }
 
-/* Cuts every surface into cells of about size by size and returns the number of faces. */
-static double cut(struct surfaces *s, double size)
+/* Divides every surface into cells of about size by size; returns the number of faces. */
+static double set_cell_size(struct surfaces *s, double size)
 {
     double faces = 0;
     for (uint32_t g = 0; g < s->count; g++) {
         struct hatch_grid *grid = &s->grids[g];
-        const struct hatch_formula *surface = &grid->surface;
+        const struct hatch_parametric *surface = &grid->surface;
         uint32_t pieces = surface->u_pieces;
         double least = surface->wraps_u ? ceil(3.0 / pieces) : 1;
         double columns = pieces * at_least(least, round(s->sizes[g].u / pieces / size));
         double rows = 0;
         for (uint32_t p = 0; p < surface->v_pieces; p++) {
-            double fewest = surface->wraps_v ? 3 : surface->pole_first && surface->pole_last ? 2 : 1;
-            double here = at_least(fewest, round(s->sizes[g].v[p] / size));
+            double rows_min = surface->wraps_v ? 3 : surface->pole_first && surface->pole_last ? 2 : 1;
+            double here = at_least(rows_min, round(s->sizes[g].v[p] / size));
             grid->rows[p] = (uint32_t)here;
             rows += here;
         }
@@ -52,23 +52,23 @@ static double cut(struct surfaces *s, double size)
     return faces;
 }
 
-/* Finds the cell size whose number of faces comes nearest to the one wanted. The number falls in
- * steps as the size grows, so bisection closes in on the step around it. */
-static void cut_into(struct surfaces *s, double faces)
+/* Chooses the cell size whose number of faces is nearest to `faces`. The number falls in steps as the size grows;
+ * bisection finds the step. */
+static void choose_cell_size(struct surfaces *s, double faces)
 {
     double fine = 1e-4, coarse = 8;
     for (int i = 0; i < 60; i++) {
         double middle = sqrt(fine * coarse);
-        if (cut(s, middle) >= faces)
+        if (set_cell_size(s, middle) >= faces)
             fine = middle;
         else
             coarse = middle;
     }
-    double above = fabs(cut(s, fine) - faces), below = fabs(cut(s, coarse) - faces);
-    cut(s, below < above ? coarse : fine);
+    double above = fabs(set_cell_size(s, fine) - faces), below = fabs(set_cell_size(s, coarse) - faces);
+    set_cell_size(s, below < above ? coarse : fine);
 }
 
-/* How often the tile lies along each direction: whole numbers around, so that it meets itself. */
+/* Sets the number of tiles in each direction: whole numbers, so that closed surfaces have no seam. */
 static void lay_texture(struct surfaces *s, enum hatch_shape_uv uv)
 {
     for (uint32_t g = 0; g < s->count; g++) {
@@ -80,12 +80,12 @@ static void lay_texture(struct surfaces *s, enum hatch_shape_uv uv)
             whole += s->sizes[g].v[p];
         double repeats = once ? 1 : at_least(1, round(whole / HATCH_SHAPE_TILE));
         for (uint32_t p = 0; p <= grid->surface.v_pieces; p++) {
-            /* Sixty-fourths: the measured length's last bits must not reach the file. */
+            /* Multiples of 1/64: the last bits of measured lengths must not reach the file. */
             grid->v_texture[p] = round(64 * repeats * v / whole) / 64;
             v += p < grid->surface.v_pieces ? s->sizes[g].v[p] : 0;
         }
         if (uv == HATCH_SHAPE_UV_EVEN) {
-            hatch_formula_even(&grid->surface, s->even[g]);
+            hatch_parametric_even(&grid->surface, s->even[g]);
             grid->v_even = s->even[g];
         }
     }
@@ -118,7 +118,7 @@ static enum hatch_status make_empty(const struct surfaces *s, bool field, struct
     return field ? hatch_mesh_add(arena, mesh, "_HATCH_DIR", 4, &data, err) : HATCH_OK;
 }
 
-/* The principal directions of the smooth shape, from positions that noise has not moved yet. */
+/* Fills _HATCH_DIR; positions must not have noise yet. */
 static void fill_field(enum hatch_shape shape, struct hatch_mesh *mesh)
 {
     const float *positions = hatch_mesh_find(mesh, "POSITION", 3);
@@ -168,13 +168,13 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
     struct surfaces *s = HATCH_NEW(scratch, struct surfaces, 1, err);
     if (!s)
         return HATCH_LIMIT;
-    struct hatch_formula parts[HATCH_SHAPE_SURFACES_MAX];
+    struct hatch_parametric parts[HATCH_SHAPE_SURFACES_MAX];
     s->count = hatch_shape_surfaces(shape, parts);
     for (uint32_t g = 0; g < s->count; g++) {
         s->grids[g].surface = parts[g];
-        hatch_formula_measure(&parts[g], &s->sizes[g]);
+        hatch_parametric_measure(&parts[g], &s->sizes[g]);
     }
-    cut_into(s, options->faces);
+    choose_cell_size(s, options->faces);
     lay_texture(s, options->uv);
     struct hatch_mesh made;
     enum hatch_status status = make_empty(s, options->field, arena, &made, err);

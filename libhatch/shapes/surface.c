@@ -1,4 +1,4 @@
-/* The surfaces with a formula, and what can be measured on any surface. */
+/* Parametric surfaces of all shapes but the teapot, and measurements of any parametric surface. */
 #include "shapes/grid.h"
 
 #include "math/vector.h"
@@ -8,27 +8,28 @@
 
 static const double semi_axes[3] = {1.0, 0.7, 0.5};
 
-/* A point of a surface of revolution around y: its radius and height, and the profile's normal. */
+/* Computes a point of a surface of revolution around y from the profile's radius, height and normal. */
 static void revolve(double u, double radius, double height, double normal_radial, double normal_height,
-                    struct hatch_formula_point *point)
+                    struct hatch_parametric_point *point)
 {
     double c = cos(2 * PI * u), s = sin(2 * PI * u);
-    *point = (struct hatch_formula_point){
+    *point = (struct hatch_parametric_point){
         .position = {radius * c, height, -radius * s},
         .normal = {normal_radial * c, normal_height, -normal_radial * s},
         .along_u = {-s, 0, -c},
     };
 }
 
-static void sphere_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void sphere_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
-    bool pole = v <= 0 || v >= 1; /* where sin(π) would leave a tiny circle */
+    bool pole = v <= 0 || v >= 1; /* sin(π) is not exactly 0 */
     double radius = pole ? 0.0 : sin(PI * v);
     revolve(u, radius, cos(PI * v), radius, cos(PI * v), point);
 }
 
-static void ellipsoid_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void ellipsoid_at(const struct hatch_parametric *surface, double u, double v,
+                         struct hatch_parametric_point *point)
 {
     sphere_at(surface, u, v, point);
     for (int k = 0; k < 3; k++) {
@@ -40,55 +41,56 @@ static void ellipsoid_at(const struct hatch_formula *surface, double u, double v
     hatch_vec_normalize(point->along_u);
 }
 
-static void cylinder_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void cylinder_at(const struct hatch_parametric *surface, double u, double v,
+                        struct hatch_parametric_point *point)
 {
     (void)surface;
     revolve(u, 1, 1 - 2 * v, 1, 0, point);
 }
 
-static void cone_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void cone_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
     revolve(u, v, 1 - 2 * v, 2 / sqrt(5.0), 1 / sqrt(5.0), point);
 }
 
-static void torus_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void torus_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
     double c = cos(2 * PI * v), s = -sin(2 * PI * v);
     revolve(u, 1 + TUBE * c, TUBE * s, c, s, point);
 }
 
-static void plane_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void plane_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
-    *point =
-        (struct hatch_formula_point){.position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
+    *point = (struct hatch_parametric_point){
+        .position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
 }
 
-static void saddle_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void saddle_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v;
-    *point = (struct hatch_formula_point){
+    *point = (struct hatch_parametric_point){
         .position = {x, y, (x * x - y * y) / 2}, .normal = {-x, y, 1}, .along_u = {1, 0, x}};
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
 }
 
-static void wave_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void wave_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     (void)surface;
     double x = 2 * u - 1, y = 1 - 2 * v, slope = cos(4 * x) / 2;
-    *point = (struct hatch_formula_point){
+    *point = (struct hatch_parametric_point){
         .position = {x, y, sin(4 * x) / 8}, .normal = {-slope, 0, 1}, .along_u = {1, 0, slope}};
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
 }
 
-uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_formula *surfaces)
+uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_parametric *surfaces)
 {
-    static const struct hatch_formula formulas[HATCH_SHAPE_COUNT] = {
+    static const struct hatch_parametric parametrics[HATCH_SHAPE_COUNT] = {
         [HATCH_SHAPE_SPHERE] = {.at = sphere_at, .wraps_u = true, .pole_first = true, .pole_last = true},
         [HATCH_SHAPE_CYLINDER] = {.at = cylinder_at, .wraps_u = true},
         [HATCH_SHAPE_CONE] = {.at = cone_at, .wraps_u = true, .pole_first = true},
@@ -100,20 +102,20 @@ uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_formula *surf
     };
     if (shape == HATCH_SHAPE_TEAPOT)
         return hatch_teapot_surfaces(surfaces);
-    surfaces[0] = formulas[shape];
+    surfaces[0] = parametrics[shape];
     surfaces[0].u_pieces = surfaces[0].v_pieces = 1;
     return 1;
 }
 
-static void position_at(const struct hatch_formula *surface, double u, double v, double out[3])
+static void position_at(const struct hatch_parametric *surface, double u, double v, double out[3])
 {
-    struct hatch_formula_point point;
+    struct hatch_parametric_point point;
     surface->at(surface, u, v, &point);
     hatch_vec_copy(point.position, out);
 }
 
-/* Adds one strip of cells between two lines of constant v. */
-static void measure_strip(const struct hatch_formula *surface, double v, double v_next, double *length_u,
+/* Measures the strip between two lines of constant v: its length along u, mean width along v, and area. */
+static void measure_strip(const struct hatch_parametric *surface, double v, double v_next, double *length_u,
                           double *length_v, double *area)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
@@ -131,7 +133,7 @@ static void measure_strip(const struct hatch_formula *surface, double v, double 
     }
 }
 
-void hatch_formula_measure(const struct hatch_formula *surface, struct hatch_formula_size *size)
+void hatch_parametric_measure(const struct hatch_parametric *surface, struct hatch_parametric_size *size)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
     double area_sum = 0, u_sum = 0;
@@ -149,7 +151,7 @@ void hatch_formula_measure(const struct hatch_formula *surface, struct hatch_for
     size->u = u_sum / area_sum;
 }
 
-void hatch_formula_even(const struct hatch_formula *surface, double *share)
+void hatch_parametric_even(const struct hatch_parametric *surface, double *share)
 {
     const uint32_t n = HATCH_GRID_SAMPLES;
     for (uint32_t piece = 0; piece < surface->v_pieces; piece++) {

@@ -1,13 +1,13 @@
-/* The teapot of Martin Newell (University of Utah, 1975) as published by Crow, "The Origins of the
- * Teapot", IEEE CG&A 7(1), 1987: 32 bicubic Bézier patches over 306 control points. The outer wall
- * (rim, body and bottom) and the lid are turned: four quarters share one profile. Handle and spout are
- * mirrored: two halves share one set of points. The tables hold each number once. */
+/* The teapot of Martin Newell (University of Utah, 1975) as published by Crow, "The Origins of the Teapot", IEEE CG&A
+ * 7(1), 1987: 32 bicubic Bézier patches over 306 control points. The wall (rim, body and bottom) and the lid are
+ * surfaces of revolution: four quarters share one profile. Handle and spout are mirrored: two halves share one set of
+ * points. The tables hold each number once. */
 #include "shapes/grid.h"
 
 #include "math/vector.h"
 
-/* A control point of a turned profile: radius, the quarter circle's inner control distance (0.56 of
- * the radius but for the knob), and height. Pieces share their end rows. */
+/* A control point of a profile: radius, distance of the quarter circle's inner control points (0.56 of the radius
+ * except on the knob), and height. Pieces share their end rows. */
 struct profile_point {
     double radius, inner, height;
 };
@@ -23,8 +23,8 @@ static const struct profile_point lid[] = {
     {0.4, .224, 2.55}, {1.3, .728, 2.55}, {1.3, .728, 2.4},
 };
 
-/* A ring of a tube: two points on the mirror plane, left and right of the tube's axis as it runs, and
- * how far the control points between them stand out. */
+/* A ring of a tube: two points on the mirror plane, left and right of the tube's axis in its direction, and the
+ * distance of the control points between them from that plane. */
 struct ring {
     double x0, z0, x1, z1, outward;
 };
@@ -41,7 +41,7 @@ static const struct ring spout[] = {
     {2.8, 2.4, 3.2, 2.4, .15},
 };
 
-/* The published numbers are z up, 6.43 wide, standing on z = 0; ours are y up, 3 wide and centred. */
+/* Published: z up, 6.43 wide, standing on z = 0. Here: y up, 3 wide, centred. */
 #define CENTRE_X 0.2142857142857143
 #define CENTRE_Z 1.575
 #define SCALE 0.4666666666666667
@@ -93,7 +93,7 @@ static void tube_control(const void *rows, int row, int piece, int i, double out
 }
 
 /* Position and the two partial derivatives, in the published frame. */
-static void evaluate(const struct hatch_formula *surface, control_point control, double u, double v, double p[3],
+static void evaluate(const struct hatch_parametric *surface, control_point control, double u, double v, double p[3],
                      double du[3], double dv[3])
 {
     int column = (int)u, row = (int)v;
@@ -116,22 +116,21 @@ static void evaluate(const struct hatch_formula *surface, control_point control,
         }
 }
 
-static void to_our_frame(double a[3])
+static void to_y_up(double a[3])
 {
     double y = a[1];
     a[1] = a[2];
     a[2] = -y;
 }
 
-static void patch_at(const struct hatch_formula *surface, control_point control, double u, double v,
-                     struct hatch_formula_point *point)
+static void patch_at(const struct hatch_parametric *surface, control_point control, double u, double v,
+                     struct hatch_parametric_point *point)
 {
     double *p = point->position, du[3], dv[3];
     evaluate(surface, control, u, v, p, du, dv);
     bool pole = (surface->pole_first && v <= 0) || (surface->pole_last && v >= surface->v_pieces);
     if (pole) {
-        /* Every u meets here: the profile leaves at a right angle to the axis, and the direction of
-         * rising u is the one a little away from the pole. */
+        /* The profile is orthogonal to the axis here; the direction of rising u is taken from near the pole. */
         double away = surface->pole_first && v <= 0 ? 1e-3 : (double)surface->v_pieces - 1e-3;
         double q[3], qv[3];
         evaluate(surface, control, u, away, q, du, qv);
@@ -147,30 +146,30 @@ static void patch_at(const struct hatch_formula *surface, control_point control,
     p[2] -= CENTRE_Z;
     for (int k = 0; k < 3; k++)
         p[k] *= SCALE;
-    to_our_frame(p);
-    to_our_frame(point->normal);
-    to_our_frame(point->along_u);
+    to_y_up(p);
+    to_y_up(point->normal);
+    to_y_up(point->along_u);
 }
 
-static void turned_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void turned_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     patch_at(surface, wall_control, u, v, point);
 }
 
-static void tube_at(const struct hatch_formula *surface, double u, double v, struct hatch_formula_point *point)
+static void tube_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
     patch_at(surface, tube_control, u, v, point);
 }
 
-uint32_t hatch_teapot_surfaces(struct hatch_formula *surfaces)
+uint32_t hatch_teapot_surfaces(struct hatch_parametric *surfaces)
 {
-    surfaces[0] = (struct hatch_formula){
+    surfaces[0] = (struct hatch_parametric){
         .at = turned_at, .context = wall, .u_pieces = 4, .v_pieces = 4, .wraps_u = true, .pole_last = true};
-    surfaces[1] = (struct hatch_formula){
+    surfaces[1] = (struct hatch_parametric){
         .at = turned_at, .context = lid, .u_pieces = 4, .v_pieces = 2, .wraps_u = true, .pole_first = true};
     surfaces[2] =
-        (struct hatch_formula){.at = tube_at, .context = handle, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
+        (struct hatch_parametric){.at = tube_at, .context = handle, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
     surfaces[3] =
-        (struct hatch_formula){.at = tube_at, .context = spout, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
+        (struct hatch_parametric){.at = tube_at, .context = spout, .u_pieces = 2, .v_pieces = 2, .wraps_u = true};
     return 4;
 }

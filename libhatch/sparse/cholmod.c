@@ -10,7 +10,7 @@ struct hatch_sparse_factor {
     cholmod_factor *factor;
 };
 
-/* CHOLMOD says nothing itself, and allocates what the analysis has counted and no more. */
+/* CHOLMOD prints nothing and allocates exactly what the analysis has counted. */
 static void set_up(cholmod_common *common)
 {
     common->print = 0;
@@ -23,7 +23,7 @@ static void set_up(cholmod_common *common)
     common->grow2 = 0;
 }
 
-/* The caller's arrays, seen by CHOLMOD: it does not write to its input. */
+/* A CHOLMOD matrix that refers to the caller's arrays, to which CHOLMOD does not write. */
 static cholmod_sparse view_of(const struct hatch_sparse *matrix)
 {
     cholmod_sparse view = {.nrow = matrix->size,

@@ -39,11 +39,7 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     size_t corners = (size_t)s->face_count * 3;
     struct hatch_splits splits;
     struct hatch_mesh made;
-    uint32_t *vertex = HATCH_NEW(scratch, uint32_t, corners, err);
-    if (!vertex)
-        return HATCH_LIMIT;
-    HATCH_TRY(
-        hatch_splits_make(s->corner_vertex, s->corners, corners, source->vertex_count, scratch, vertex, &splits, err));
+    HATCH_TRY(hatch_splits_make(s->corner_vertex, s->corners, corners, source->vertex_count, scratch, &splits, err));
     uint32_t *number = HATCH_NEW(scratch, uint32_t, splits.count, err), count = 0;
     uint32_t *point = number ? HATCH_NEW(arena, uint32_t, splits.count, err) : NULL;
     if (!point)
@@ -57,7 +53,7 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     }
     HATCH_TRY(hatch_mesh_gather(source, splits.origin, count, s->face_count, arena, &made, err));
     for (size_t i = 0; i < corners; i++)
-        made.indices[i] = number[vertex[i]];
+        made.indices[i] = number[splits.indices[i]];
     uint8_t *orientations = HATCH_NEW(scratch, uint8_t, count, err);
     if (!orientations)
         return HATCH_LIMIT;

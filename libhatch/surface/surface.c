@@ -48,13 +48,13 @@ static enum hatch_status count_vertices(struct hatch_surface_work *w, struct hat
 
 static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surface_notes *notes, struct hatch_err *err)
 {
-    struct hatch_orientation result;
-    HATCH_TRY(hatch_mesh_orient(w->mesh, w->point, w->partner, w->dropped, w->scratch, w->flipped, w->component,
-                                &result, err));
-    w->component_count = result.components;
-    notes->components = result.components;
-    notes->flipped = result.faces_flipped;
-    notes->contrary = result.contrary_edges;
+    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, w->position_count, w->dropped};
+    struct hatch_orientation oriented = {.flipped = w->flipped, .component = w->component};
+    HATCH_TRY(hatch_mesh_orient(w->mesh, &faces, w->partner, w->scratch, &oriented, err));
+    w->component_count = oriented.components;
+    notes->components = oriented.components;
+    notes->flipped = oriented.faces_flipped;
+    notes->contrary = oriented.contrary_edges;
     return HATCH_OK;
 }
 
@@ -75,19 +75,18 @@ static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_s
 static enum hatch_status connect_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
                                        struct hatch_err *err)
 {
-    uint32_t faces = w->mesh->face_count;
-    size_t corners = (size_t)faces * 3;
-    w->flipped = HATCH_NEW(w->scratch, uint8_t, faces, err);
-    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, faces, err) : NULL;
+    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, w->position_count, w->dropped};
+    size_t corners = (size_t)faces.face_count * 3;
+    w->flipped = HATCH_NEW(w->scratch, uint8_t, faces.face_count, err);
+    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, faces.face_count, err) : NULL;
     w->fan = w->component ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
     w->partner = w->fan ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
     if (!w->partner)
         return HATCH_LIMIT;
-    HATCH_TRY(hatch_edges_find(w->point, faces, w->position_count, w->dropped, w->scratch, w->scratch, &w->edges, err));
+    HATCH_TRY(hatch_edges_find(&faces, w->scratch, w->scratch, &w->edges, err));
     HATCH_TRY(join_faces(w, notes, err));
-    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces, w->fan);
-    return hatch_mesh_count_pinched(w->point, faces, w->position_count, &w->edges, w->dropped, w->scratch,
-                                    &notes->points_split, err);
+    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces.face_count, w->fan);
+    return hatch_mesh_count_pinched(&faces, &w->edges, w->scratch, &notes->points_split, err);
 }
 
 static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface *surface,

@@ -21,7 +21,7 @@ static void use_weights(const struct hatch_scene *scene, uint32_t animation, str
     struct hatch_err err;
     for (uint32_t n = 0; n < scene->node_count; n++)
         for (uint32_t m = 0; m < scene->nodes[n].mesh_count; m++) {
-            uint32_t count = hatch_mesh_targets(&scene->meshes[scene->nodes[n].first_mesh + m].mesh);
+            uint32_t count = hatch_mesh_target_count(&scene->meshes[scene->nodes[n].first_mesh + m].mesh);
             struct hatch_arena_mark mark = hatch_arena_mark(&arenas->keep);
             double *weights = count ? HATCH_NEW(&arenas->keep, double, count, &err) : NULL;
             if (weights)

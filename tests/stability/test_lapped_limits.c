@@ -1,25 +1,24 @@
-/* Surfaces on which patches have little room, and fields that leave them little: each must end, cover
- * every face and turn none over. */
+/* Surfaces and fields on which patches stay small: the computation must end, cover every face and turn none over. */
 #include "meshes.h"
 
 #include "lapped_make.h"
 
-static void covers(struct field_case of, double size, uint32_t samples)
+static void check_covers(struct field_case field, double size, uint32_t samples)
 {
-    struct hatch_lapped_options options = LAPPED_PLAIN;
+    struct hatch_lapped_options options = LAPPED_DEFAULTS;
     options.size = size;
-    struct lapped_case made = cover_all(of, &options);
+    struct lapped_case made = make_lapped(field, &options);
     check_patches(&made, samples);
 }
 
-/* Small patches, the size that is chosen, and patches as large as the whole. */
-static void covers_at_all_sizes(struct hatch_mesh mesh)
+/* Small patches, default size, and patches as large as the surface. */
+static void check_all_sizes(struct hatch_mesh mesh)
 {
     static const double sizes[] = {0.05, 0, 1};
     for (int i = 0; i < 3; i++) {
-        struct field_case of = case_of(mesh);
-        lay_field(&of, 0.3, 1, 0.2);
-        covers(of, sizes[i], 1000);
+        struct field_case field = case_of(mesh);
+        set_direction(&field, 0.3, 1, 0.2);
+        check_covers(field, sizes[i], 1000);
     }
 }
 
@@ -32,35 +31,35 @@ static struct hatch_mesh triangle(float x, float y)
 
 START_TEST(one_triangle)
 {
-    covers_at_all_sizes(triangle(1, 1));
-    covers_at_all_sizes(triangle(1, 1e-4f));
-    covers_at_all_sizes(triangle(1e-12f, 1e-12f));
+    check_all_sizes(triangle(1, 1));
+    check_all_sizes(triangle(1, 1e-4f));
+    check_all_sizes(triangle(1e-12f, 1e-12f));
 }
 END_TEST
 
 START_TEST(a_strip_one_face_wide)
 {
-    covers_at_all_sizes(band(100, 1, false));
+    check_all_sizes(band(100, 1, false));
     struct hatch_mesh open = band(100, 1, false);
     open.face_count -= 2;
-    covers_at_all_sizes(open);
+    check_all_sizes(open);
 }
 END_TEST
 
-START_TEST(surfaces_of_one_side)
+START_TEST(one_sided_surfaces)
 {
-    covers_at_all_sizes(band(60, 1, true));
-    covers_at_all_sizes(klein(40, 20));
+    check_all_sizes(band(60, 1, true));
+    check_all_sizes(klein(40, 20));
 }
 END_TEST
 
 START_TEST(a_cube)
 {
-    covers_at_all_sizes(cube(0, 1));
+    check_all_sizes(cube(0, 1));
 }
 END_TEST
 
-/* A fan from one far point to a fine row: every face is longer than any patch. */
+/* A fan from a distant point to a fine row: its faces are longer than any patch. */
 START_TEST(huge_faces_beside_tiny_ones)
 {
     struct hatch_mesh mesh;
@@ -77,28 +76,28 @@ START_TEST(huge_faces_beside_tiny_ones)
         const uint32_t a = 2 * i, faces[9] = {a, a + 2, a + 3, a, a + 3, a + 1, a, 2 * n + 2, a + 2};
         memcpy(&mesh.indices[9 * i], faces, sizeof faces);
     }
-    covers_at_all_sizes(mesh);
+    check_all_sizes(mesh);
 }
 END_TEST
 
-/* A patch would reach around a thin leg, or through a handle, and meet itself. */
-START_TEST(legs_and_handles_smaller_than_a_patch)
+/* Patches would reach around a thin tube, or through a handle, and meet themselves. */
+START_TEST(tubes_and_handles_smaller_than_a_patch)
 {
     struct field_case torus = case_of_shape(HATCH_SHAPE_TORUS, 2000, 1);
-    lay_field(&torus, 0, 0, 1);
-    covers(torus, 1, 2000);
+    set_direction(&torus, 0, 0, 1);
+    check_covers(torus, 1, 2000);
     struct hatch_mesh leg = bare_shape(HATCH_SHAPE_CYLINDER, 2000);
     for (uint32_t v = 0; v < leg.vertex_count; v++)
         leg.attributes[0].data[3 * v + 1] *= 20;
     for (int i = 0; i < 2; i++) {
-        struct field_case of = case_of(leg);
-        lay_field(&of, 0, 1, 0);
-        covers(of, 1, 2000);
+        struct field_case field = case_of(leg);
+        set_direction(&field, 0, 1, 0);
+        check_covers(field, 1, 2000);
     }
 }
 END_TEST
 
-/* A sphere whose poles are rings of vertices next to each other, as rounding leaves them: faces there are needles. */
+/* A sphere whose poles are tiny rings of vertices, as rounding makes them: faces there are needles. */
 static struct hatch_mesh needle_sphere(double width)
 {
     enum { AROUND = 24, DOWN = 12 };
@@ -120,15 +119,15 @@ static struct hatch_mesh needle_sphere(double width)
     return mesh;
 }
 
-/* Faces whose texture coordinates, as they are written, are turned over. */
-static uint32_t count_turned(const struct field_case *of, const struct hatch_lapped *lapped, double tile)
+/* Counts faces that are turned over in the texture coordinates as written. */
+static uint32_t count_turned(const struct field_case *field, const struct hatch_lapped *lapped, double tile)
 {
     uint32_t count = 0;
+    struct hatch_lapped_input input = lapped_input(field, NULL);
+    input.tile = tile;
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         struct hatch_mesh mesh;
-        HATCH_TEST_OK(hatch_lapped_mesh(&of->surface, &of->mesh, lapped, p, of->direction, of->confidence, tile, &keep,
-                                        &scratch, &mesh, &err),
-                      &err);
+        HATCH_TEST_OK(hatch_lapped_mesh(&input, lapped, p, &keep, &scratch, &mesh, &err), &err);
         const float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
         for (uint32_t f = 0; f < mesh.face_count; f++) {
             double x[2][2];
@@ -141,8 +140,8 @@ static uint32_t count_turned(const struct field_case *of, const struct hatch_lap
     return count;
 }
 
-/* A sheet of squares whose every other column is as wide as floats are apart: what rounding would turn
- * over. */
+/* A sheet of squares in which every other column is as narrow as the distance between floats: rounding would turn its
+ * faces over. */
 static struct hatch_mesh needle_columns(double width)
 {
     enum { ACROSS = 20, DOWN = 10 };
@@ -162,28 +161,28 @@ static struct hatch_mesh needle_columns(double width)
     return mesh;
 }
 
-START_TEST(floats_turn_no_needle_over)
+START_TEST(rounding_turns_no_needle_over)
 {
     static const double widths[] = {1e-3, 1e-6, 1e-7, 1e-8, 1e-9};
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
-        struct field_case of[] = {case_of(needle_columns(widths[i])), case_of(needle_sphere(widths[i]))};
+        struct field_case fields[] = {case_of(needle_columns(widths[i])), case_of(needle_sphere(widths[i]))};
         for (int k = 0; k < 2; k++) {
-            lay_field(&of[k], 0.3, 1, 0.2);
-            const struct hatch_lapped lapped = cover_all(of[k], &LAPPED_PLAIN).lapped;
-            ck_assert_uint_eq(count_turned(&of[k], &lapped, 0.7), 0);
+            set_direction(&fields[k], 0.3, 1, 0.2);
+            const struct hatch_lapped lapped = make_lapped(fields[k], &LAPPED_DEFAULTS).lapped;
+            ck_assert_uint_eq(count_turned(&fields[k], &lapped, 0.7), 0);
         }
     }
 }
 END_TEST
 
-START_TEST(needles_give_numbers)
+START_TEST(needles_have_finite_coordinates)
 {
     static const double widths[] = {1e-3, 1e-6, 1e-8, 1e-9, 1e-10, 1e-16};
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
-        struct field_case of = case_of(needle_sphere(widths[i]));
-        lay_field(&of, 0.3, 1, 0.2);
-        const struct hatch_lapped lapped = cover_all(of, &LAPPED_PLAIN).lapped;
-        ck_assert_uint_ge(lapped.face_count, of.surface.face_count);
+        struct field_case field = case_of(needle_sphere(widths[i]));
+        set_direction(&field, 0.3, 1, 0.2);
+        const struct hatch_lapped lapped = make_lapped(field, &LAPPED_DEFAULTS).lapped;
+        ck_assert_uint_ge(lapped.face_count, field.surface.face_count);
         for (uint32_t v = 0; v < lapped.vertex_count; v++)
             for (int k = 0; k < 2; k++)
                 ck_assert(isfinite(lapped.vertices[v].hatch[k]) && isfinite(lapped.vertices[v].mask[k]));
@@ -196,40 +195,40 @@ START_TEST(components_of_any_size)
     struct hatch_mesh small = bare_shape(HATCH_SHAPE_SPHERE, 200), large = bare_shape(HATCH_SHAPE_TORUS, 800);
     move(&small, 1e-3f, 5);
     struct hatch_mesh mesh = both(&large, &small);
-    covers_at_all_sizes(mesh);
+    check_all_sizes(mesh);
     struct hatch_mesh far = bare_shape(HATCH_SHAPE_SPHERE, 300);
     move(&far, 1e10f, 0);
-    covers_at_all_sizes(far);
+    check_all_sizes(far);
 }
 END_TEST
 
-/* A direction of its own for every point: every other face has an index. */
-START_TEST(a_field_of_noise)
+/* Random directions: every other face has an index. */
+START_TEST(a_random_field)
 {
-    struct field_case of = case_of_shape(HATCH_SHAPE_SPHERE, 1500, 1);
-    for (uint32_t p = 0; p < of.surface.point_count; p++)
-        hatch_frames_direction(&of.frames, p, 6.28 * (double)hatch_random_unit(4, 0, p), &of.direction[3 * p]);
-    struct hatch_lapped_options options = LAPPED_PLAIN;
-    struct lapped_case made = cover_all(of, &options);
+    struct field_case field = case_of_shape(HATCH_SHAPE_SPHERE, 1500, 1);
+    for (uint32_t p = 0; p < field.surface.point_count; p++)
+        hatch_frames_direction(&field.frames, p, 6.28 * (double)hatch_random_unit(4, 0, p), &field.direction[3 * p]);
+    struct hatch_lapped_options options = LAPPED_DEFAULTS;
+    struct lapped_case made = make_lapped(field, &options);
     check_patches(&made, 2000);
-    ck_assert_uint_gt(made.lapped.cut, 0);
+    ck_assert_uint_gt(made.lapped.cut_count, 0);
 }
 END_TEST
 
-/* Patches end before a point where lines meet, and leave nothing bare there. */
-START_TEST(lines_that_meet_in_a_point)
+/* Patches end near a singularity, and cover it. */
+START_TEST(singularities)
 {
-    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 2000, 0.7f);
+    struct field_case field = case_of_shape(HATCH_SHAPE_PLANE, 2000, 0.7f);
     for (int kind = 0; kind < 2; kind++) {
-        for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        for (uint32_t p = 0; p < field.surface.point_count; p++) {
             double at[3];
-            hatch_surface_position(&of.surface, p, at);
+            hatch_surface_position(&field.surface, p, at);
             double angle = atan2(at[1] - 0.013, at[0] - 0.017) / (kind ? 2 : 1);
-            of.direction[3 * p] = cos(angle);
-            of.direction[3 * p + 1] = sin(angle);
-            of.direction[3 * p + 2] = 0;
+            field.direction[3 * p] = cos(angle);
+            field.direction[3 * p + 1] = sin(angle);
+            field.direction[3 * p + 2] = 0;
         }
-        covers(of, 0.3, 5000);
+        check_covers(field, 0.3, 5000);
     }
 }
 END_TEST
@@ -241,15 +240,15 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, one_triangle);
     tcase_add_test(tests, a_strip_one_face_wide);
-    tcase_add_test(tests, surfaces_of_one_side);
+    tcase_add_test(tests, one_sided_surfaces);
     tcase_add_test(tests, a_cube);
     tcase_add_test(tests, huge_faces_beside_tiny_ones);
-    tcase_add_test(tests, legs_and_handles_smaller_than_a_patch);
-    tcase_add_test(tests, floats_turn_no_needle_over);
-    tcase_add_test(tests, needles_give_numbers);
+    tcase_add_test(tests, tubes_and_handles_smaller_than_a_patch);
+    tcase_add_test(tests, rounding_turns_no_needle_over);
+    tcase_add_test(tests, needles_have_finite_coordinates);
     tcase_add_test(tests, components_of_any_size);
-    tcase_add_test(tests, a_field_of_noise);
-    tcase_add_test(tests, lines_that_meet_in_a_point);
+    tcase_add_test(tests, a_random_field);
+    tcase_add_test(tests, singularities);
     suite_add_tcase(suite, tests);
     return suite;
 }

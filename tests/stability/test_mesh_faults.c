@@ -1,4 +1,4 @@
-/* Meshes on which the plain way of shading or cutting fails, and what is done here instead. */
+/* Meshes on which the naive algorithm for normals, triangulation or tangents fails and that of libhatch does not. */
 #include <math.h>
 #include <string.h>
 
@@ -17,8 +17,8 @@ static struct hatch_mesh sphere(float scale)
     return mesh;
 }
 
-/* The plain way: the sum, in floats, of the faces' normals around each vertex as the file has it. */
-static float *plain_normals(const struct hatch_mesh *mesh)
+/* The naive algorithm: sums the normals of the faces around each vertex in floats, without welding. */
+static float *naive_normals(const struct hatch_mesh *mesh)
 {
     const float *p = mesh->attributes[0].data;
     float *sums = HATCH_NEW(&keep, float, mesh->vertex_count * 3, &err);
@@ -38,14 +38,14 @@ static float *plain_normals(const struct hatch_mesh *mesh)
     return sums;
 }
 
-static const float *our_normals(struct hatch_mesh *mesh)
+static const float *library_normals(struct hatch_mesh *mesh)
 {
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, mesh, 0, &err), &err);
     return hatch_mesh_find(mesh, "NORMAL", 3);
 }
 
-/* The largest angle between a normal and the direction from the centre, in degrees; 180 for one that
- * is none. */
+/* The largest angle between a normal and the direction from the centre, in degrees; 180 for a normal that is zero or
+ * not finite. */
 static double worst_degrees(const struct hatch_mesh *mesh, const float *normals)
 {
     double worst = 0;
@@ -60,18 +60,18 @@ static double worst_degrees(const struct hatch_mesh *mesh, const float *normals)
     return worst;
 }
 
-START_TEST(sizes_that_floats_cannot_square)
+START_TEST(scales_whose_squares_overflow_floats)
 {
     const float scales[] = {1e-30f, 1e25f};
     for (int i = 0; i < 2; i++) {
         struct hatch_mesh mesh = sphere(scales[i]);
-        ck_assert_double_eq(worst_degrees(&mesh, plain_normals(&mesh)), 180);
-        ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 4);
+        ck_assert_double_eq(worst_degrees(&mesh, naive_normals(&mesh)), 180);
+        ck_assert_double_lt(worst_degrees(&mesh, library_normals(&mesh)), 4);
     }
 }
 END_TEST
 
-START_TEST(vertices_that_are_not_joined)
+START_TEST(unwelded_vertices)
 {
     struct hatch_mesh mesh = sphere(1), soup;
     HATCH_TEST_OK(hatch_mesh_make(&keep, mesh.face_count * 3, mesh.face_count, &soup, &err), &err);
@@ -79,12 +79,12 @@ START_TEST(vertices_that_are_not_joined)
         soup.indices[i] = i;
         memcpy(&soup.attributes[0].data[i * 3], &mesh.attributes[0].data[mesh.indices[i] * 3], 12);
     }
-    ck_assert_double_gt(worst_degrees(&soup, plain_normals(&soup)), 8);
-    ck_assert_double_lt(worst_degrees(&soup, our_normals(&soup)), 4);
+    ck_assert_double_gt(worst_degrees(&soup, naive_normals(&soup)), 8);
+    ck_assert_double_lt(worst_degrees(&soup, library_normals(&soup)), 4);
 }
 END_TEST
 
-START_TEST(faces_that_do_not_agree)
+START_TEST(inconsistent_winding)
 {
     struct hatch_mesh mesh = sphere(1);
     for (uint32_t f = 0; f < mesh.face_count; f += 3) {
@@ -93,14 +93,14 @@ START_TEST(faces_that_do_not_agree)
         index[2] = swap;
     }
     struct hatch_mesh_notes notes = {0};
-    ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 80);
+    ck_assert_double_gt(worst_degrees(&mesh, naive_normals(&mesh)), 80);
     HATCH_TEST_OK(hatch_mesh_clean(&keep, &scratch, &mesh, &notes, &err), &err);
-    ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 4);
+    ck_assert_double_lt(worst_degrees(&mesh, library_normals(&mesh)), 4);
 }
 END_TEST
 
-/* A cube whose squares are cut as they come: at a corner one face may have one triangle or two. */
-START_TEST(corners_of_unequal_triangles)
+/* A cube whose squares are split along arbitrary diagonals: a square has one or two triangles at a corner. */
+START_TEST(corners_with_unequal_triangles)
 {
     static const char cube[] = "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
                                "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
@@ -109,14 +109,14 @@ START_TEST(corners_of_unequal_triangles)
     HATCH_TEST_OK(hatch_mesh_read((struct hatch_mesh_file){{(const uint8_t *)cube, sizeof cube - 1}, HATCH_MESH_OBJ},
                                   &keep, &scratch, &mesh, NULL, &notes, &err),
                   &err);
-    ck_assert_double_gt(worst_degrees(&mesh, plain_normals(&mesh)), 15);
-    ck_assert_double_lt(worst_degrees(&mesh, our_normals(&mesh)), 1e-4);
+    ck_assert_double_gt(worst_degrees(&mesh, naive_normals(&mesh)), 15);
+    ck_assert_double_lt(worst_degrees(&mesh, library_normals(&mesh)), 1e-4);
 }
 END_TEST
 
-START_TEST(polygons_that_are_not_convex)
+START_TEST(non_convex_polygons)
 {
-    /* A comb: a fan from its first corner covers more than there is. */
+    /* A comb; a triangle fan from a corner covers more than its area. */
     static const char comb[] = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 6 1 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\n"
                                "v 2 1 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9\n";
     static const char fan[] = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 6 1 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\n"
@@ -140,15 +140,15 @@ START_TEST(polygons_that_are_not_convex)
 }
 END_TEST
 
-START_TEST(textures_without_an_area)
+START_TEST(degenerate_texture_coordinates)
 {
     struct hatch_mesh mesh = sphere(1);
     float *uv;
-    our_normals(&mesh);
+    library_normals(&mesh);
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
-    /* The plain way divides by the texture triangle's area. */
-    const float plain = (uv[0] - uv[2]) / ((uv[0] - uv[2]) * (uv[1] - uv[3]));
-    ck_assert(!isfinite(plain));
+    /* The naive algorithm divides by the area of the triangle in texture coordinates. */
+    const float naive = (uv[0] - uv[2]) / ((uv[0] - uv[2]) * (uv[1] - uv[3]));
+    ck_assert(!isfinite(naive));
     HATCH_TEST_OK(hatch_mesh_add_tangents(&keep, &scratch, &mesh, &err), &err);
     const float *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
     for (uint32_t v = 0; v < mesh.vertex_count; v++) {
@@ -166,12 +166,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("stability mesh");
     TCase *tests = tcase_create("faults");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, sizes_that_floats_cannot_square);
-    tcase_add_test(tests, vertices_that_are_not_joined);
-    tcase_add_test(tests, faces_that_do_not_agree);
-    tcase_add_test(tests, corners_of_unequal_triangles);
-    tcase_add_test(tests, polygons_that_are_not_convex);
-    tcase_add_test(tests, textures_without_an_area);
+    tcase_add_test(tests, scales_whose_squares_overflow_floats);
+    tcase_add_test(tests, unwelded_vertices);
+    tcase_add_test(tests, inconsistent_winding);
+    tcase_add_test(tests, corners_with_unequal_triangles);
+    tcase_add_test(tests, non_convex_polygons);
+    tcase_add_test(tests, degenerate_texture_coordinates);
     suite_add_tcase(suite, tests);
     return suite;
 }

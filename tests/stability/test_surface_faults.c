@@ -32,9 +32,8 @@ static struct naive read_naively(const struct hatch_mesh *mesh)
 {
     struct hatch_edges edges;
     struct naive seen = {0};
-    HATCH_TEST_OK(
-        hatch_edges_find(mesh->indices, mesh->face_count, mesh->vertex_count, NULL, &scratch, &scratch, &edges, &err),
-        &err);
+    const struct hatch_connectivity connectivity = {mesh->indices, mesh->face_count, mesh->vertex_count, NULL};
+    HATCH_TEST_OK(hatch_edges_find(&connectivity, &scratch, &scratch, &edges, &err), &err);
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
         uint32_t faces = edges.first[e + 1] - edges.first[e];
@@ -360,7 +359,7 @@ START_TEST(invalid_meshes_are_refused)
         const char *says;
     } bad[] = {{NAN, 2, "vertex 1: position is not finite"},
                {INFINITY, 2, "vertex 1: position is not finite"},
-               {1, 3, "face 0: vertex 3 of 3"},
+               {1, 3, "face 0: vertex index 3, want one below 3"},
                {0, 2, "no face has an area"},
                {1, 0, "no face has an area"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {

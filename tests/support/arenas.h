@@ -1,4 +1,4 @@
-/* What nearly every test program has: an arena for results, one for temporaries, and an error. The fixture is
+/* An arena for results, a scratch arena and an error, for most test programs; the fixture is
  * tcase_add_checked_fixture(tests, begin, end). */
 #ifndef HATCH_TEST_ARENAS_H
 #define HATCH_TEST_ARENAS_H
@@ -22,7 +22,7 @@ static inline void end(void)
     hatch_arena_free(&keep);
 }
 
-/* The end of tests after which all temporaries have been given back. */
+/* Like end, but checks that scratch has been rewound. */
 static inline void end_rewound(void)
 {
     ck_assert_ptr_null(hatch_arena_mark(&scratch).block);

@@ -11,9 +11,9 @@
  *         hatch_test_fail_alloc(make, &thing, &thing, sizeof thing);
  *     } END_TEST
  *
- * Each run gets fresh arenas. Every failure must be HATCH_LIMIT with a sentence and leave outputs
- * (may be NULL) as they were; every return must leave scratch empty. First keep's allocations fail,
- * then scratch's. Returns how many failures there were; at least one must be.
+ * Each run gets new arenas; first the allocations of keep fail, then those of scratch. Checks that every failure is
+ * HATCH_LIMIT with a message and leaves the outputs (may be NULL) unchanged, that every return leaves scratch empty,
+ * and that there was a failure. Returns the number of failures.
  */
 #ifndef HATCH_TEST_FAIL_ALLOC_H
 #define HATCH_TEST_FAIL_ALLOC_H
@@ -37,26 +37,26 @@ static inline uint64_t hatch_test_fail_alloc(hatch_test_call call, void *context
         enum hatch_status status = HATCH_LIMIT;
         for (uint64_t n = 1; status != HATCH_OK; n++) {
             struct hatch_arena arenas[2];
-            struct hatch_err said = {0};
+            struct hatch_err error = {0};
             hatch_arena_init(&arenas[0], (size_t)1 << 32);
             hatch_arena_init(&arenas[1], (size_t)1 << 32);
             hatch_arena_fail_after(&arenas[which], n);
             if (outputs_size)
                 memcpy(before, outputs, outputs_size);
-            status = call(context, &arenas[0], &arenas[1], &said);
+            status = call(context, &arenas[0], &arenas[1], &error);
             ck_assert_msg(hatch_arena_mark(&arenas[1]).block == NULL,
                           "scratch was not rewound (allocation %d of arena %d)", (int)n, which);
             if (status != HATCH_OK) {
-                ck_assert_msg(status == HATCH_LIMIT && said.status == HATCH_LIMIT && said.text[0],
-                              "allocation %d of arena %d: status %d, sentence '%s'", (int)n, which, (int)status,
-                              said.text);
+                ck_assert_msg(status == HATCH_LIMIT && error.status == HATCH_LIMIT && error.text[0],
+                              "allocation %d of arena %d: status %d, message '%s'", (int)n, which, (int)status,
+                              error.text);
                 ck_assert_msg(!outputs_size || memcmp(before, outputs, outputs_size) == 0,
                               "outputs changed by a failure (allocation %d of arena %d)", (int)n, which);
                 failures++;
             }
             hatch_arena_free(&arenas[1]);
             hatch_arena_free(&arenas[0]);
-            ck_assert_msg(n < 1000000, "a million failed allocations and no end");
+            ck_assert_msg(n < 1000000, "no success after a million allocations");
         }
     }
     free(before);

@@ -1,53 +1,64 @@
-/* Patches over a surface with a field that the test chooses, and what must be true of all of them. */
+/* Patches on a surface with a given field, and checks that hold for all of them. */
 #ifndef HATCH_TEST_LAPPED_MAKE_H
 #define HATCH_TEST_LAPPED_MAKE_H
 
 #include "field_make.h"
 #include "lapped/lapped.h"
 
-static const struct hatch_lapped_options LAPPED_PLAIN = {
+static const struct hatch_lapped_options LAPPED_DEFAULTS = {
     .curved = 0.5, .stretch_max = 1.5, .turn_max_rad = 0.3, .seed = 1};
 
 struct lapped_case {
-    struct field_case of;
+    struct field_case field;
     struct hatch_outline outline;
     struct hatch_lapped lapped;
 };
 
-static inline struct hatch_lapped cover(const struct field_case *of, const struct hatch_outline *outline,
+static inline struct hatch_lapped_input lapped_input(const struct field_case *field,
+                                                     const struct hatch_outline *outline)
+{
+    return (struct hatch_lapped_input){.surface = &field->surface,
+                                       .frames = &field->frames,
+                                       .direction = field->direction,
+                                       .confidence = field->confidence,
+                                       .mesh = &field->mesh,
+                                       .outline = outline,
+                                       .tile = 1};
+}
+
+static inline struct hatch_lapped cover(const struct field_case *field, const struct hatch_outline *outline,
                                         const struct hatch_lapped_options *options)
 {
     struct hatch_lapped lapped;
-    HATCH_TEST_OK(hatch_lapped_make(&of->surface, &of->frames, of->direction, of->confidence, outline, options, NULL,
-                                    &keep, &scratch, &lapped, &err),
-                  &err);
+    const struct hatch_lapped_input input = lapped_input(field, outline);
+    HATCH_TEST_OK(hatch_lapped_make(&input, options, NULL, &keep, &scratch, &lapped, &err), &err);
     return lapped;
 }
 
-/* The field: a direction in space, flattened onto the surface. */
-static inline void lay_field(struct field_case *of, double x, double y, double z)
+/* Sets the field to a direction in space, projected onto the surface. */
+static inline void set_direction(struct field_case *field, double x, double y, double z)
 {
-    for (uint32_t p = 0; p < of->surface.point_count; p++) {
-        const double *normal = &of->frames.normal[3 * p];
+    for (uint32_t p = 0; p < field->surface.point_count; p++) {
+        const double *normal = &field->frames.normal[3 * p];
         double d[3] = {x, y, z}, along = hatch_vec_dot(d, normal);
         hatch_vec_add_scaled(d, -along, normal, d);
         if (hatch_vec_normalize(d) < 1e-6)
-            hatch_vec_copy(&of->frames.axis[3 * p], d);
-        hatch_vec_copy(d, &of->direction[3 * p]);
-        of->confidence[p] = 1;
+            hatch_vec_copy(&field->frames.axis[3 * p], d);
+        hatch_vec_copy(d, &field->direction[3 * p]);
+        field->confidence[p] = 1;
     }
 }
 
-static inline struct lapped_case cover_all(struct field_case of, const struct hatch_lapped_options *options)
+static inline struct lapped_case make_lapped(struct field_case field, const struct hatch_lapped_options *options)
 {
-    struct lapped_case made = {.of = of};
+    struct lapped_case made = {.field = field};
     hatch_outline_make(3, 0.3, 0.05, &made.outline);
-    made.lapped = cover(&made.of, &made.outline, options);
+    made.lapped = cover(&made.field, &made.outline, options);
     return made;
 }
 
-/* A patch's mask coordinates inside one of its faces, by barycentric coordinates. */
-static inline void mask_in(const struct hatch_lapped *lapped, uint32_t patch, uint32_t entry, const double bary[3],
+/* Mask coordinates at a point of a patch's face, given in barycentric coordinates. entry: index in lapped->faces. */
+static inline void mask_at(const struct hatch_lapped *lapped, uint32_t patch, uint32_t entry, const double bary[3],
                            double mask[2])
 {
     mask[0] = mask[1] = 0;
@@ -58,49 +69,50 @@ static inline void mask_in(const struct hatch_lapped *lapped, uint32_t patch, ui
     }
 }
 
-/* The largest opacity of any patch above `above` at a place of a face. *found: whether one holds it. */
-static inline double opacity_over(const struct lapped_case *of, uint32_t face, const double bary[3], uint32_t above)
+/* The largest opacity at a point of a face, of the patches from index `first` on. */
+static inline double largest_opacity(const struct lapped_case *made, uint32_t face, const double bary[3],
+                                     uint32_t first)
 {
     double most = 0;
-    for (uint32_t p = above; p < of->lapped.patch_count; p++) {
-        const struct hatch_lapped_patch *patch = &of->lapped.patches[p];
+    for (uint32_t p = first; p < made->lapped.patch_count; p++) {
+        const struct hatch_lapped_patch *patch = &made->lapped.patches[p];
         for (uint32_t e = patch->first_face; e < patch->first_face + patch->face_count; e++) {
             double mask[2];
-            if (of->lapped.faces[e] != face)
+            if (made->lapped.faces[e] != face)
                 continue;
-            mask_in(&of->lapped, p, e, bary, mask);
-            most = fmax(most, hatch_outline_opacity(&of->outline, mask));
+            mask_at(&made->lapped, p, e, bary, mask);
+            most = fmax(most, hatch_outline_opacity(&made->outline, mask));
         }
     }
     return most;
 }
 
-/* Opacity 1 everywhere, but for the rounding of floats. */
-static inline void check_covered(const struct lapped_case *of, uint32_t samples)
+/* Checks that opacity is 1 at random points, up to the rounding of floats. */
+static inline void check_covered(const struct lapped_case *made, uint32_t samples)
 {
     for (uint32_t i = 0; i < samples; i++) {
-        uint32_t face = (uint32_t)(hatch_random_u64(9, 0, i) % of->of.surface.face_count);
+        uint32_t face = (uint32_t)(hatch_random_u64(9, 0, i) % made->field.surface.face_count);
         double a = (double)hatch_random_unit(9, 1, i), b = (double)hatch_random_unit(9, 2, i);
         if (a + b > 1) {
             a = 1 - a;
             b = 1 - b;
         }
         const double bary[3] = {a, b, 1 - a - b};
-        double opacity = opacity_over(of, face, bary, 0);
+        double opacity = largest_opacity(made, face, bary, 0);
         ck_assert_msg(opacity > 0.9999, "face %u at %g %g has opacity %g", face, a, b, opacity);
     }
 }
 
-/* Coordinates of a face in its patch: signed area over that on the surface, v rising downwards. */
-static inline double area_ratio(const struct lapped_case *of, uint32_t patch, uint32_t entry)
+/* Signed area of a face in hatch coordinates (v rises downwards) over its area on the surface. */
+static inline double area_ratio(const struct lapped_case *made, uint32_t patch, uint32_t entry)
 {
-    const struct hatch_lapped *lapped = &of->lapped;
+    const struct hatch_lapped *lapped = &made->lapped;
     const struct hatch_lapped_vertex *at[3];
     double p[3][3], normal[3];
     for (uint32_t c = 0; c < 3; c++) {
         at[c] = &lapped->vertices[lapped->patches[patch].first_vertex + lapped->corners[3 * (size_t)entry + c]];
-        ck_assert_uint_eq(at[c]->point, of->of.surface.corners[3 * (size_t)lapped->faces[entry] + c]);
-        hatch_surface_position(&of->of.surface, at[c]->point, p[c]);
+        ck_assert_uint_eq(at[c]->point, made->field.surface.corners[3 * (size_t)lapped->faces[entry] + c]);
+        hatch_surface_position(&made->field.surface, at[c]->point, p[c]);
     }
     hatch_vec_triangle(p[0], p[1], p[2], normal);
     double x[2][2];
@@ -110,10 +122,10 @@ static inline double area_ratio(const struct lapped_case *of, uint32_t patch, ui
     return -(x[0][0] * x[1][1] - x[0][1] * x[1][0]) / hatch_vec_length(normal);
 }
 
-/* What holds for every surface: whole faces, counts that agree, nothing turned over, all covered. */
-static inline void check_patches(const struct lapped_case *of, uint32_t samples)
+/* Checks what holds for every surface: counts agree, no face is turned over, all are covered. */
+static inline void check_patches(const struct lapped_case *made, uint32_t samples)
 {
-    const struct hatch_lapped *lapped = &of->lapped;
+    const struct hatch_lapped *lapped = &made->lapped;
     uint32_t vertices = 0, faces = 0;
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         const struct hatch_lapped_patch *patch = &lapped->patches[p];
@@ -123,14 +135,14 @@ static inline void check_patches(const struct lapped_case *of, uint32_t samples)
         vertices += patch->vertex_count;
         faces += patch->face_count;
         for (uint32_t e = patch->first_face; e < faces; e++) {
-            double ratio = area_ratio(of, p, e);
+            double ratio = area_ratio(made, p, e);
             ck_assert_msg(ratio > 0.01 && ratio < 30, "patch %u: a face has %g times its area", p, ratio);
         }
     }
     ck_assert_uint_eq(vertices, lapped->vertex_count);
     ck_assert_uint_eq(faces, lapped->face_count);
-    ck_assert_uint_le(lapped->patch_count, of->of.surface.face_count);
-    check_covered(of, samples);
+    ck_assert_uint_le(lapped->patch_count, made->field.surface.face_count);
+    check_covered(made, samples);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* Meshes to test with, POSITION alone but where it says otherwise, made in keep. */
+/* Meshes for tests, made in keep; with POSITION alone unless stated otherwise. */
 #ifndef HATCH_TEST_MESHES_H
 #define HATCH_TEST_MESHES_H
 
@@ -18,7 +18,7 @@ static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertice
     return mesh;
 }
 
-/* With all the attributes that shapes have. */
+/* A built-in shape with all its attributes. */
 static inline struct hatch_mesh shape_with(enum hatch_shape kind, struct hatch_shape_options options)
 {
     struct hatch_mesh mesh;
@@ -38,7 +38,7 @@ static inline struct hatch_mesh bare_shape(enum hatch_shape kind, uint32_t faces
     return mesh;
 }
 
-/* A band of n by width squares, closed into a ring; the last are joined upside down for a Möbius strip. */
+/* A band of n by width squares, closed into a ring; twisted: a Möbius strip. */
 static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
 {
     struct hatch_mesh mesh;
@@ -62,8 +62,8 @@ static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
     return mesh;
 }
 
-/* The figure-8 immersion of a Klein bottle, m by n squares, n even: closed, joined upside down in u. No two
- * vertices meet where it cuts itself. */
+/* The figure-8 immersion of a Klein bottle, m by n squares, n even. No two vertices coincide where it intersects
+ * itself. */
 static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
 {
     struct hatch_mesh mesh;
@@ -85,21 +85,21 @@ static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
     return mesh;
 }
 
-/* Every corner a vertex of its own, and the faces in another order. */
+/* A copy with separate vertices for all corners and the faces in reverse order. */
 static inline struct hatch_mesh soup(const struct hatch_mesh *from)
 {
     struct hatch_mesh mesh;
     HATCH_TEST_OK(hatch_mesh_make(&keep, from->face_count * 3, from->face_count, &mesh, &err), &err);
     for (uint32_t i = 0; i < from->face_count * 3; i++) {
         uint32_t source = from->face_count * 3 - 1 - i;
-        source = source - source % 3 + (2 - source % 3); /* corners in order again */
+        source = source - source % 3 + (2 - source % 3); /* keep the order of corners in a face */
         mesh.indices[i] = i;
         memcpy(&mesh.attributes[0].data[i * 3], &from->attributes[0].data[from->indices[source] * 3], 12);
     }
     return mesh;
 }
 
-/* Every corner once. */
+/* A cube with eight vertices. */
 static inline struct hatch_mesh cube(float low, float high)
 {
     static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -123,7 +123,7 @@ static inline void turn(struct hatch_mesh *mesh, uint32_t face)
     index[2] = swap;
 }
 
-/* Both in one mesh, a's vertices and faces first. */
+/* Joins two meshes; a's vertices and faces come first. */
 static inline struct hatch_mesh both(const struct hatch_mesh *a, const struct hatch_mesh *b)
 {
     struct hatch_mesh mesh;

@@ -1,4 +1,4 @@
-/* The frame of a unit test program: Check's tests, each in a process of its own, reported as TAP.
+/* The main function of a unit test program: runs each test of a Check suite in a process of its own and reports as TAP.
  *
  *     #include "run.h"
  *
@@ -14,7 +14,7 @@
  *     }
  *     HATCH_TEST_MAIN(suite)
  *
- * CK_FORK=no and a debugger, or CK_RUN_CASE=name, when one test is looked at.
+ * For a single test: CK_RUN_CASE=name; for a debugger: CK_FORK=no.
  */
 #ifndef HATCH_TEST_RUN_H
 #define HATCH_TEST_RUN_H
@@ -24,12 +24,12 @@
 
 #include "base/status.h"
 
-/* Fails with the library's own sentence. */
+/* Fails the test with the library's message. */
 #define HATCH_TEST_OK(call, err) ck_assert_msg((call) == HATCH_OK, "%s failed: %s", #call, (err)->text)
 
 static inline int hatch_test_main(Suite *(*suite)(void))
 {
-    setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds: against a hang alone, on the busiest machine */
+    setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds; only against hangs, even on a busy machine */
     SRunner *runner = srunner_create(suite());
     srunner_set_tap(runner, "-");
     srunner_run_all(runner, CK_SILENT);

@@ -79,7 +79,7 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
         HATCH_TRY(hatch_glb_integer(glb, "mesh", glb->group[node->first_mesh]));
         if (node->skin != HATCH_NONE)
             HATCH_TRY(hatch_glb_integer(glb, "skin", glb->skin[node->skin]));
-        uint32_t targets = hatch_mesh_targets(&glb->scene->meshes[node->first_mesh].mesh);
+        uint32_t targets = hatch_mesh_target_count(&glb->scene->meshes[node->first_mesh].mesh);
         if (node->weights && targets > 0)
             HATCH_TRY(hatch_glb_numbers(glb, "weights", node->weights, targets));
     }
@@ -111,7 +111,7 @@ enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb)
 static enum hatch_status print_targets(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t accessor)
 {
     bool has_normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL) != NULL;
-    uint32_t targets = hatch_mesh_targets(mesh);
+    uint32_t targets = hatch_mesh_target_count(mesh);
     if (targets == 0)
         return HATCH_OK;
     HATCH_TRY(hatch_glb_open_array(glb, "targets"));

@@ -78,7 +78,7 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh
                                           .count = (size_t)mesh->face_count * 3,
                                           .components = 1});
     const struct hatch_mesh_attribute *normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
-    for (uint32_t t = 0; t < hatch_mesh_targets(mesh); t++) {
+    for (uint32_t t = 0; t < hatch_mesh_target_count(mesh); t++) {
         HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
         if (normals)
             HATCH_TRY(add_target(glb, mesh, normals, t, false));
@@ -188,7 +188,8 @@ static size_t count_views(const struct hatch_scene *scene)
 {
     size_t count = (size_t)scene->skin_count + scene->texture_count;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        count += scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_targets(&scene->meshes[m].mesh);
+        count +=
+            scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh);
     for (uint32_t a = 0; a < scene->animation_count; a++)
         count += 2 * (size_t)scene->animations[a].channel_count;
     return count;

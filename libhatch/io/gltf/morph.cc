@@ -135,7 +135,7 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
 
 enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
 {
-    uint32_t targets = node->mesh_count ? hatch_mesh_targets(&r.scene->meshes[node->first_mesh].mesh) : 0;
+    uint32_t targets = node->mesh_count ? hatch_mesh_target_count(&r.scene->meshes[node->first_mesh].mesh) : 0;
     if (targets == 0)
         return HATCH_OK;
     const std::vector<double> &own = node_weights(r, index);

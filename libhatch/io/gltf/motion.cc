@@ -96,7 +96,7 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
         return HATCH_OK; /* paths of extensions */
     uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
     if (channel->path == HATCH_PATH_WEIGHTS && node != HATCH_NONE && r.scene->nodes[node].mesh_count > 0)
-        channel->targets = hatch_mesh_targets(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);
+        channel->targets = hatch_mesh_target_count(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);
     if (channel->path == HATCH_PATH_WEIGHTS && channel->targets == 0)
         return HATCH_OK;
     HATCH_TRY(read_times(r, sampler.input, where, channel));

@@ -74,7 +74,7 @@ START_TEST(sizes_that_overflow_are_refused)
 }
 END_TEST
 
-START_TEST(rewind_frees_what_came_after_the_mark)
+START_TEST(rewind_frees_later_allocations)
 {
     struct hatch_arena arena;
     struct hatch_err err;
@@ -98,7 +98,7 @@ START_TEST(rewind_frees_what_came_after_the_mark)
 }
 END_TEST
 
-START_TEST(memory_given_again_is_zeroed_again)
+START_TEST(reused_memory_is_zeroed)
 {
     struct hatch_arena arena;
     struct hatch_err err;
@@ -143,8 +143,8 @@ static Suite *suite(void)
     tcase_add_test(tests, objects_do_not_overlap);
     tcase_add_test(tests, the_limit_holds);
     tcase_add_test(tests, sizes_that_overflow_are_refused);
-    tcase_add_test(tests, rewind_frees_what_came_after_the_mark);
-    tcase_add_test(tests, memory_given_again_is_zeroed_again);
+    tcase_add_test(tests, rewind_frees_later_allocations);
+    tcase_add_test(tests, reused_memory_is_zeroed);
     tcase_add_test(tests, the_nth_allocation_and_all_later_ones_fail);
     suite_add_tcase(suite, tests);
     return suite;

@@ -15,7 +15,7 @@ static struct hatch_reader reader_of_digits(bool big_endian)
     return reader;
 }
 
-START_TEST(numbers_are_read_in_both_orders)
+START_TEST(numbers_are_read_in_both_byte_orders)
 {
     struct hatch_reader little = reader_of_digits(false), big = reader_of_digits(true);
     ck_assert_uint_eq(hatch_read_u8(&little), 1);
@@ -29,7 +29,7 @@ START_TEST(numbers_are_read_in_both_orders)
 }
 END_TEST
 
-START_TEST(floats_are_read_bit_by_bit)
+START_TEST(floats_keep_their_bits)
 {
     static const uint8_t bytes[] = {0, 0, 0xc0, 0x3f, 0x40, 9, 0x21, 0xfb, 0x54, 0x44, 0x2d, 0x18};
     struct hatch_reader reader = hatch_reader_of((struct hatch_bytes){bytes, sizeof bytes});
@@ -39,7 +39,7 @@ START_TEST(floats_are_read_bit_by_bit)
 }
 END_TEST
 
-START_TEST(a_read_beyond_the_end_is_zero_and_says_so)
+START_TEST(a_read_beyond_the_end_returns_zero_and_sets_cut)
 {
     struct hatch_reader reader = reader_of_digits(false);
     reader.at = 6;
@@ -91,7 +91,7 @@ START_TEST(text_zeros_and_padding_are_appended)
 }
 END_TEST
 
-START_TEST(a_full_arena_leaves_the_buffer_as_it_was)
+START_TEST(a_failed_append_leaves_the_buffer_unchanged)
 {
     struct hatch_arena arena;
     struct hatch_err err;
@@ -117,7 +117,7 @@ static enum hatch_status add_numbers(void *context, struct hatch_arena *keep, st
     return HATCH_OK;
 }
 
-START_TEST(a_buffer_survives_every_failed_allocation)
+START_TEST(failed_allocations_are_reported)
 {
     size_t size = 7;
     /* 48890 bytes: 4096 doubled four times */
@@ -130,13 +130,13 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("base bytes");
     TCase *tests = tcase_create("bytes");
-    tcase_add_test(tests, numbers_are_read_in_both_orders);
-    tcase_add_test(tests, floats_are_read_bit_by_bit);
-    tcase_add_test(tests, a_read_beyond_the_end_is_zero_and_says_so);
+    tcase_add_test(tests, numbers_are_read_in_both_byte_orders);
+    tcase_add_test(tests, floats_keep_their_bits);
+    tcase_add_test(tests, a_read_beyond_the_end_returns_zero_and_sets_cut);
     tcase_add_test(tests, a_buffer_grows_and_keeps_its_bytes);
     tcase_add_test(tests, text_zeros_and_padding_are_appended);
-    tcase_add_test(tests, a_full_arena_leaves_the_buffer_as_it_was);
-    tcase_add_test(tests, a_buffer_survives_every_failed_allocation);
+    tcase_add_test(tests, a_failed_append_leaves_the_buffer_unchanged);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -34,7 +34,7 @@ static struct hatch_pool *make_pool(struct hatch_arena *arena, uint32_t threads)
     return pool;
 }
 
-START_TEST(every_index_once_and_the_same_result_for_any_threads)
+START_TEST(each_index_runs_once_on_any_number_of_threads)
 {
     static struct work alone, together;
     memset(&alone, 0, sizeof alone);
@@ -69,7 +69,7 @@ static void fill_one(void *context, uint32_t index)
 }
 
 /* More tasks than the queue holds. */
-START_TEST(submitted_tasks_are_all_done_when_wait_returns)
+START_TEST(wait_returns_when_submitted_tasks_are_done)
 {
     static struct work alone, together;
     static struct one ones[COUNT];
@@ -91,7 +91,7 @@ START_TEST(submitted_tasks_are_all_done_when_wait_returns)
 }
 END_TEST
 
-START_TEST(no_pool_is_one_thread)
+START_TEST(a_null_pool_is_one_thread)
 {
     static struct work work;
     struct one one = {&work, 3};
@@ -113,7 +113,7 @@ static enum hatch_status make_and_free(void *context, struct hatch_arena *keep, 
     return HATCH_OK;
 }
 
-START_TEST(a_pool_survives_every_failed_allocation)
+START_TEST(failed_allocations_are_reported)
 {
     struct hatch_pool *pool = NULL;
     hatch_test_fail_alloc(make_and_free, &pool, &pool, sizeof pool);
@@ -124,10 +124,10 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("base parallel");
     TCase *tests = tcase_create("parallel");
-    tcase_add_test(tests, every_index_once_and_the_same_result_for_any_threads);
-    tcase_add_test(tests, submitted_tasks_are_all_done_when_wait_returns);
-    tcase_add_test(tests, no_pool_is_one_thread);
-    tcase_add_test(tests, a_pool_survives_every_failed_allocation);
+    tcase_add_test(tests, each_index_runs_once_on_any_number_of_threads);
+    tcase_add_test(tests, wait_returns_when_submitted_tasks_are_done);
+    tcase_add_test(tests, a_null_pool_is_one_thread);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

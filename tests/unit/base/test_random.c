@@ -4,9 +4,8 @@
 
 #include "base/random.h"
 
-/* The published sequence of SplitMix64 from seed 0 is the finaliser of the multiples of its gamma.
- */
-START_TEST(mix_makes_the_published_sequence)
+/* The published sequence of SplitMix64 from seed 0 is the finaliser applied to the multiples of its gamma. */
+START_TEST(mix_gives_the_published_sequence)
 {
     static const uint64_t want[] = {0xe220a8397b1dcdafu, 0x6e789e6aa1b965f4u, 0x06c45d188009454fu};
     for (uint64_t i = 0; i < 3; i++)
@@ -14,8 +13,8 @@ START_TEST(mix_makes_the_published_sequence)
 }
 END_TEST
 
-/* What every output of a seed rests on: these may never change. */
-START_TEST(numbers_stay_what_they_are)
+/* All outputs depend on these values: they must never change. */
+START_TEST(numbers_never_change)
 {
     ck_assert_uint_eq(hatch_random_u64(1, 0, 0), 0x32031582160b9745u);
     ck_assert_uint_eq(hatch_random_u64(1, 2, 3), 0xf57ac7261f7b0aabu);
@@ -25,8 +24,7 @@ END_TEST
 
 enum { CELLS = 256, DRAWS = CELLS * 400 };
 
-/* Chi-square over 256 cells has mean 255 and standard deviation 22.6; eight of them away is a
- * fault. */
+/* Chi-square over 256 cells has mean 255 and standard deviation 22.6; eight deviations are allowed. */
 static void check_uniform(const unsigned *counts)
 {
     double chi_square = 0;
@@ -52,7 +50,7 @@ START_TEST(units_are_uniform_along_index_stream_and_seed)
 }
 END_TEST
 
-/* Neighbours in any of the three arguments: (first's high nibble, second's high nibble). */
+/* Pairs of the highest four bits for neighbouring values of each argument. */
 START_TEST(neighbours_are_independent)
 {
     for (int along = 0; along < 3; along++) {
@@ -72,8 +70,8 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("base random");
     TCase *tests = tcase_create("random");
-    tcase_add_test(tests, mix_makes_the_published_sequence);
-    tcase_add_test(tests, numbers_stay_what_they_are);
+    tcase_add_test(tests, mix_gives_the_published_sequence);
+    tcase_add_test(tests, numbers_never_change);
     tcase_add_test(tests, units_are_uniform_along_index_stream_and_seed);
     tcase_add_test(tests, neighbours_are_independent);
     suite_add_tcase(suite, tests);

@@ -4,17 +4,17 @@
 
 #include "base/status.h"
 
-START_TEST(a_sentence_is_formatted_and_the_status_returned)
+START_TEST(messages_are_formatted_and_the_status_is_returned)
 {
     struct hatch_err err;
     ck_assert_int_eq(hatch_fail(&err, HATCH_BAD_INPUT, "row %d: %d fields, want %d", 12, 3, 4), HATCH_BAD_INPUT);
     ck_assert_int_eq(err.status, HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "row 12: 3 fields, want 4");
-    ck_assert_int_eq(hatch_fail(NULL, HATCH_IO, "nobody asks"), HATCH_IO);
+    ck_assert_int_eq(hatch_fail(NULL, HATCH_IO, "no message"), HATCH_IO);
 }
 END_TEST
 
-START_TEST(text_of_a_hostile_file_is_made_harmless)
+START_TEST(control_characters_are_replaced)
 {
     struct hatch_err err;
     hatch_fail(&err, HATCH_BAD_INPUT, "key '%s'", "\033[2J\n\x7f\xc3\xa4");
@@ -25,7 +25,7 @@ START_TEST(text_of_a_hostile_file_is_made_harmless)
 }
 END_TEST
 
-START_TEST(long_sentences_are_cut)
+START_TEST(long_messages_are_cut)
 {
     char text[2 * HATCH_ERR_TEXT_MAX];
     struct hatch_err err;
@@ -41,7 +41,7 @@ START_TEST(long_sentences_are_cut)
 }
 END_TEST
 
-static enum hatch_status pass_on(enum hatch_status status, int *reached)
+static enum hatch_status try(enum hatch_status status, int *reached)
 {
     HATCH_TRY(status);
     *reached = 1;
@@ -51,9 +51,9 @@ static enum hatch_status pass_on(enum hatch_status status, int *reached)
 START_TEST(try_returns_at_once)
 {
     int reached = 0;
-    ck_assert_int_eq(pass_on(HATCH_DIFFERS, &reached), HATCH_DIFFERS);
+    ck_assert_int_eq(try(HATCH_DIFFERS, &reached), HATCH_DIFFERS);
     ck_assert_int_eq(reached, 0);
-    ck_assert_int_eq(pass_on(HATCH_OK, &reached), HATCH_OK);
+    ck_assert_int_eq(try(HATCH_OK, &reached), HATCH_OK);
     ck_assert_int_eq(reached, 1);
 }
 END_TEST
@@ -62,9 +62,9 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("base status");
     TCase *tests = tcase_create("status");
-    tcase_add_test(tests, a_sentence_is_formatted_and_the_status_returned);
-    tcase_add_test(tests, text_of_a_hostile_file_is_made_harmless);
-    tcase_add_test(tests, long_sentences_are_cut);
+    tcase_add_test(tests, messages_are_formatted_and_the_status_is_returned);
+    tcase_add_test(tests, control_characters_are_replaced);
+    tcase_add_test(tests, long_messages_are_cut);
     tcase_add_test(tests, try_returns_at_once);
     suite_add_tcase(suite, tests);
     return suite;

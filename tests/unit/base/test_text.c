@@ -29,7 +29,7 @@ START_TEST(lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none)
 }
 END_TEST
 
-START_TEST(a_byte_order_mark_is_no_text)
+START_TEST(byte_order_marks_are_skipped)
 {
     static const char *const files[] = {"", "\xef\xbb\xbf", "\xef\xbb", "\xef\xbb\xbf\x61\x62", "ab\xef\xbb\xbf"};
     static const char *const want[] = {"", "", "\xef\xbb", "ab", "ab\xef\xbb\xbf"};
@@ -40,7 +40,7 @@ START_TEST(a_byte_order_mark_is_no_text)
 }
 END_TEST
 
-START_TEST(words_stand_between_spaces_and_tabs)
+START_TEST(words_are_separated_by_spaces_and_tabs)
 {
     struct hatch_text rest = text_of(" \t one\ttwo  three "), word;
     ck_assert(hatch_text_word(&rest, &word) && hatch_text_is(word, "one"));
@@ -66,7 +66,7 @@ START_TEST(fields_may_be_empty)
 }
 END_TEST
 
-START_TEST(a_text_is_a_word_only_whole)
+START_TEST(is_compares_whole_texts)
 {
     ck_assert(hatch_text_is(text_of("ink"), "ink"));
     ck_assert(!hatch_text_is(text_of("ink"), "in"));
@@ -75,7 +75,7 @@ START_TEST(a_text_is_a_word_only_whole)
 }
 END_TEST
 
-START_TEST(a_slip_leaves_a_word_near)
+START_TEST(one_typing_error_is_near)
 {
     static const char *const near[] = {"width",  "widht",  "iwdth",  "wdth",  "idth", "widt",
                                        "wwidth", "widths", "wiXdth", "Width", "widtX"};
@@ -89,7 +89,7 @@ START_TEST(a_slip_leaves_a_word_near)
 }
 END_TEST
 
-START_TEST(decimal_numbers_are_numbers)
+START_TEST(decimal_numbers_are_parsed)
 {
     static const struct {
         const char *text;
@@ -109,7 +109,7 @@ START_TEST(decimal_numbers_are_numbers)
 }
 END_TEST
 
-START_TEST(everything_else_is_none)
+START_TEST(other_texts_are_no_numbers)
 {
     static const char *const bad[] = {"",      " 1",  "1 ",    "12x", "1,5", "0x10",     "inf", "-inf",
                                       "nan",   "NaN", "1e400", "--1", "1e",  "e5",       ".",   "-",
@@ -122,7 +122,7 @@ START_TEST(everything_else_is_none)
 }
 END_TEST
 
-START_TEST(numbers_are_those_of_strtod)
+START_TEST(numbers_equal_those_of_strtod)
 {
     static const char *const formats[] = {"%.9g", "%.17g", "%.6f", "%e", "%.0f", "%+.3E"};
     for (uint64_t i = 0; i < 60000; i++) {
@@ -152,14 +152,14 @@ static Suite *suite(void)
     Suite *suite = suite_create("base text");
     TCase *tests = tcase_create("text");
     tcase_add_test(tests, lines_end_with_lf_or_cr_lf_and_the_last_one_needs_none);
-    tcase_add_test(tests, a_byte_order_mark_is_no_text);
-    tcase_add_test(tests, words_stand_between_spaces_and_tabs);
+    tcase_add_test(tests, byte_order_marks_are_skipped);
+    tcase_add_test(tests, words_are_separated_by_spaces_and_tabs);
     tcase_add_test(tests, fields_may_be_empty);
-    tcase_add_test(tests, a_text_is_a_word_only_whole);
-    tcase_add_test(tests, a_slip_leaves_a_word_near);
-    tcase_add_test(tests, decimal_numbers_are_numbers);
-    tcase_add_test(tests, numbers_are_those_of_strtod);
-    tcase_add_test(tests, everything_else_is_none);
+    tcase_add_test(tests, is_compares_whole_texts);
+    tcase_add_test(tests, one_typing_error_is_near);
+    tcase_add_test(tests, decimal_numbers_are_parsed);
+    tcase_add_test(tests, numbers_equal_those_of_strtod);
+    tcase_add_test(tests, other_texts_are_no_numbers);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -28,8 +28,8 @@ START_TEST(equal_images_do_not_differ)
 }
 END_TEST
 
-/* One number of 2 x 2 x 3 is lower by 0.5, another higher by 0.25, in two pixels of four. */
-START_TEST(figures_are_what_the_formulas_say)
+/* One value of 2 by 2 by 3 is lower by 0.5, another higher by 0.25, in two of four pixels. */
+START_TEST(statistics_match_their_formulas)
 {
     struct hatch_image a = flat(2, 2, "RGB", 0.5f), b = flat(2, 2, "RGB", 0.5f);
     struct hatch_difference d;
@@ -45,8 +45,8 @@ START_TEST(figures_are_what_the_formulas_say)
 }
 END_TEST
 
-/* A checkerboard is far from grey pixel by pixel, and the same to an eye that averages. */
-START_TEST(low_passed_a_checkerboard_is_grey)
+/* A checkerboard differs from grey in every pixel, but hardly in its low frequencies. */
+START_TEST(a_checkerboard_is_grey_at_low_frequencies)
 {
     struct hatch_image board = flat(32, 32, "Y", 0), grey = flat(32, 32, "Y", 0.5f);
     struct hatch_difference d;
@@ -64,7 +64,7 @@ START_TEST(low_passed_a_checkerboard_is_grey)
 }
 END_TEST
 
-START_TEST(the_worst_window_counts_wherever_it_is)
+START_TEST(the_worst_window_is_found_anywhere)
 {
     for (uint32_t at = 0; at < 20 * 12; at += 7) {
         struct hatch_image a = flat(20, 12, "YA", 0), b = flat(20, 12, "YA", 0);
@@ -76,7 +76,7 @@ START_TEST(the_worst_window_counts_wherever_it_is)
 }
 END_TEST
 
-START_TEST(even_change_is_no_pop)
+START_TEST(even_change_has_no_second_difference)
 {
     struct hatch_image before = flat(4, 4, "Y", 0.25f), now = flat(4, 4, "Y", 0.5f);
     struct hatch_image after = flat(4, 4, "Y", 0.75f), change = flat(4, 4, "Y", 9);
@@ -98,7 +98,7 @@ static enum hatch_status low(void *context, struct hatch_arena *arena, struct ha
     return hatch_image_low_difference(&image, NULL, 3, temporary, difference, error);
 }
 
-START_TEST(each_allocation_may_fail)
+START_TEST(failed_allocations_are_reported)
 {
     double difference = -1;
     hatch_test_fail_alloc(low, &difference, &difference, sizeof difference);
@@ -111,11 +111,11 @@ static Suite *suite(void)
     TCase *tests = tcase_create("difference");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, equal_images_do_not_differ);
-    tcase_add_test(tests, figures_are_what_the_formulas_say);
-    tcase_add_test(tests, low_passed_a_checkerboard_is_grey);
-    tcase_add_test(tests, the_worst_window_counts_wherever_it_is);
-    tcase_add_test(tests, even_change_is_no_pop);
-    tcase_add_test(tests, each_allocation_may_fail);
+    tcase_add_test(tests, statistics_match_their_formulas);
+    tcase_add_test(tests, a_checkerboard_is_grey_at_low_frequencies);
+    tcase_add_test(tests, the_worst_window_is_found_anywhere);
+    tcase_add_test(tests, even_change_has_no_second_difference);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -25,7 +25,7 @@ static double mean_of(const struct hatch_image *image, uint32_t channel)
     return sum / ((double)image->width * image->height);
 }
 
-/* A 2×2 average of an odd size forgets the last row, or reads beyond it. */
+/* At odd sizes an average of 2×2 pixels would ignore the last row, or read beyond it. */
 START_TEST(halving_keeps_the_mean_of_every_size)
 {
     for (uint32_t width = 1; width <= 23; width++)
@@ -68,7 +68,7 @@ START_TEST(a_constant_stays_constant)
 }
 END_TEST
 
-START_TEST(a_chain_goes_down_to_one_pixel_and_keeps_what_was_given)
+START_TEST(a_completed_chain_ends_at_one_pixel_and_keeps_given_levels)
 {
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
     levels[0] = noise(40, 12, "Y");
@@ -100,7 +100,7 @@ static double naive_box(const struct hatch_image *image, uint32_t channel, uint3
     return sum / ((double)side * side);
 }
 
-START_TEST(the_box_blur_is_the_naive_loop)
+START_TEST(the_box_blur_equals_the_naive_loop)
 {
     static const uint32_t sizes[][3] = {{16, 16, 1}, {16, 16, 5}, {16, 16, 16}, {13, 7, 3}, {7, 13, 7}, {1, 1, 1}};
     for (int s = 0; s < 6; s++) {
@@ -117,23 +117,23 @@ START_TEST(the_box_blur_is_the_naive_loop)
 END_TEST
 
 static enum hatch_status complete(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                                  struct hatch_err *said)
+                                  struct hatch_err *error)
 {
     (void)temporary;
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {*(struct hatch_image *)context};
     struct hatch_mipmap mipmap = {.levels = levels};
-    return hatch_mipmap_complete(&mipmap, 1, to, said);
+    return hatch_mipmap_complete(&mipmap, 1, to, error);
 }
 
 static enum hatch_status blur(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     (void)to;
     double blurred[8 * 8];
-    return hatch_blur_box(context, 0, 3, temporary, blurred, said);
+    return hatch_blur_box(context, 0, 3, temporary, blurred, error);
 }
 
-START_TEST(every_failed_allocation_is_a_status)
+START_TEST(failed_allocations_are_reported)
 {
     struct hatch_image image = noise(8, 8, "Y");
     ck_assert_uint_eq(hatch_test_fail_alloc(complete, &image, NULL, 0), 3);
@@ -149,9 +149,9 @@ static Suite *suite(void)
     tcase_add_test(tests, halving_keeps_the_mean_of_every_size);
     tcase_add_test(tests, even_sizes_are_the_mean_of_four);
     tcase_add_test(tests, a_constant_stays_constant);
-    tcase_add_test(tests, a_chain_goes_down_to_one_pixel_and_keeps_what_was_given);
-    tcase_add_test(tests, the_box_blur_is_the_naive_loop);
-    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, a_completed_chain_ends_at_one_pixel_and_keeps_given_levels);
+    tcase_add_test(tests, the_box_blur_equals_the_naive_loop);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -4,11 +4,11 @@
 
 #define MARGIN 0.004
 
-static struct lapped_case torus_of(uint32_t faces)
+static struct lapped_case make_torus(uint32_t faces)
 {
-    struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, faces, 1);
-    lay_field(&of, 0, 0, 1);
-    return cover_all(of, &LAPPED_PLAIN);
+    struct field_case field = case_of_shape(HATCH_SHAPE_TORUS, faces, 1);
+    set_direction(&field, 0, 0, 1);
+    return make_lapped(field, &LAPPED_DEFAULTS);
 }
 
 static double area_of(const float *at)
@@ -18,7 +18,7 @@ static double area_of(const float *at)
     return -(ax * by - ay * bx) / 2;
 }
 
-/* Whether a place lies in a face's triangle of the layout, clear of its border. */
+/* Whether a point lies inside a face's triangle of the layout, away from its border. */
 static bool inside(const float *at, double x, double y)
 {
     for (int c = 0; c < 3; c++) {
@@ -30,13 +30,14 @@ static bool inside(const float *at, double x, double y)
     return true;
 }
 
-START_TEST(no_two_faces_share_a_place)
+START_TEST(faces_do_not_overlap)
 {
-    struct lapped_case torus = torus_of(3000);
-    const struct hatch_surface *surface = &torus.of.surface;
+    struct lapped_case torus = make_torus(3000);
+    const struct hatch_surface *surface = &torus.field.surface;
+    const struct hatch_lapped_input input = lapped_input(&torus.field, &torus.outline);
     double scale, whole = 0;
     float *at = HATCH_NEW(&keep, float, 6 * (size_t)surface->face_count, &err);
-    HATCH_TEST_OK(hatch_lapped_atlas(surface, &torus.lapped, &torus.outline, MARGIN, &scratch, at, &scale, &err), &err);
+    HATCH_TEST_OK(hatch_lapped_atlas(&input, &torus.lapped, MARGIN, &scratch, at, &scale, &err), &err);
     for (uint32_t f = 0; f < surface->face_count; f++) {
         double p[3][3], normal[3];
         for (uint32_t c = 0; c < 3; c++) {
@@ -60,32 +61,32 @@ START_TEST(no_two_faces_share_a_place)
 }
 END_TEST
 
-START_TEST(neighbours_in_a_chart_join)
+START_TEST(neighbours_in_a_chart_share_edges)
 {
-    struct lapped_case torus = torus_of(3000);
-    const struct hatch_surface *surface = &torus.of.surface;
+    struct lapped_case torus = make_torus(3000);
+    const struct hatch_surface *surface = &torus.field.surface;
     struct hatch_charts charts;
     HATCH_TEST_OK(hatch_charts_make(surface, &torus.lapped, &torus.outline, &keep, &charts, &err), &err);
     uint32_t joined = 0;
     for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
         uint32_t other = surface->opposite[side];
-        if (charts.of[side / 3] != charts.of[other / 3])
+        if (charts.chart_of[side / 3] != charts.chart_of[other / 3])
             continue;
         uint32_t end = other % 3 == 2 ? other - 2 : other + 1;
-        joined += charts.places[2 * side] == charts.places[2 * end] &&
-                  charts.places[2 * side + 1] == charts.places[2 * end + 1];
+        joined += charts.positions[2 * side] == charts.positions[2 * end] &&
+                  charts.positions[2 * side + 1] == charts.positions[2 * end + 1];
     }
     ck_assert_msg(joined > 2 * surface->face_count, "only %u sides of %u join", joined, 3 * surface->face_count);
     ck_assert_uint_lt(charts.count, 4 * torus.lapped.patch_count);
 }
 END_TEST
 
-START_TEST(boxes_lie_apart)
+START_TEST(boxes_do_not_overlap)
 {
     double sizes[200], corners[200], side;
     for (uint32_t i = 0; i < 200; i++)
         sizes[i] = 0.1 + (double)hatch_random_unit(2, 0, i);
-    HATCH_TEST_OK(hatch_shelves_pack(sizes, 100, 0.01, &scratch, corners, &side, &err), &err);
+    HATCH_TEST_OK(hatch_charts_pack(sizes, 100, 0.01, &scratch, corners, &side, &err), &err);
     double gap = 0.009 * side;
     for (uint32_t i = 0; i < 100; i++) {
         for (uint32_t k = 0; k < 2; k++)
@@ -104,17 +105,18 @@ END_TEST
 static enum hatch_status lay_out(void *context, struct hatch_arena *result, struct hatch_arena *work,
                                  struct hatch_err *error)
 {
-    const struct lapped_case *of = context;
+    const struct lapped_case *made = context;
+    const struct hatch_lapped_input input = lapped_input(&made->field, &made->outline);
     double scale;
-    float *at = HATCH_NEW(result, float, 6 * (size_t)of->of.surface.face_count, error);
+    float *at = HATCH_NEW(result, float, 6 * (size_t)made->field.surface.face_count, error);
     if (!at)
         return HATCH_LIMIT;
-    return hatch_lapped_atlas(&of->of.surface, &of->lapped, &of->outline, MARGIN, work, at, &scale, error);
+    return hatch_lapped_atlas(&input, &made->lapped, MARGIN, work, at, &scale, error);
 }
 
-START_TEST(every_failed_allocation_is_survived)
+START_TEST(failed_allocations_are_reported)
 {
-    struct lapped_case torus = torus_of(200);
+    struct lapped_case torus = make_torus(200);
     hatch_test_fail_alloc(lay_out, &torus, NULL, 0);
 }
 END_TEST
@@ -124,10 +126,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("lapped atlas");
     TCase *tests = tcase_create("atlas");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, no_two_faces_share_a_place);
-    tcase_add_test(tests, neighbours_in_a_chart_join);
-    tcase_add_test(tests, boxes_lie_apart);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, faces_do_not_overlap);
+    tcase_add_test(tests, neighbours_in_a_chart_share_edges);
+    tcase_add_test(tests, boxes_do_not_overlap);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -16,38 +16,38 @@ START_TEST(a_circle_is_a_circle)
     hatch_outline_make(5, 0, 0.1, &outline);
     ck_assert_double_eq_tol(outline.core_min + 0.1, outline.reach_max, 1e-9);
     for (uint64_t i = 0; i < 1000; i++) {
-        double place[2] = {random_in(0, i, 0, 1), random_in(1, i, 0, 1)};
-        double away = hypot(place[0] - 0.5, place[1] - 0.5);
+        double uv[2] = {random_in(0, i, 0, 1), random_in(1, i, 0, 1)};
+        double away = hypot(uv[0] - 0.5, uv[1] - 0.5);
         double want = fmin(1, fmax(0, 1 - (away - outline.core_min) / 0.1));
-        ck_assert_double_eq_tol(hatch_outline_opacity(&outline, place), want, 1e-9);
-        ck_assert_double_eq_tol(hatch_outline_depth(&outline, place), outline.core_min - away, 1e-9);
+        ck_assert_double_eq_tol(hatch_outline_opacity(&outline, uv), want, 1e-9);
+        ck_assert_double_eq_tol(hatch_outline_depth(&outline, uv), outline.core_min - away, 1e-9);
     }
 }
 END_TEST
 
-/* No place nearer than the depth is out of the core, none nearer than the distance has ink. */
-START_TEST(bounds_hold_for_the_roughest)
+/* All points nearer than the depth lie in the core; all nearer than the distance have opacity 0. */
+START_TEST(depth_and_distance_are_bounds)
 {
     for (uint64_t seed = 0; seed < 20; seed++) {
         struct hatch_outline outline;
         hatch_outline_make(seed, 1, 0.05, &outline);
         ck_assert(outline.core_min > 0.2 && outline.reach_max < 0.5 && outline.steep >= 1);
         for (uint64_t i = 0; i < 2000; i++) {
-            double place[2] = {random_in(2, i, 0, 1), random_in(3, i, 0, 1)};
-            double depth = hatch_outline_depth(&outline, place);
-            double gap = hatch_outline_distance(&outline, place);
+            double uv[2] = {random_in(2, i, 0, 1), random_in(3, i, 0, 1)};
+            double depth = hatch_outline_depth(&outline, uv);
+            double gap = hatch_outline_distance(&outline, uv);
             double reach = fmax(depth, gap), angle = random_in(4, i, 0, 6.2831853);
-            double at[2] = {place[0] + reach * 0.999 * cos(angle), place[1] + reach * 0.999 * sin(angle)};
+            double at[2] = {uv[0] + reach * 0.999 * cos(angle), uv[1] + reach * 0.999 * sin(angle)};
             ck_assert(depth <= 0 || hatch_outline_opacity(&outline, at) == 1);
             ck_assert(gap <= 0 || hatch_outline_opacity(&outline, at) == 0);
             ck_assert((depth > 0) + (gap > 0) <= 1);
-            ck_assert(depth > 0 || hatch_outline_opacity(&outline, place) < 1 || depth > -1e-12);
+            ck_assert(depth > 0 || hatch_outline_opacity(&outline, uv) < 1 || depth > -1e-12);
         }
     }
 }
 END_TEST
 
-START_TEST(seeds_and_roughness_make_shapes)
+START_TEST(seeds_make_different_outlines)
 {
     struct hatch_outline a, b, same;
     hatch_outline_make(1, 1, 0.05, &a);
@@ -59,8 +59,8 @@ START_TEST(seeds_and_roughness_make_shapes)
 }
 END_TEST
 
-/* What is drawn is opaque wherever the core is, read bilinearly on any of three levels. */
-START_TEST(the_picture_is_opaque_where_the_core_is)
+/* The raster is opaque wherever the core is, when read bilinearly on any of three levels. */
+START_TEST(the_raster_is_opaque_where_the_core_is)
 {
     struct hatch_outline outline;
     struct hatch_image mask;
@@ -69,17 +69,17 @@ START_TEST(the_picture_is_opaque_where_the_core_is)
     for (uint32_t level = 0; level < 3; level++) {
         uint32_t side = 256u >> level;
         for (uint64_t i = 0; i < 4000; i++) {
-            double place[2] = {random_in(5, i, 0.05, 0.95), random_in(6, i, 0.05, 0.95)};
-            if (hatch_outline_depth(&outline, place) <= 0)
+            double uv[2] = {random_in(5, i, 0.05, 0.95), random_in(6, i, 0.05, 0.95)};
+            if (hatch_outline_depth(&outline, uv) <= 0)
                 continue;
-            int x = (int)floor(place[0] * side - 0.5), y = (int)floor(place[1] * side - 0.5);
+            int x = (int)floor(uv[0] * side - 0.5), y = (int)floor(uv[1] * side - 0.5);
             ck_assert_float_eq(mask.pixels[(size_t)y * side + (size_t)x], 1);
             ck_assert_float_eq(mask.pixels[(size_t)(y + 1) * side + (size_t)x + 1], 1);
         }
         for (uint32_t i = 0; i < side; i++)
             ck_assert(mask.pixels[i] == 0 && mask.pixels[(size_t)i * side] == 0 &&
                       mask.pixels[(size_t)(side - 1) * side + i] == 0);
-        /* The next level: means of four. */
+        /* the next level: means of four */
         for (uint32_t y = 0; y < side / 2; y++)
             for (uint32_t x = 0; x < side / 2; x++) {
                 const float *from = &mask.pixels[(size_t)2 * y * side + 2 * x];
@@ -98,7 +98,7 @@ static enum hatch_status raster(void *context, struct hatch_arena *result, struc
     return hatch_outline_raster(&outline, 16, result, context, error);
 }
 
-START_TEST(every_failed_allocation_is_survived)
+START_TEST(failed_allocations_are_reported)
 {
     struct hatch_image mask = {0};
     hatch_test_fail_alloc(raster, &mask, &mask, sizeof mask);
@@ -111,10 +111,10 @@ static Suite *suite(void)
     TCase *tests = tcase_create("outline");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_circle_is_a_circle);
-    tcase_add_test(tests, bounds_hold_for_the_roughest);
-    tcase_add_test(tests, seeds_and_roughness_make_shapes);
-    tcase_add_test(tests, the_picture_is_opaque_where_the_core_is);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, depth_and_distance_are_bounds);
+    tcase_add_test(tests, seeds_make_different_outlines);
+    tcase_add_test(tests, the_raster_is_opaque_where_the_core_is);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

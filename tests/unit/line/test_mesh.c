@@ -121,8 +121,9 @@ START_TEST(creases_of_noise_are_left_out)
     struct hatch_edges edges;
     HATCH_TEST_OK(hatch_mesh_weld(&rough, &scratch, of_vertex, &point_count, &err), &err);
     hatch_mesh_corner_points(&rough, of_vertex, point);
-    HATCH_TEST_OK(hatch_edges_find(point, rough.face_count, point_count, NULL, &keep, &scratch, &edges, &err), &err);
-    hatch_edges_kinds(&rough, &edges, CREASE_RAD, kinds);
+    const struct hatch_connectivity faces = {point, rough.face_count, point_count, NULL};
+    HATCH_TEST_OK(hatch_edges_find(&faces, &keep, &scratch, &edges, &err), &err);
+    hatch_edges_classify(&rough, &edges, CREASE_RAD, kinds);
     for (uint32_t e = 0; e < edges.count; e++)
         over_angle += kinds[e] == HATCH_EDGE_CREASE;
     ck_assert_uint_gt(over_angle, 20);

@@ -5,7 +5,7 @@
 
 static const double quartiles[] = {0.25, 0.5, 0.75};
 
-START_TEST(values_are_ranked_by_what_they_weigh)
+START_TEST(values_are_ranked_by_weight)
 {
     struct hatch_weighted values[] = {{7, 1}, {1, 2}, {9, 4}, {3, 1}};
     double out[3];
@@ -27,7 +27,7 @@ START_TEST(the_ends_are_the_smallest_and_the_largest)
 }
 END_TEST
 
-START_TEST(nothing_has_no_percentiles)
+START_TEST(percentiles_of_no_values_are_nan)
 {
     double out[3] = {1, 2, 3};
     hatch_percentiles(NULL, 0, quartiles, 3, out);
@@ -40,9 +40,9 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("math percentile");
     TCase *tests = tcase_create("percentile");
-    tcase_add_test(tests, values_are_ranked_by_what_they_weigh);
+    tcase_add_test(tests, values_are_ranked_by_weight);
     tcase_add_test(tests, the_ends_are_the_smallest_and_the_largest);
-    tcase_add_test(tests, nothing_has_no_percentiles);
+    tcase_add_test(tests, percentiles_of_no_values_are_nan);
     suite_add_tcase(made, tests);
     return made;
 }

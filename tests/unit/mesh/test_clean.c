@@ -25,7 +25,7 @@ static struct hatch_mesh_notes clean(struct hatch_mesh *mesh)
     return notes;
 }
 
-/* Two triangles that make a square, a third one on edge of them, and spare vertices. */
+/* Vertices of a square and two others; the last is at the position of the first. */
 static const float square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5, 5, -0.0f, 0, 0};
 
 START_TEST(equal_positions_are_one_point)
@@ -33,18 +33,18 @@ START_TEST(equal_positions_are_one_point)
     const uint32_t faces[] = {0, 1, 2};
     struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
     uint32_t point[6], count;
-    const uint32_t want[] = {0, 1, 2, 3, 4, 0}; /* minus zero is zero */
+    const uint32_t want[] = {0, 1, 2, 3, 4, 0}; /* -0 equals 0 */
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &count, &err), &err);
     ck_assert_uint_eq(count, 5);
     ck_assert_mem_eq(point, want, sizeof want);
 }
 END_TEST
 
-START_TEST(next_to_nothing_is_nothing)
+START_TEST(tiny_coordinates_are_zero)
 {
     const float pole[] = {1.2e-16f, 1, 0, -1e-14f, 1, 1e-16f, 1e-10f, 1, 0, 4, 0, 0, 0, 0, 4, 1e9f, 0, 0};
     const uint32_t faces[] = {0, 3, 4}, want[] = {0, 0, 1, 2, 3, 4};
-    struct hatch_mesh mesh = mesh_of(pole, 6, faces, 1); /* the farthest vertex is no face's */
+    struct hatch_mesh mesh = mesh_of(pole, 6, faces, 1); /* no face uses the farthest vertex */
     uint32_t point[6], count;
     HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &count, &err), &err);
     ck_assert_uint_eq(count, 5);
@@ -52,7 +52,7 @@ START_TEST(next_to_nothing_is_nothing)
 }
 END_TEST
 
-START_TEST(what_is_no_surface_is_dropped_and_counted)
+START_TEST(useless_faces_and_vertices_are_dropped)
 {
     const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 2, 0, 1, 1, 0, 2, 2, 1, 0, 0, 0, 1, 0, 5, 1, 1, 1, 1};
     struct hatch_mesh mesh = mesh_of(square, 6, faces, 8);
@@ -84,7 +84,7 @@ START_TEST(a_mesh_without_area_is_bad_input)
 }
 END_TEST
 
-START_TEST(sizes_near_the_ends_of_float_are_sizes)
+START_TEST(extreme_scales_have_area_and_normals)
 {
     for (float scale = 1e-30f; scale < 1e31f; scale *= 1e30f) {
         float scaled[18];
@@ -100,12 +100,12 @@ START_TEST(sizes_near_the_ends_of_float_are_sizes)
 }
 END_TEST
 
-START_TEST(faces_are_turned_to_agree_and_outwards)
+START_TEST(closed_meshes_are_oriented_outwards)
 {
     for (uint32_t every = 2; every < 6; every++) {
         struct hatch_mesh mesh = sphere(800), good = sphere(800);
         uint32_t turned = 0;
-        /* every = 2: all but the second ones, so that most look inwards. */
+        /* every = 2: the odd faces, half of all; else one face in `every`. */
         for (uint32_t f = 0; f < mesh.face_count; f++)
             if ((f % every == 0) != (every == 2)) {
                 turn(&mesh, f);
@@ -120,7 +120,7 @@ START_TEST(faces_are_turned_to_agree_and_outwards)
 }
 END_TEST
 
-START_TEST(an_open_part_keeps_the_side_of_most_faces)
+START_TEST(open_components_keep_the_side_of_most_faces)
 {
     const float strip[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 1, 2, 1, 3, 2, 2, 4, 3};
@@ -135,7 +135,7 @@ START_TEST(an_open_part_keeps_the_side_of_most_faces)
 }
 END_TEST
 
-START_TEST(one_sided_surfaces_are_told)
+START_TEST(non_orientable_surfaces_are_reported)
 {
     struct hatch_mesh plain = band(40, 1, false), twisted = band(40, 1, true);
     ck_assert_uint_eq(clean(&plain).contrary_edges, 0);
@@ -148,7 +148,7 @@ START_TEST(one_sided_surfaces_are_told)
 }
 END_TEST
 
-START_TEST(pinched_points_and_books_are_told)
+START_TEST(non_manifold_points_and_edges_are_reported)
 {
     /* Two tetrahedra that share vertex 3; three triangles that share the edge 0 1. */
     const float tips[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 1, 0, 2, 0, 1, 2};
@@ -201,12 +201,12 @@ START_TEST(normals_of_a_sphere_point_outwards_welded_or_not)
 }
 END_TEST
 
-START_TEST(creases_double_vertices_and_smooth_ones_do_not)
+START_TEST(creases_split_vertices)
 {
     struct hatch_mesh smooth = cube(0, 1), creased = cube(0, 1);
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &smooth, 0, &err), &err);
     ck_assert_uint_eq(smooth.vertex_count, 8);
-    /* Weighted by angle a cube's corner points along its diagonal, however the squares are cut. */
+    /* Weighted by angle, the normal at a cube's corner points along the diagonal, however the squares are split. */
     const float *normal = hatch_mesh_find(&smooth, "NORMAL", 3);
     for (int i = 0; i < 24; i++)
         ck_assert_float_eq_tol(fabsf(normal[i]), 0.57735027f, 1e-6f);
@@ -265,39 +265,39 @@ START_TEST(bounds_are_of_used_vertices)
 }
 END_TEST
 
-/* Each works on a copy of the mesh: a success must not leave one in arenas that are gone. */
+/* These work on a copy of the mesh: a successful call must not leave pointers into freed arenas. */
 static enum hatch_status clean_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                   struct hatch_err *said)
+                                   struct hatch_err *error)
 {
     struct hatch_mesh_notes notes = {0};
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_clean(kept, temporary, &mesh, &notes, said);
+    return hatch_mesh_clean(kept, temporary, &mesh, &notes, error);
 }
 
 static enum hatch_status add_normals(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                     struct hatch_err *said)
+                                     struct hatch_err *error)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_add_normals(kept, temporary, &mesh, 0.4f, said);
+    return hatch_mesh_add_normals(kept, temporary, &mesh, 0.4f, error);
 }
 
 static enum hatch_status add_tangents(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                      struct hatch_err *said)
+                                      struct hatch_err *error)
 {
     struct hatch_mesh mesh = *(const struct hatch_mesh *)context;
-    return hatch_mesh_add_tangents(kept, temporary, &mesh, said);
+    return hatch_mesh_add_tangents(kept, temporary, &mesh, error);
 }
 
 static enum hatch_status measure_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                     struct hatch_err *said)
+                                     struct hatch_err *error)
 {
     struct hatch_mesh_figures figures;
-    if (!HATCH_NEW(kept, uint8_t, 1, said)) /* the measure itself keeps nothing */
+    if (!HATCH_NEW(kept, uint8_t, 1, error)) /* hatch_measure_mesh itself allocates in scratch only */
         return HATCH_LIMIT;
-    return hatch_measure_mesh(context, temporary, &figures, said);
+    return hatch_measure_mesh(context, temporary, &figures, error);
 }
 
-START_TEST(every_failed_allocation_is_a_limit)
+START_TEST(failed_allocations_are_reported)
 {
     const hatch_test_call calls[] = {clean_one, add_normals, add_tangents, measure_one};
     for (int i = 0; i < 4; i++) {
@@ -317,20 +317,20 @@ static Suite *suite(void)
     TCase *tests = tcase_create("clean");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, equal_positions_are_one_point);
-    tcase_add_test(tests, next_to_nothing_is_nothing);
-    tcase_add_test(tests, what_is_no_surface_is_dropped_and_counted);
+    tcase_add_test(tests, tiny_coordinates_are_zero);
+    tcase_add_test(tests, useless_faces_and_vertices_are_dropped);
     tcase_add_test(tests, a_mesh_without_area_is_bad_input);
-    tcase_add_test(tests, sizes_near_the_ends_of_float_are_sizes);
-    tcase_add_test(tests, faces_are_turned_to_agree_and_outwards);
-    tcase_add_test(tests, an_open_part_keeps_the_side_of_most_faces);
-    tcase_add_test(tests, one_sided_surfaces_are_told);
-    tcase_add_test(tests, pinched_points_and_books_are_told);
+    tcase_add_test(tests, extreme_scales_have_area_and_normals);
+    tcase_add_test(tests, closed_meshes_are_oriented_outwards);
+    tcase_add_test(tests, open_components_keep_the_side_of_most_faces);
+    tcase_add_test(tests, non_orientable_surfaces_are_reported);
+    tcase_add_test(tests, non_manifold_points_and_edges_are_reported);
     tcase_add_test(tests, figures_do_not_depend_on_order_or_welding);
     tcase_add_test(tests, normals_of_a_sphere_point_outwards_welded_or_not);
-    tcase_add_test(tests, creases_double_vertices_and_smooth_ones_do_not);
+    tcase_add_test(tests, creases_split_vertices);
     tcase_add_test(tests, tangents_follow_mirrored_and_missing_textures);
     tcase_add_test(tests, bounds_are_of_used_vertices);
-    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -21,7 +21,7 @@ static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
     return figures;
 }
 
-/* ∫∫ √(1 + x² + y²) over [-1, 1]², by the midpoint rule. */
+/* ∫∫ √(1 + x² + y²) over [-1, 1]², by the midpoint rule */
 static double saddle_area(void)
 {
     const int n = 1000;
@@ -34,7 +34,7 @@ static double saddle_area(void)
     return sum * 4 / n / n;
 }
 
-/* ∫ √(1 + cos²(4x)/4) over [-1, 1], twice. */
+/* 2 ∫ √(1 + cos²(4x)/4) over [-1, 1], by the midpoint rule */
 static double wave_area(void)
 {
     const int n = 1000;
@@ -46,7 +46,7 @@ static double wave_area(void)
     return sum * 4 / n;
 }
 
-START_TEST(areas_are_those_of_the_formulas)
+START_TEST(areas_match_closed_forms)
 {
     const struct {
         enum hatch_shape shape;
@@ -65,7 +65,7 @@ START_TEST(areas_are_those_of_the_formulas)
 }
 END_TEST
 
-START_TEST(topology_is_that_of_the_surface)
+START_TEST(topology_is_correct)
 {
     const struct {
         enum hatch_shape shape;
@@ -91,7 +91,7 @@ START_TEST(topology_is_that_of_the_surface)
 }
 END_TEST
 
-START_TEST(smallest_shapes_are_surfaces)
+START_TEST(smallest_shapes_are_manifold)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
         for (uint32_t faces = 2; faces < 40; faces++) {
@@ -110,7 +110,7 @@ static void corner(const struct hatch_mesh *mesh, uint32_t vertex, double p[3], 
     hatch_vec_of(&hatch_mesh_find(mesh, "NORMAL", 3)[(size_t)vertex * 3], n);
 }
 
-START_TEST(normals_are_those_of_the_formulas)
+START_TEST(normals_match_closed_forms)
 {
     for (int shape = HATCH_SHAPE_SPHERE; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 3000, 0.7f, 0, 5);
@@ -119,7 +119,7 @@ START_TEST(normals_are_those_of_the_formulas)
             corner(&mesh, v, p, n);
             ck_assert_double_eq_tol(hatch_vec_length(n), 1, 1e-6);
             if (shape == HATCH_SHAPE_CONE && p[1] > 0.999)
-                continue; /* the apex has none */
+                continue; /* the apex has no normal */
             hatch_shape_curvature((enum hatch_shape)shape, p, want, direction, k);
             ck_assert_msg(hatch_vec_distance(n, want) < 1e-5, "%s: vertex %u: normal off by %g",
                           hatch_shape_name((enum hatch_shape)shape), v, hatch_vec_distance(n, want));
@@ -128,10 +128,10 @@ START_TEST(normals_are_those_of_the_formulas)
 }
 END_TEST
 
-START_TEST(faces_look_outwards_at_any_jitter)
+START_TEST(faces_are_oriented_outwards_with_jitter)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
-        /* The teapot's lip and foot turn sharply: its faces must be small to follow. */
+        /* The teapot's lip and foot are sharply curved and need small faces. */
         uint32_t faces = shape == HATCH_SHAPE_TEAPOT ? 200000 : 5000;
         struct hatch_mesh mesh = make((enum hatch_shape)shape, faces, 1, 0, 11);
         uint32_t back = 0;
@@ -154,7 +154,7 @@ START_TEST(tangents_point_along_u)
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 20000, 0, 0, 1), copy = mesh;
         const float *tangent = hatch_mesh_find(&mesh, "TANGENT", 4);
-        /* The same again, from positions and texture coordinates alone. */
+        /* tangents from positions and texture coordinates alone */
         for (uint32_t i = 0; i < copy.attribute_count; i++)
             if (strcmp(copy.attributes[i].name, "TANGENT") == 0)
                 copy.attributes[i] = copy.attributes[--copy.attribute_count];
@@ -178,7 +178,7 @@ START_TEST(tangents_point_along_u)
 }
 END_TEST
 
-START_TEST(textures_meet_themselves_and_keep_their_shape)
+START_TEST(textures_repeat_whole_times_with_little_stretch)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 5000, 0, 0, 1);
@@ -202,8 +202,8 @@ START_TEST(textures_meet_themselves_and_keep_their_shape)
 }
 END_TEST
 
-/* Every shape of one surface shows a picture once. */
-START_TEST(whole_texture_is_one_picture)
+/* On shapes of one surface the texture covers 0 .. 1 once. */
+START_TEST(whole_texture_covers_the_unit_square)
 {
     static const enum hatch_shape shapes[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_TORUS, HATCH_SHAPE_CYLINDER,
                                               HATCH_SHAPE_PLANE};
@@ -218,7 +218,7 @@ START_TEST(whole_texture_is_one_picture)
                 high[k] = fmaxf(high[k], texcoord[2 * v + k]);
             }
         for (int k = 0; k < 2; k++) {
-            ck_assert_float_eq_tol(low[k], 0, 0.03f); /* poles have half a step */
+            ck_assert_float_eq_tol(low[k], 0, 0.03f); /* vertices at poles are half a step from the end */
             ck_assert_float_eq_tol(high[k], 1, 0.03f);
         }
     }
@@ -249,7 +249,7 @@ START_TEST(seams_differ_by_whole_tiles)
 }
 END_TEST
 
-START_TEST(curvatures_are_those_of_the_formulas)
+START_TEST(curvatures_match_closed_forms)
 {
     const struct {
         enum hatch_shape shape;
@@ -284,7 +284,7 @@ START_TEST(curvatures_are_those_of_the_formulas)
 }
 END_TEST
 
-START_TEST(field_is_the_truth_whatever_the_noise)
+START_TEST(field_does_not_depend_on_noise)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh[2];
@@ -308,16 +308,16 @@ START_TEST(field_is_the_truth_whatever_the_noise)
 }
 END_TEST
 
-START_TEST(teapot_is_newells)
+START_TEST(teapot_has_the_published_size_and_topology)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 100000, 0, 0, 1);
     struct hatch_mesh_figures f = measure(&mesh);
-    /* Wall and lid are open once, handle and spout twice; the handle touches the wall at a point. */
+    /* Wall and lid have one boundary, handle and spout two; the handle touches the wall at a point. */
     ck_assert_uint_eq(f.boundary_loops, 6);
     ck_assert_uint_eq(f.components, 3);
     ck_assert_uint_eq(f.non_manifold_points, 1);
     ck_assert_uint_eq(f.non_manifold_edges + f.contrary_edges + f.degenerate_faces, 0);
-    /* 3 by 1.47 by 1.87; the spout's lip stands out a little. */
+    /* 3 by 1.47 by 1.87; the lip of the spout extends a little beyond 3. */
     const double size[3] = {3.0022, 1.47, 1.8667};
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol((double)f.high[k] - (double)f.low[k], size[k], 1e-3);
@@ -327,7 +327,7 @@ START_TEST(teapot_is_newells)
 }
 END_TEST
 
-/* Six times the volume, about the region's own middle, of the faces beyond a plane of constant x. */
+/* Six times the volume under the faces beyond a plane of constant x, relative to their centre. */
 static double volume_beyond(const struct hatch_mesh *mesh, double x, double side)
 {
     double middle[3] = {0, 0, 0}, sum = 0, count = 0;
@@ -357,7 +357,7 @@ START_TEST(handle_and_spout_are_not_inside_out)
 }
 END_TEST
 
-START_TEST(even_texture_is_more_even_than_natural)
+START_TEST(even_texture_has_less_stretch_than_natural)
 {
     struct hatch_mesh mesh = make(HATCH_SHAPE_TEAPOT, 20000, 0, 0, 1), even;
     const struct hatch_shape_options options = {.faces = 20000, .uv = HATCH_SHAPE_UV_EVEN};
@@ -368,21 +368,21 @@ START_TEST(even_texture_is_more_even_than_natural)
 }
 END_TEST
 
-START_TEST(face_counts_come_near_the_wish)
+START_TEST(face_counts_are_near_the_requested)
 {
-    const uint32_t wishes[] = {100, 1000, 12345, 300000};
+    const uint32_t counts[] = {100, 1000, 12345, 300000};
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
         for (int i = 0; i < 4; i++) {
-            struct hatch_mesh mesh = make((enum hatch_shape)shape, wishes[i], 0, 0, 1);
-            double share = mesh.face_count / (double)wishes[i];
-            double slack = 2 / sqrt(wishes[i]) + 0.005;
+            struct hatch_mesh mesh = make((enum hatch_shape)shape, counts[i], 0, 0, 1);
+            double share = mesh.face_count / (double)counts[i];
+            double slack = 2 / sqrt(counts[i]) + 0.005;
             ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u", hatch_shape_name((enum hatch_shape)shape),
-                          mesh.face_count, wishes[i]);
+                          mesh.face_count, counts[i]);
         }
 }
 END_TEST
 
-START_TEST(seeds_decide_alone)
+START_TEST(the_same_seed_gives_the_same_shape)
 {
     struct hatch_mesh a = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 7);
     struct hatch_mesh b = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 7);
@@ -397,7 +397,7 @@ START_TEST(seeds_decide_alone)
 }
 END_TEST
 
-START_TEST(noise_has_its_deviation)
+START_TEST(noise_has_the_requested_deviation)
 {
     struct hatch_mesh smooth = make(HATCH_SHAPE_PLANE, 20000, 0, 0, 3);
     struct hatch_mesh rough = make(HATCH_SHAPE_PLANE, 20000, 0, 0.25f, 3);
@@ -415,13 +415,13 @@ START_TEST(noise_has_its_deviation)
 END_TEST
 
 static enum hatch_status make_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                  struct hatch_err *said)
+                                  struct hatch_err *error)
 {
     const struct hatch_shape_options options = {.faces = 50, .jitter = 0.5f, .noise = 0.1f};
-    return hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, kept, temporary, context, said);
+    return hatch_shape_make(HATCH_SHAPE_TEAPOT, &options, kept, temporary, context, error);
 }
 
-START_TEST(every_failed_allocation_is_a_limit)
+START_TEST(failed_allocations_are_reported)
 {
     struct hatch_mesh mesh = {0};
     hatch_test_fail_alloc(make_one, &mesh, &mesh, sizeof mesh);
@@ -430,27 +430,27 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("mesh shapes");
+    Suite *suite = suite_create("shapes");
     TCase *tests = tcase_create("shapes");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, areas_are_those_of_the_formulas);
-    tcase_add_test(tests, topology_is_that_of_the_surface);
-    tcase_add_test(tests, smallest_shapes_are_surfaces);
-    tcase_add_test(tests, normals_are_those_of_the_formulas);
-    tcase_add_test(tests, faces_look_outwards_at_any_jitter);
+    tcase_add_test(tests, areas_match_closed_forms);
+    tcase_add_test(tests, topology_is_correct);
+    tcase_add_test(tests, smallest_shapes_are_manifold);
+    tcase_add_test(tests, normals_match_closed_forms);
+    tcase_add_test(tests, faces_are_oriented_outwards_with_jitter);
     tcase_add_test(tests, tangents_point_along_u);
-    tcase_add_test(tests, textures_meet_themselves_and_keep_their_shape);
-    tcase_add_test(tests, whole_texture_is_one_picture);
+    tcase_add_test(tests, textures_repeat_whole_times_with_little_stretch);
+    tcase_add_test(tests, whole_texture_covers_the_unit_square);
     tcase_add_test(tests, seams_differ_by_whole_tiles);
-    tcase_add_test(tests, curvatures_are_those_of_the_formulas);
-    tcase_add_test(tests, field_is_the_truth_whatever_the_noise);
-    tcase_add_test(tests, teapot_is_newells);
+    tcase_add_test(tests, curvatures_match_closed_forms);
+    tcase_add_test(tests, field_does_not_depend_on_noise);
+    tcase_add_test(tests, teapot_has_the_published_size_and_topology);
     tcase_add_test(tests, handle_and_spout_are_not_inside_out);
-    tcase_add_test(tests, even_texture_is_more_even_than_natural);
-    tcase_add_test(tests, face_counts_come_near_the_wish);
-    tcase_add_test(tests, seeds_decide_alone);
-    tcase_add_test(tests, noise_has_its_deviation);
-    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    tcase_add_test(tests, even_texture_has_less_stretch_than_natural);
+    tcase_add_test(tests, face_counts_are_near_the_requested);
+    tcase_add_test(tests, the_same_seed_gives_the_same_shape);
+    tcase_add_test(tests, noise_has_the_requested_deviation);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

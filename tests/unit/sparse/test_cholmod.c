@@ -10,7 +10,7 @@
 
 enum { SIZE = 40 };
 
-/* A chain: diagonal diagonal[i], -1 beside it. */
+/* A tridiagonal matrix: a constant diagonal, -1 beside it. */
 struct chain {
     uint32_t first[SIZE + 1], row[2 * SIZE];
     double value[2 * SIZE];
@@ -53,7 +53,7 @@ START_TEST(solution_times_matrix_is_the_right_side)
 }
 END_TEST
 
-START_TEST(what_is_not_positive_definite_is_refused)
+START_TEST(indefinite_matrices_are_refused)
 {
     const double diagonals[] = {0, -2, 1, (double)NAN};
     for (size_t i = 0; i < sizeof diagonals / sizeof *diagonals; i++) {
@@ -68,7 +68,7 @@ START_TEST(what_is_not_positive_definite_is_refused)
 }
 END_TEST
 
-START_TEST(a_factor_over_the_limit_is_refused_before_it_is_made)
+START_TEST(factors_over_the_limit_are_refused)
 {
     struct chain chain;
     struct hatch_sparse matrix = chain_make(&chain, 2);
@@ -79,13 +79,13 @@ START_TEST(a_factor_over_the_limit_is_refused_before_it_is_made)
 }
 END_TEST
 
-START_TEST(nothing_is_freed_without_complaint)
+START_TEST(null_may_be_freed)
 {
     hatch_sparse_free(NULL);
 }
 END_TEST
 
-/* CHOLMOD's memory is not an arena's: its own functions are lent some that fail. */
+/* Failing allocators for CHOLMOD, which does not use arenas. */
 static unsigned until_failure;
 
 static void *failing_malloc(size_t size)
@@ -103,8 +103,8 @@ static void *failing_realloc(void *from, size_t size)
     return until_failure && --until_failure == 0 ? NULL : realloc(from, size);
 }
 
-/* Each allocation of a factorisation and a solution fails in its turn; no leak is left (SANITIZE=1). */
-START_TEST(every_failed_allocation_is_survived)
+/* Fails each allocation of a factorization and a solution in turn; SANITIZE=1 finds leaks. */
+START_TEST(failed_allocations_are_reported)
 {
     struct chain chain;
     struct hatch_sparse matrix = chain_make(&chain, 2);
@@ -128,7 +128,7 @@ START_TEST(every_failed_allocation_is_survived)
         hatch_sparse_free(factor);
         ck_assert_msg(status == (failed ? HATCH_LIMIT : HATCH_OK), "allocation %u: status %d", n, (int)status);
         ck_assert(!failed || (err.text[0] && memcmp(x, before, sizeof x) == 0));
-        ck_assert_msg(n < 1000, "a thousand failed allocations and no end");
+        ck_assert_msg(n < 1000, "no success after a thousand allocations");
         ck_assert(failed || n > 10);
     }
 }
@@ -139,10 +139,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("sparse cholmod");
     TCase *tests = tcase_create("cholmod");
     tcase_add_test(tests, solution_times_matrix_is_the_right_side);
-    tcase_add_test(tests, what_is_not_positive_definite_is_refused);
-    tcase_add_test(tests, a_factor_over_the_limit_is_refused_before_it_is_made);
-    tcase_add_test(tests, nothing_is_freed_without_complaint);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, indefinite_matrices_are_refused);
+    tcase_add_test(tests, factors_over_the_limit_are_refused);
+    tcase_add_test(tests, null_may_be_freed);
+    tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,0 +1,169 @@
+#include <math.h>
+#include <string.h>
+
+#include "lapped/work.h"
+
+/* Subdivisions of a triangle into four before a part counts as uncovered: 1/64 of its width. */
+#define SUBDIVISIONS_MAX 6
+/* Subdivisions before a part counts as visible. */
+#define SHOW_SUBDIVISIONS_MAX 4
+
+enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
+                                           struct hatch_arena *arena, struct hatch_core_coverage *coverage,
+                                           struct hatch_err *err)
+{
+    struct hatch_core_coverage made = {.outline = outline, .arena = arena};
+    made.covered = HATCH_NEW(arena, uint8_t, face_count, err);
+    made.head = made.covered ? HATCH_NEW(arena, uint32_t, face_count, err) : NULL;
+    if (!made.head)
+        return HATCH_LIMIT;
+    memset(made.head, 0xff, face_count * sizeof *made.head);
+    *coverage = made;
+    return HATCH_OK;
+}
+
+/* Mask coordinates of a point given in barycentric coordinates. */
+static void barycentric_point(const double mask[3][2], const double bary[3], double point[2])
+{
+    for (int i = 0; i < 2; i++)
+        point[i] = bary[0] * mask[0][i] + bary[1] * mask[1][i] + bary[2] * mask[2][i];
+}
+
+/* Finds the middle of a part of a triangle (corners in barycentric coordinates); returns the largest distance of a
+ * corner from there. */
+static double part_radius(const double mask[3][2], const double part[3][3], double middle[2])
+{
+    double bary[3], radius = 0;
+    for (int i = 0; i < 3; i++)
+        bary[i] = (part[0][i] + part[1][i] + part[2][i]) / 3;
+    barycentric_point(mask, bary, middle);
+    for (int c = 0; c < 3; c++) {
+        double corner[2];
+        barycentric_point(mask, part[c], corner);
+        double x = corner[0] - middle[0], y = corner[1] - middle[1], away = x * x + y * y;
+        radius = away > radius ? away : radius;
+    }
+    return sqrt(radius);
+}
+
+/* Returns whether a core certainly contains the whole of a part. Sets *touched when it contains the part's middle. */
+static bool core_contains_part(const struct hatch_outline *outline, const double mask[3][2], const double part[3][3],
+                               bool *touched)
+{
+    double middle[2], radius = part_radius(mask, part, middle);
+    double core_depth = hatch_outline_depth(outline, middle);
+    *touched = *touched || core_depth > 0;
+    return core_depth > 0 && core_depth >= radius;
+}
+
+/* One of the four parts of a subdivision. */
+static void quarter(const double part[3][3], int which, double out[3][3])
+{
+    for (int c = 0; c < 3; c++) {
+        int a = which == 3 ? c : which, b = which == 3 ? (c + 1) % 3 : c;
+        for (int i = 0; i < 3; i++)
+            out[c][i] = (part[a][i] + part[b][i]) / 2;
+    }
+}
+
+/* The cores over one face: a list of entries. */
+struct core_union {
+    const struct hatch_outline *outline;
+    const struct hatch_core_coverage_entry *entries;
+    uint32_t head;
+};
+
+static bool cores_contain(const struct core_union *cores, const double part[3][3], int depth)
+{
+    bool touched = false;
+    for (uint32_t e = cores->head; e != UINT32_MAX; e = cores->entries[e].next)
+        if (core_contains_part(cores->outline, cores->entries[e].mask, part, &touched))
+            return true;
+    if (!touched || depth == SUBDIVISIONS_MAX)
+        return false;
+    for (int which = 0; which < 4; which++) {
+        double smaller[3][3];
+        quarter(part, which, smaller);
+        if (!cores_contain(cores, (const double(*)[3])smaller, depth + 1))
+            return false;
+    }
+    return true;
+}
+
+static const double WHOLE[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/* Tested first: most uncovered faces have an uncovered corner. */
+static bool cores_contain_corners(const struct core_union *cores)
+{
+    for (int c = 0; c < 3; c++) {
+        bool contained = false;
+        for (uint32_t e = cores->head; e != UINT32_MAX && !contained; e = cores->entries[e].next)
+            contained = hatch_outline_depth(cores->outline, cores->entries[e].mask[c]) > 0;
+        if (!contained)
+            return false;
+    }
+    return true;
+}
+
+/* Returns whether a patch may be visible in a part, with opacity over 0 and no earlier core over it; false is
+ * certain. */
+static bool may_show(const struct core_union *cores, const double mask[3][2], const double part[3][3], int depth)
+{
+    double middle[2], radius = part_radius(mask, part, middle);
+    double gap = hatch_outline_distance(cores->outline, middle);
+    bool hidden = false;
+    if (gap > radius)
+        return false;
+    for (uint32_t e = cores->head; e != UINT32_MAX; e = cores->entries[e].next)
+        if (core_contains_part(cores->outline, cores->entries[e].mask, part, &hidden))
+            return false;
+    if ((gap <= 0 && !hidden) || depth == SHOW_SUBDIVISIONS_MAX)
+        return true;
+    for (int which = 0; which < 4; which++) {
+        double smaller[3][3];
+        quarter(part, which, smaller);
+        if (may_show(cores, mask, (const double(*)[3])smaller, depth + 1))
+            return true;
+    }
+    return false;
+}
+
+/* Returns whether the circle of radius core_min contains a triangle, which decides most cases. */
+static bool circle_contains(const struct hatch_outline *outline, const double mask[3][2])
+{
+    double least = outline->core_min * outline->core_min;
+    for (int c = 0; c < 3; c++) {
+        double x = mask[c][0] - 0.5, y = mask[c][1] - 0.5;
+        if (!(x * x + y * y < least))
+            return false;
+    }
+    return true;
+}
+
+enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, uint32_t face, const double mask[3][2],
+                                          bool *shows, struct hatch_err *err)
+{
+    struct core_union cores = {coverage->outline, coverage->entries, coverage->head[face]};
+    if (!coverage->covered[face] && circle_contains(coverage->outline, mask)) {
+        coverage->covered[face] = 1;
+        *shows = true;
+        return HATCH_OK;
+    }
+    *shows = !coverage->covered[face] && may_show(&cores, mask, WHOLE, 0);
+    if (!*shows)
+        return HATCH_OK;
+    void *entries = coverage->entries;
+    HATCH_TRY(hatch_lapped_reserve(coverage->arena, &entries, &coverage->entry_capacity, coverage->entry_count + 1,
+                                   sizeof *coverage->entries, err));
+    coverage->entries = entries;
+    struct hatch_core_coverage_entry *entry = &coverage->entries[coverage->entry_count];
+    entry->next = coverage->head[face];
+    memcpy(entry->mask, mask, sizeof entry->mask);
+    coverage->head[face] = coverage->entry_count;
+    cores = (struct core_union){coverage->outline, coverage->entries, coverage->entry_count};
+    coverage->covered[face] = cores_contain_corners(&cores) && cores_contain(&cores, WHOLE, 0);
+    /* A face that is covered needs no entries. */
+    if (!coverage->covered[face])
+        coverage->entry_count++;
+    return HATCH_OK;
+}
