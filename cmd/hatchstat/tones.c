@@ -68,7 +68,7 @@ static void open_texture(struct cmd_args *args, const char *name, struct hatch_b
         subject->sample = sample_thresholds;
         subject->what = &subject->thresholds;
     } else {
-        cmd_check(hatch_texels_unpack(&texels, &args->keep, &plain, &err), name, &err);
+        cmd_check(hatch_texels_decompress(&texels, &args->keep, &plain, &err), name, &err);
         cmd_check(hatch_volume_from_texels(&plain, keys, &subject->volume, &err), name, &err);
         subject->sample = sample_volume;
         subject->what = &subject->volume;

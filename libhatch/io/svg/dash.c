@@ -68,12 +68,12 @@ static enum hatch_status end_dash(struct cutter *cutter, struct hatch_err *err)
 static enum hatch_status turn(struct cutter *cutter, double x, double y, struct hatch_err *err)
 {
     if (cutter->now % 2 == 0) {
-        HATCH_TRY(hatch_path_line(cutter->dash, x, y, err));
+        HATCH_TRY(hatch_path_add_line(cutter->dash, x, y, err));
         HATCH_TRY(end_dash(cutter, err));
     }
     cutter->now = (cutter->now + 1) % cutter->count;
     cutter->left = cutter->lengths[cutter->now];
-    return cutter->now % 2 ? HATCH_OK : hatch_path_line(cutter->dash, x, y, err);
+    return cutter->now % 2 ? HATCH_OK : hatch_path_add_line(cutter->dash, x, y, err);
 }
 
 static enum hatch_status cut(struct cutter *cutter, const double from[2], const double to[2], struct hatch_err *err)
@@ -85,7 +85,7 @@ static enum hatch_status cut(struct cutter *cutter, const double from[2], const 
         HATCH_TRY(turn(cutter, from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), err));
     }
     cutter->left -= length - at;
-    return cutter->now % 2 ? HATCH_OK : hatch_path_line(cutter->dash, to[0], to[1], err);
+    return cutter->now % 2 ? HATCH_OK : hatch_path_add_line(cutter->dash, to[0], to[1], err);
 }
 
 enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const struct hatch_svg_look *look, double page,
@@ -105,7 +105,7 @@ enum hatch_status hatch_svg_dash(const struct hatch_path_builder *line, const st
         return hatch_fail(err, HATCH_LIMIT, "more than %u dashes", HATCH_SVG_DASHES_MAX);
     dash->count = 0;
     if (cutter.now % 2 == 0)
-        HATCH_TRY(hatch_path_line(dash, line->xy[0], line->xy[1], err));
+        HATCH_TRY(hatch_path_add_line(dash, line->xy[0], line->xy[1], err));
     for (uint32_t i = 1; i < line->count; i++)
         HATCH_TRY(cut(&cutter, line->xy + 2 * i - 2, line->xy + 2 * i, err));
     return end_dash(&cutter, err);

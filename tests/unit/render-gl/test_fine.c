@@ -53,10 +53,8 @@ static void make_volume(enum hatch_volume_layout layout)
 static void make_thresholds(void)
 {
     struct hatch_threshold_options how = {.bins = HATCH_THRESHOLD_BINS, .seed = 1};
-    struct hatch_threshold_figures figures;
-    HATCH_TEST_OK(
-        hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &figures, &frame.err),
-        &frame.err);
+    HATCH_TEST_OK(hatch_thresholds_make(&map, &how, NULL, &frame.arena, &frame.scratch, &thresholds, &frame.err),
+                  &frame.err);
     fine = (struct fine){
         .form = COLUMNS_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels, .darkest = 1};
 }
@@ -103,7 +101,7 @@ static double worst_of(const char *technique, double tone, double tiles)
     return worst;
 }
 
-/* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. Greys of all kinds,
+/* What is uploaded becomes blocks; the model is what hatch_texels_decompress makes of them. Greys of all kinds,
  * which BC1 and BC7 hold as colours. */
 static void pack(enum hatch_texels_code code)
 {
@@ -114,8 +112,8 @@ static void pack(enum hatch_texels_code code)
         for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
             plain.texels[level][i] = (uint8_t)(volume.texels.texels[level][i / plain.channels] *
                                                hatch_random_unit(9, level, i / plain.channels));
-    HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.arena, &fine.texels, NULL, &frame.err), &frame.err);
-    HATCH_TEST_OK(hatch_texels_unpack(&fine.texels, &frame.arena, &volume.texels, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_compress(&plain, code, NULL, &frame.arena, &fine.texels, NULL, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_decompress(&fine.texels, &frame.arena, &volume.texels, &frame.err), &frame.err);
 }
 
 static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code code)
