@@ -76,7 +76,7 @@ static void check_options(const struct cmd_args *args)
 {
     if (exact && (bins_given || modulation_path || mask_path))
         cmd_usage("--exact excludes --bins, --modulate and --mask");
-    if (exact && cmd_wants_exr(args->output))
+    if (exact && cmd_is_exr_path(args->output))
         cmd_usage("--exact needs KTX2: its numbers do not fit the pixels of EXR");
     cmd_check_ending(args->output, "ktx2 exr");
 }

@@ -44,7 +44,7 @@ static void check_options(const struct cmd_args *args)
 {
     if (tones & (tones - 1))
         cmd_usage("--tones %d: want a power of two", (int)tones);
-    if (compress && cmd_wants_exr(args->output))
+    if (compress && cmd_is_exr_path(args->output))
         cmd_usage("--compress needs KTX2: EXR has no compressed blocks");
     cmd_check_ending(args->output, "ktx2 exr");
 }
@@ -71,7 +71,7 @@ static void warn(const char *name, const struct hatch_tam *tam, const struct hat
                  "%u of %u slices are blends of two columns, whose tones differ from theirs by up to %.4f: "
                  "%u %s too few for %d tones",
                  figures->blended, figures->slices, figures->distance, tam->tones,
-                 cmd_noun(tam->tones, "column is", "columns are"), (int)tones);
+                 cmd_plural(tam->tones, "column is", "columns are"), (int)tones);
     if (tam->ids)
         cmd_warn(name, "stroke ids are left out");
 }

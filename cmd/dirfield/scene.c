@@ -79,7 +79,7 @@ static void say(const struct run *run)
                  "their lines only lie across the longest side",
                  100 * run->undirected / run->faces);
     cmd_note("%llu %s", (unsigned long long)run->singularities,
-             cmd_noun(run->singularities, "singularity", "singularities"));
+             cmd_plural(run->singularities, "singularity", "singularities"));
 }
 
 static void set_content(struct cmd_file *file, struct hatch_bytes bytes)

@@ -112,7 +112,7 @@ enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *o
                                       cmd_pool(args), &args->scratch, &f, &err),
                   cmd_input_name(path), &err);
         cmd_report_number(&report, (double)lod);
-        cmd_report_whole(&report, subject.bytes);
+        cmd_report_integer(&report, subject.bytes);
         const double numbers[] = {f.tone_error, f.tone_worst, f.error, f.error_max, f.grey, f.grey_all};
         for (uint32_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
             cmd_report_number(&report, numbers[i]);

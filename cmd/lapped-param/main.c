@@ -120,7 +120,7 @@ static void describe(const struct lapped_param_part *parts, uint32_t count)
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
         cmd_note("mesh %u: the side of its texture is %g long in the scene", i, parts[i].atlas_side);
     cmd_note("%u %s, overlap %.2f; %u hidden and left out, %u cut by their faces, %u enlarged to hold a face", patches,
-             cmd_noun(patches, "patch", "patches"), patch_faces / faces, hidden, cut, enlarged);
+             cmd_plural(patches, "patch", "patches"), patch_faces / faces, hidden, cut, enlarged);
     cmd_note("each face was placed %.1f times", placed / faces);
 }
 

@@ -33,7 +33,7 @@ static void read_sets(struct job *job)
                   &err);
     if (job->source.sets.layer_count < layers) {
         hatch_fail(&err, HATCH_BAD_INPUT, "%u %s for the %u layers of %s", job->source.sets.layer_count,
-                   cmd_noun(job->source.sets.layer_count, "seed set", "seed sets"), layers,
+                   cmd_plural(job->source.sets.layer_count, "seed set", "seed sets"), layers,
                    cmd_input_name(job->options.seeds.layers_path));
         cmd_die(cmd_input_name(path), &err);
     }
@@ -67,7 +67,7 @@ static void read_stroke(struct job *job, const char *name, struct job_stroke *st
     if (kind < HATCH_BRUSH_IMAGE)
         cmd_check(hatch_brush_make((enum hatch_brush_kind)kind, &job->args.keep, &brush, &err), NULL, &err);
     else
-        cmd_read_brush(&job->args, cmd_beside(&job->args, job->options.seeds.layers_path, name), &brush);
+        cmd_read_brush(&job->args, cmd_path_beside(&job->args, job->options.seeds.layers_path, name), &brush);
     take_brush(&job->args, &brush, stroke);
 }
 

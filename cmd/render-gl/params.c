@@ -85,7 +85,7 @@ static void take(const struct cmd_option *option, const char *text, size_t lengt
         cmd_usage("--%s: a number of %zu characters is too long", option->name, length);
     memcpy(word, text, length);
     word[length] = '\0';
-    cmd_take(option, word);
+    cmd_set_option(option, word);
     if (option->type == CMD_INT)
         values[0] = (double)*(const int64_t *)option->value;
     else

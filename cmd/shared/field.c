@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-/* Steps coarser than what libm's last digits differ by between processors, finer than anybody sees
- * (0.00005 degrees). */
+/* Rounding steps, coarser than the differences of libm between processors, finer than is visible (0.00005 degrees). */
 #define DIRECTION_STEP 0x1p-20
 #define CONFIDENCE_STEP 0x1p-12
 
@@ -44,7 +43,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
 static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface, struct hatch_arena *work,
                                struct hatch_field *field, struct hatch_err *err)
 {
-    static const struct hatch_curvature_options as_noise_asks = {0};
+    static const struct hatch_curvature_options automatic_support = {0};
     static const struct hatch_field_options options = {.method = HATCH_FIELD_LINEAR,
                                                        .solver = HATCH_FIELD_MULTIGRID,
                                                        .smooth = CMD_FIELD_SMOOTH,
@@ -56,7 +55,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     if (!made_up)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
-    HATCH_TRY(hatch_curvature_estimate(surface, &frames, &as_noise_asks, cmd_pool(args), work, &args->scratch,
+    HATCH_TRY(hatch_curvature_estimate(surface, &frames, &automatic_support, cmd_pool(args), work, &args->scratch,
                                        &curvature, err));
     hatch_curvature_doubt_creases(surface, CMD_FIELD_HARD_RAD, &curvature);
     HATCH_TRY(hatch_frames_lean(surface, curvature.normal, &args->scratch, &frames, err));

@@ -111,9 +111,9 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     cmd_write_all(written, count);
     for (uint32_t i = 0; i < count; i++)
         hatch_arena_free(&files[i].arena);
-    cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_noun(job->tam.tones, "tone", "tones"),
-             job->tam.columns[0].level_count, cmd_noun(job->tam.columns[0].level_count, "level", "levels"), count,
-             cmd_noun(count, "file", "files"));
+    cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_plural(job->tam.tones, "tone", "tones"),
+             job->tam.columns[0].level_count, cmd_plural(job->tam.columns[0].level_count, "level", "levels"), count,
+             cmd_plural(count, "file", "files"));
 }
 
 int main(int argc, char **argv)
