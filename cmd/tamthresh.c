@@ -1,4 +1,4 @@
-/* tamthresh: a tonal art map as thresholds: for each texel the tones at which it darkens. */
+/* tamthresh: makes threshold textures of a tonal art map, which hold the tones at which each texel darkens. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,13 +15,13 @@ static const char *bins = "7", *modulation_path, *mask_path;
 static bool bins_given, exact;
 
 static const struct cmd_option options[] = {
-    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "how many, 1 to 7, or the tones between them: .4,.7,.9 (default 7)", &bins,
-     NULL, &bins_given},
-    {'x', "exact", CMD_FLAG, 0, 0, NULL, "all changes of every texel, as runs in a buffer", &exact, NULL, NULL},
-    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel that light is multiplied by",
-     &modulation_path, NULL, NULL},
-    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "put IMAGE into the channel of the outline's opacity", &mask_path, NULL,
+    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "number of bins, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
+     &bins, NULL, &bins_given},
+    {'x', "exact", CMD_FLAG, 0, 0, NULL, "exact runs instead: all changes of every texel, in a buffer", &exact, NULL,
      NULL},
+    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "IMAGE for the modulation channel, a factor of light", &modulation_path,
+     NULL, NULL},
+    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "IMAGE for the outline mask, an opacity", &mask_path, NULL, NULL},
     {0},
 };
 
@@ -43,7 +43,9 @@ static const struct cmd_program program = {
     .binary = true,
 };
 
-/* A whole number of bins, or the tones between them, which rise; returns how many bins. */
+/* Parses --bins and returns the number of bins.
+ *   border  out: if tones are listed, bins + 1 tones from 0 to 1
+ *   listed  out: whether tones are listed */
 static uint32_t parse_bins(float *border, bool *listed)
 {
     char *end;
@@ -73,9 +75,9 @@ static uint32_t parse_bins(float *border, bool *listed)
 static void check_options(const struct cmd_args *args)
 {
     if (exact && (bins_given || modulation_path || mask_path))
-        cmd_usage("--exact has no bins, and no channels for pictures");
-    if (exact && cmd_wants_exr(args->output))
-        cmd_usage("--exact is for KTX2: the numbers do not fit EXR's pixels");
+        cmd_usage("--exact excludes --bins, --modulate and --mask");
+    if (exact && cmd_is_exr_path(args->output))
+        cmd_usage("--exact needs KTX2: its numbers do not fit the pixels of EXR");
     cmd_check_ending(args->output, "ktx2 exr");
 }
 
@@ -122,7 +124,6 @@ static void make_thresholds(struct cmd_args *args, const char *name, const struc
 {
     struct hatch_err err;
     struct hatch_thresholds made;
-    struct hatch_threshold_figures figures;
     struct hatch_image pictures[2];
     float border[HATCH_THRESHOLD_BINS + 1];
     char borders[(HATCH_THRESHOLD_BINS + 1) * 16] = "";
@@ -131,18 +132,18 @@ static void make_thresholds(struct cmd_args *args, const char *name, const struc
     how.border = listed ? border : NULL;
     read_picture(args, modulation_path, &pictures[0], &how.modulation);
     read_picture(args, mask_path, &pictures[1], &how.mask);
-    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &figures, &err),
-              name, &err);
+    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &err), name, &err);
+    const struct hatch_threshold_figures *figures = &made.figures;
     for (uint32_t b = 0, at = 0; b <= made.bins; b++)
         at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "", (double)made.border[b]);
-    if (figures.error > ERROR_WARNED)
-        cmd_warn(name, "%.1f changes of tone a texel do not fit %u bins: off by %.4f in the mean, %.4f at worst",
-                 figures.steps, made.bins, figures.error, figures.error_max);
+    if (figures->error > ERROR_WARNED)
+        cmd_warn(name, "%.1f changes per texel do not fit %u bins: error %.4f in the mean, %.4f at most",
+                 figures->steps, made.bins, figures->error, figures->error_max);
     if (tam->ids)
-        cmd_warn(name, "the strokes' ids are left out");
+        cmd_warn(name, "stroke ids are left out");
     encode(args, tam, &made.texels, borders, file);
-    cmd_note("bins %s; %.2f changes a texel, %.4f of them merged: off by %.5f in the mean, %.4f at worst; %zu bytes",
-             borders, figures.steps, figures.merged, figures.error, figures.error_max, file->size);
+    cmd_note("bins %s; %.2f changes per texel, %.4f of them merged: error %.5f in the mean, %.4f at most; %zu bytes",
+             borders, figures->steps, figures->merged, figures->error, figures->error_max, file->size);
 }
 
 int main(int argc, char **argv)

@@ -1,4 +1,4 @@
-/* tamvol: a tonal art map as a volume, whose third coordinate is tone. */
+/* tamvol: makes a volume of a tonal art map, a texture whose third coordinate is tone. */
 #include <stdio.h>
 
 #include "shared/map.h"
@@ -17,9 +17,9 @@ static const struct cmd_option options[] = {
      "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
      layouts, &layout_given},
-    {'c', "compress", CMD_FLAG, 0, 0, NULL, "in blocks: BC4 (grey) or BC1 (colour), as an array; BC7 as a volume",
-     &compress, NULL, NULL},
-    {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 in place of RGB8", &alpha, NULL, NULL},
+    {'c', "compress", CMD_FLAG, 0, 0, NULL,
+     "compress in blocks: BC4 (grey) or BC1 (colour) for an array, BC7 for a volume", &compress, NULL, NULL},
+    {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 instead of RGB8", &alpha, NULL, NULL},
     {0},
 };
 
@@ -44,16 +44,16 @@ static void check_options(const struct cmd_args *args)
 {
     if (tones & (tones - 1))
         cmd_usage("--tones %d: want a power of two", (int)tones);
-    if (compress && cmd_wants_exr(args->output))
-        cmd_usage("--compress is for KTX2: EXR holds no blocks of texels");
+    if (compress && cmd_is_exr_path(args->output))
+        cmd_usage("--compress needs KTX2: EXR has no compressed blocks");
     cmd_check_ending(args->output, "ktx2 exr");
 }
 
-/* Blocks of half a byte a texel exist in 2D alone: a volume of them takes twice as much. */
+/* BC1 and BC4, with half a byte per texel, exist only in 2D; BC7, for volumes, needs twice as much memory. */
 static enum hatch_volume_layout choose_layout(const struct hatch_tam *tam)
 {
     if (compress && !tam->color && layout_given && layout == HATCH_VOLUME_3D)
-        cmd_usage("--compress: OpenGL has no blocks for volumes of one channel: --layout array");
+        cmd_usage("--compress: OpenGL has no compressed volumes of one channel: use --layout array");
     return compress && !layout_given ? HATCH_VOLUME_ARRAY : (enum hatch_volume_layout)layout;
 }
 
@@ -68,12 +68,12 @@ static void warn(const char *name, const struct hatch_tam *tam, const struct hat
 {
     if (figures->blended)
         cmd_warn(name,
-                 "%u of %u slices are blends of two columns, which lie up to %.4f from their tones: %u %s "
-                 "few for %d tones",
+                 "%u of %u slices are blends of two columns, whose tones differ from theirs by up to %.4f: "
+                 "%u %s too few for %d tones",
                  figures->blended, figures->slices, figures->distance, tam->tones,
-                 cmd_noun(tam->tones, "column is", "columns are"), (int)tones);
+                 cmd_plural(tam->tones, "column is", "columns are"), (int)tones);
     if (tam->ids)
-        cmd_warn(name, "the strokes' ids are left out");
+        cmd_warn(name, "stroke ids are left out");
 }
 
 static void pack(struct cmd_args *args, struct hatch_texels *texels)
@@ -81,10 +81,10 @@ static void pack(struct cmd_args *args, struct hatch_texels *texels)
     struct hatch_err err;
     struct hatch_texels packed;
     struct hatch_block_figures figures;
-    cmd_check(hatch_texels_pack(texels, choose_blocks(texels), cmd_pool(args), &args->keep, &packed, &figures, &err),
-              NULL, &err);
-    cmd_note("blocks are off by %.4f at most, by %.4f in the root of the mean square", figures.error_max,
-             figures.error_rms);
+    cmd_check(
+        hatch_texels_compress(texels, choose_blocks(texels), cmd_pool(args), &args->keep, &packed, &figures, &err),
+        NULL, &err);
+    cmd_note("compression error: %.4f at most, %.4f root mean square", figures.error_max, figures.error_rms);
     *texels = packed;
 }
 
@@ -127,8 +127,8 @@ int main(int argc, char **argv)
 
     struct hatch_buffer file = {.arena = &args.keep};
     encode(&args, &tam, &volume, &file);
-    cmd_note("%u slices of drawn levels, the farthest %.4f from a column; %zu bytes", figures.slices, figures.distance,
-             file.size);
+    cmd_note("%u slices in the drawn levels, at most %.4f from the tone of a column; %zu bytes", figures.slices,
+             figures.distance, file.size);
     cmd_write(output, file.data, file.size);
     warn(name, &tam, &figures);
     return cmd_end(&args, HATCH_OK);

@@ -61,7 +61,7 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
                                   (int)(field.length < 40 ? field.length : 40), field.at);
     if (column != header->columns)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %u %s, want %u", row, column,
-                          cmd_noun(column, "field", "fields"), header->columns);
+                          cmd_plural(column, "field", "fields"), header->columns);
     if (!(values[WEIGHT] > 0 && values[WEIGHT] <= WEIGHT_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: weight %g, want over 0 and at most %g", row, values[WEIGHT],
                           WEIGHT_MAX);

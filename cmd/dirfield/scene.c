@@ -79,7 +79,7 @@ static void print_notes(const struct run *run)
                  "their directions lie across the longest side, with confidence 0",
                  100 * run->unconstrained_faces / run->faces);
     cmd_note("%llu %s", (unsigned long long)run->singularities,
-             cmd_noun(run->singularities, "singularity", "singularities"));
+             cmd_plural(run->singularities, "singularity", "singularities"));
 }
 
 static void set_content(struct cmd_file *file, struct hatch_bytes bytes)

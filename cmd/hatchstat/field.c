@@ -12,18 +12,18 @@ static void report_row(struct cmd_report *report, const char *name, const struct
 {
     if (report->columns == columns)
         cmd_report_text(report, name);
-    cmd_report_whole(report, f->points);
-    cmd_report_whole(report, f->faces);
-    cmd_report_whole(report, f->components);
+    cmd_report_integer(report, f->points);
+    cmd_report_integer(report, f->faces);
+    cmd_report_integer(report, f->components);
     cmd_report_number(report, (double)f->euler);
     cmd_report_number(report, f->index_sum);
-    cmd_report_whole(report, f->singularities);
+    cmd_report_integer(report, f->singularities);
     cmd_report_number(report, f->smoothness);
     for (int i = 0; i < 3; i++)
         cmd_report_number(report, f->confidence[i]);
     for (int i = 0; i < 3; i++)
         cmd_report_number(report, f->uv_degrees[i]);
-    cmd_report_whole(report, f->compared);
+    cmd_report_integer(report, f->compared);
     for (int i = 0; i < 4; i++)
         cmd_report_number(report, f->degrees[i]);
 }

@@ -34,15 +34,15 @@ static struct hatch_image *read_masks(struct cmd_args *args, const char *name, c
 static void put(struct cmd_report *report, const struct hatch_lapped_figures *f)
 {
     const double *const lists[] = {f->stretch, f->area, f->angle_deg};
-    cmd_report_whole(report, f->patches);
-    cmd_report_whole(report, f->hidden);
-    cmd_report_whole(report, f->faces);
-    cmd_report_whole(report, f->patch_faces);
+    cmd_report_integer(report, f->patches);
+    cmd_report_integer(report, f->hidden);
+    cmd_report_integer(report, f->faces);
+    cmd_report_integer(report, f->patch_faces);
     cmd_report_number(report, f->overlap);
-    cmd_report_whole(report, f->samples);
+    cmd_report_integer(report, f->samples);
     cmd_report_number(report, f->covered);
     cmd_report_number(report, f->opacity_min);
-    cmd_report_whole(report, f->flipped);
+    cmd_report_integer(report, f->flipped);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (int k = 0; k < HATCH_LAPPED_SHARES; k++)
             cmd_report_number(report, lists[i][k]);

@@ -79,7 +79,7 @@ int main(int argc, char **argv)
         if (strcmp(subjects[i].name, args.operands[0]) != 0)
             continue;
         if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
-            cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_noun((uint64_t)files, "file", "files"),
+            cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_plural((uint64_t)files, "file", "files"),
                       subjects[i].want);
         /* Options that decide the exit status must not be ignored. */
         if (values.check && !subjects[i].has_check)

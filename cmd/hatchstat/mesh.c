@@ -38,11 +38,11 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
     if (report->columns == columns)
         cmd_report_text(report, name);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
-        cmd_report_whole(report, counts[i]);
+        cmd_report_integer(report, counts[i]);
     cmd_report_number(report, (double)f->euler);
     cmd_report_number(report, (double)f->genus);
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-        cmd_report_whole(report, faults[i]);
+        cmd_report_integer(report, faults[i]);
     cmd_report_number(report, f->area);
     for (int k = 0; k < 3; k++)
         cmd_report_number(report, origin[k] + (double)f->low[k]);
@@ -51,7 +51,7 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
     cmd_report_number(report, f->edge_min);
     cmd_report_number(report, f->edge_mean);
     cmd_report_number(report, f->edge_max);
-    cmd_report_whole(report, f->has_uv);
+    cmd_report_integer(report, f->has_uv);
     cmd_report_number(report, f->uv.degenerate_share);
     cmd_report_number(report, f->uv.mirrored_share);
     for (int k = 0; k < 3; k++)

@@ -11,9 +11,9 @@ static const char *const columns[] = {
 
 static void report_row(struct cmd_report *report, uint32_t layer, const struct hatch_seed_figures *f)
 {
-    cmd_report_whole(report, layer);
-    cmd_report_whole(report, f->seeds);
-    cmd_report_whole(report, f->uneven);
+    cmd_report_integer(report, layer);
+    cmd_report_integer(report, f->seeds);
+    cmd_report_integer(report, f->uneven);
     cmd_report_number(report, f->complete ? (double)f->astray : (double)NAN);
     cmd_report_number(report, f->distance);
     cmd_report_number(report, f->distance_sparse);

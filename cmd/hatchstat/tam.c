@@ -106,14 +106,14 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
 {
     const char *by;
     double allowed = allowed_error(subject, level, &by);
-    cmd_report_whole(report, tone);
-    cmd_report_whole(report, level);
-    cmd_report_whole(report, f->size_px);
+    cmd_report_integer(report, tone);
+    cmd_report_integer(report, level);
+    cmd_report_integer(report, f->size_px);
     const double tones[] = {(double)subject->tam.target[tone], f->mean, f->error, allowed};
     put_numbers(report, tones, 4);
     cmd_report_text(report, by);
     cmd_report_number(report, subject->stroke_darkness[level]);
-    cmd_report_whole(report, f->lighter_pixels);
+    cmd_report_integer(report, f->lighter_pixels);
     cmd_report_number(report, NAN);
     put_numbers(report, f->seam_z, 2);
     put_numbers(report, f->spread, HATCH_EVENNESS_BOXES);
@@ -142,15 +142,15 @@ static void put_summary(struct cmd_report *report, const struct subject *subject
     const double seam[] = {s->seam[0] / s->images, s->seam[1] / s->images};
     cmd_report_text(report, "all");
     put_numbers(report, NULL, 1);
-    cmd_report_whole(report, subject->tam.size_px);
+    cmd_report_integer(report, subject->tam.size_px);
     put_numbers(report, NULL, 2);
     cmd_report_number(report, s->error);
     put_numbers(report, NULL, 1);
     cmd_report_text(report, s->failed ? "no" : "yes");
     put_numbers(report, NULL, 1);
-    cmd_report_whole(report, s->lighter);
+    cmd_report_integer(report, s->lighter);
     if (subject->has_strokes)
-        cmd_report_whole(report, s->missing);
+        cmd_report_integer(report, s->missing);
     else
         put_numbers(report, NULL, 1);
     put_numbers(report, seam, 2);

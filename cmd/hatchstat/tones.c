@@ -68,7 +68,7 @@ static void open_texture(struct cmd_args *args, const char *name, struct hatch_b
         subject->sample = sample_thresholds;
         subject->sampled = &subject->thresholds;
     } else {
-        cmd_check(hatch_texels_unpack(&texels, &args->keep, &plain, &err), name, &err);
+        cmd_check(hatch_texels_decompress(&texels, &args->keep, &plain, &err), name, &err);
         cmd_check(hatch_volume_from_texels(&plain, keys, &subject->volume, &err), name, &err);
         subject->sample = sample_volume;
         subject->sampled = &subject->volume;
@@ -111,7 +111,7 @@ enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *o
         const struct hatch_tone_test test = {&map, subject.sample, subject.sampled, lod, (uint64_t)options->samples};
         cmd_check(hatch_measure_tones(&test, cmd_pool(args), &args->scratch, &f, &err), cmd_input_name(path), &err);
         cmd_report_number(&report, (double)lod);
-        cmd_report_whole(&report, subject.bytes);
+        cmd_report_integer(&report, subject.bytes);
         const double numbers[] = {f.tone_error, f.tone_worst, f.error, f.error_max, f.grey, f.grey_all};
         for (uint32_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
             cmd_report_number(&report, numbers[i]);

@@ -121,7 +121,7 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
         cmd_note("mesh %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
     cmd_note("%u %s, overlap %.2f; %u end inside their outline, %u enlarged to contain a face", patches,
-             cmd_noun(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
+             cmd_plural(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
     cmd_note("each face was solved for %.1f times", solved_faces / faces);
 }
 

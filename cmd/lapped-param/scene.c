@@ -82,7 +82,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
     keep_normals(args, name, scene);
     if (count > 0)
         cmd_warn(name, "%u %s left out: their texture coordinates have been replaced", count,
-                 cmd_noun(count, "texture", "textures"));
+                 cmd_plural(count, "texture", "textures"));
 }
 
 void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, const struct lapped_param_part *parts)

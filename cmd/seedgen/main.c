@@ -11,16 +11,17 @@ static const char *plot_path;
 static const char *const methods[] = {"any", "euler", "backtrack", NULL};
 
 static const struct cmd_option options[] = {
-    {'n', "count", CMD_INT, HATCH_CYCLE_MIN, HATCH_CYCLE_MAX, "N", "seeds in a set (default 64)", &count, NULL, NULL},
+    {'n', "count", CMD_INT, HATCH_CYCLE_MIN, HATCH_CYCLE_MAX, "N", "seed points in a set (default 64)", &count, NULL,
+     NULL},
     {'l', "layers", CMD_INT, 1, HATCH_SEED_LAYERS_MAX, "N", "sets to make, one per layer (default 1)", &layers, NULL,
      NULL},
     {'c', "candidates", CMD_INT, 0, 1000000, "N",
-     "sets drawn for each layer, of which the best spread is kept (default 0: by N)", &candidates, NULL, NULL},
-    {'m', "method", CMD_CHOICE, 0, 0, "HOW", "any (default), euler or backtrack; the last two make powers of four",
+     "random sets per layer, the best of which is kept (default 0: by --count)", &candidates, NULL, NULL},
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "any (default), euler or backtrack; the last two need a power of four",
      &method, methods, NULL},
-    {0, "max-nodes", CMD_INT, 1, 1e15, "N", "backtrack: crumbs to try before it gives up (default 200000000)",
-     &nodes_max, NULL, NULL},
-    {'p', "plot", CMD_TEXT, 0, 0, "FILE", "draw the sets as an SVG too", &plot_path, NULL, NULL},
+    {0, "max-nodes", CMD_INT, 1, 1e15, "N", "backtrack: digits to try before giving up (default 200000000)", &nodes_max,
+     NULL, NULL},
+    {'p', "plot", CMD_TEXT, 0, 0, "FILE", "also draw the sets as SVG", &plot_path, NULL, NULL},
     {0},
 };
 
@@ -33,7 +34,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "seedgen",
     .operands = "",
-    .summary = "make seed sets: where strokes stand at every scale",
+    .summary = "make seed sets: the positions of strokes at every scale",
     .examples = examples,
     .options = options,
     .seeded = true,
@@ -58,7 +59,7 @@ static void make(struct cmd_args *args, struct hatch_seeds *seeds)
     cmd_check(hatch_seeds_spread(seeds, &args->scratch, &within, &together, &err), NULL, &err);
     cmd_note("smallest distance within a set %.3f, among all sets %.3f of the largest possible", within, together);
     if (method == HATCH_CYCLE_BACKTRACK)
-        cmd_note("%llu crumbs tried", (unsigned long long)steps);
+        cmd_note("%llu digits tried", (unsigned long long)steps);
 }
 
 int main(int argc, char **argv)

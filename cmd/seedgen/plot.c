@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#define SIDE 400.0 /* of a panel */
+#define SIDE 400.0 /* of a panel, pixels */
 #define GAP 40.0
 #define ACROSS 4u
 
@@ -28,7 +28,7 @@ static void circle(struct hatch_buffer *svg, double u, double v, double radius, 
 }
 
 static void panel(struct hatch_buffer *svg, const struct hatch_seed_set *set, uint32_t number,
-                  const struct hatch_seed_place *places)
+                  const struct hatch_seed_point *places)
 {
     double radius = fmax(0.2, 0.12 * SIDE / sqrt(set->count));
     struct hatch_err err;
@@ -56,9 +56,9 @@ struct hatch_bytes plot_seeds(struct cmd_args *args, const struct hatch_seeds *s
     for (uint32_t i = 0; i < seeds->layer_count; i++) {
         const struct hatch_seed_set *set = &seeds->layers[i];
         struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-        struct hatch_seed_place *places = HATCH_NEW(&args->scratch, struct hatch_seed_place, set->count, &err);
+        struct hatch_seed_point *places = HATCH_NEW(&args->scratch, struct hatch_seed_point, set->count, &err);
         cmd_check(places ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-        hatch_seed_places(set, places);
+        hatch_seed_points(set, places);
         panel(&svg, set, i, places);
         hatch_arena_rewind(&args->scratch, mark);
     }

@@ -1,12 +1,12 @@
-/* Seed sets as a drawing: the paper's Figure 3. */
+/* Draws seed sets as in Figure 3 of the paper. */
 #ifndef SEEDGEN_PLOT_H
 #define SEEDGEN_PLOT_H
 
 #include "shared/cmd.h"
 #include "seed/seeds.h"
 
-/* An SVG in args->keep: a panel for each layer with its seeds as large circles and, small, the same
- * pattern repeated on a 2 by 2 grid: every seed coincides with one of these. */
+/* Returns an SVG, in args->keep: one panel per layer with its seed points as large circles and, as small circles, the
+ * same pattern at half its size repeated 2 by 2. Every seed point coincides with one of these. */
 struct hatch_bytes plot_seeds(struct cmd_args *args, const struct hatch_seeds *seeds);
 
 #endif

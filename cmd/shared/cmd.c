@@ -19,8 +19,8 @@ bool cmd_is_quiet, cmd_is_verbose;
 static struct timespec begun, last_progress;
 static bool progress_shown;
 
-/* A closed standard descriptor would be given to the next file that is opened, and that file would
- * receive what is meant for the stream. The wrong direction makes each use of it fail. */
+/* Opens closed standard descriptors. Otherwise the next file opened would get one of them, and the output of the stream
+ * with it. They are opened in the wrong direction, so that their use fails. */
 static void keep_standard_descriptors(void)
 {
     for (int descriptor = 0; descriptor <= 2; descriptor++)
@@ -39,17 +39,17 @@ void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct 
     cmd_is_verbose = args->verbose && !args->quiet;
     hatch_arena_init(&args->keep, (size_t)args->max_memory);
     hatch_arena_init(&args->scratch, (size_t)args->max_memory);
-    cmd_catch_signals();
+    cmd_install_signal_handlers();
 }
 
 struct hatch_pool *cmd_pool(struct cmd_args *args)
 {
     if (!args->pool) {
         struct hatch_err err;
-        /* Only the first thread runs the handlers: what it holds back is then held back for all. */
-        cmd_hold_signals(true);
+        /* Blocked signals stay blocked in new threads, so only the first thread runs the handlers. */
+        cmd_block_signals(true);
         enum hatch_status status = hatch_pool_make(args->threads, &args->keep, &args->pool, &err);
-        cmd_hold_signals(false);
+        cmd_block_signals(false);
         cmd_check(status, NULL, &err);
     }
     return args->pool;
@@ -74,9 +74,9 @@ enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, in
     return hatch_fail(err, HATCH_IO, "%s: %s", sentence, reason);
 }
 
-/* One line on standard error, in one write, so that lines of several processes do not mix. A file's
- * name is shown whole, its control bytes as '?'. */
-static void say(const char *file, const char *kind, const char *sentence)
+/* Prints a line to standard error, in one write, so that lines of several processes do not mix. Control characters
+ * become '?'. */
+static void print_line(const char *file, const char *kind, const char *sentence)
 {
     char line[PATH_MAX + 2 * HATCH_ERR_TEXT_MAX];
     cmd_clear_progress();
@@ -93,7 +93,7 @@ static void say(const char *file, const char *kind, const char *sentence)
 noreturn void cmd_die(const char *file, const struct hatch_err *err)
 {
     cmd_discard_outputs();
-    say(file, "", err->text);
+    print_line(file, "", err->text);
     if (err->status == HATCH_USAGE)
         fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
     exit((int)err->status);
@@ -105,11 +105,11 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
         cmd_die(file, err);
 }
 
-static void say_formatted(const char *file, const char *kind, const char *format, va_list args)
+static void print_formatted(const char *file, const char *kind, const char *format, va_list args)
 {
     struct hatch_err sentence;
     vsnprintf(sentence.text, sizeof sentence.text, format, args);
-    say(file, kind, sentence.text);
+    print_line(file, kind, sentence.text);
 }
 
 noreturn void cmd_usage(const char *format, ...)
@@ -127,7 +127,7 @@ void cmd_warn(const char *file, const char *format, ...)
     va_list args;
     va_start(args, format);
     if (!cmd_is_quiet)
-        say_formatted(file, "warning: ", format, args);
+        print_formatted(file, "warning: ", format, args);
     va_end(args);
 }
 
@@ -136,7 +136,7 @@ void cmd_note(const char *format, ...)
     va_list args;
     va_start(args, format);
     if (cmd_is_verbose)
-        say_formatted(NULL, "", format, args);
+        print_formatted(NULL, "", format, args);
     va_end(args);
 }
 
@@ -144,7 +144,7 @@ void cmd_say(const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    say_formatted(NULL, "", format, args);
+    print_formatted(NULL, "", format, args);
     va_end(args);
 }
 

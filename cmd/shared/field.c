@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-/* Steps coarser than what libm's last digits differ by between processors, finer than anybody sees
- * (0.00005 degrees). */
+/* Rounding steps, coarser than the differences of libm between processors, finer than is visible (0.00005 degrees). */
 #define DIRECTION_STEP 0x1p-20
 #define CONFIDENCE_STEP 0x1p-12
 

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define FIRST_PIECE ((size_t)64 << 10)
+#define FIRST_CAPACITY ((size_t)64 << 10) /* bytes */
 
 static bool is_standard_input(const char *path)
 {
@@ -21,12 +21,12 @@ const char *cmd_input_name(const char *path)
     return is_standard_input(path) ? "standard input" : path;
 }
 
-/* Reads to the end. A regular file's size is only a first guess: it may grow, and files of /proc
- * say 0. */
+/* Reads to the end of a file.
+ *   guess  its size, as far as known: regular files may grow, and the size of files in /proc is 0 */
 static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                      struct hatch_err *err)
 {
-    size_t capacity = guess ? guess : FIRST_PIECE, size = 0;
+    size_t capacity = guess ? guess : FIRST_CAPACITY, size = 0;
     uint8_t *data = HATCH_NEW(arena, uint8_t, capacity, err);
     while (data) {
         uint8_t beyond;
@@ -86,13 +86,13 @@ struct hatch_bytes cmd_read(struct cmd_args *args, const char *path)
     return bytes;
 }
 
-const char *cmd_own_file(struct cmd_args *args, const char *relative)
+const char *cmd_installed_path(struct cmd_args *args, const char *relative)
 {
     char executable[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", executable, sizeof executable);
     struct hatch_err err;
     if (length < 0)
-        cmd_check(cmd_fail_errno(&err, "cannot find the command's own folder", errno), NULL, &err);
+        cmd_check(cmd_fail_errno(&err, "cannot find the folder of the command", errno), NULL, &err);
     for (int up = 0; up < 2; up++)
         while (length > 0 && executable[--length] != '/')
             continue;

@@ -1,21 +1,23 @@
-/* Reading tonal art maps: what every command does that takes one. */
-#ifndef HATCH_CMD_MAP_H
-#define HATCH_CMD_MAP_H
+/* Tonal art maps as input of a command. */
+#ifndef SHARED_MAP_H
+#define SHARED_MAP_H
 
 #include "shared/cmd.h"
 #include "tam/tam.h"
 
-/* Reads and checks a map (tam(5)) from a file, or from standard input for "-" or NULL, into args->keep.
- * Dies with one line on what is wrong. map->columns are the file's parts. */
+/* Reads a map, tam(5). Dies on failure.
+ *   path  NULL or "-": standard input
+ *   map   out, in args->keep; its columns are the parts of the file */
 void cmd_read_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
 
-/* The same of a file that has been read. name: how messages call it. */
+/* Parses a file as a map. Dies on failure.
+ *   name  of the file, for messages */
 void cmd_parse_map(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_tam *map);
 
-/* Warns when strokes of the map do not nest: for commands that show its images as they are. */
+/* Warns if the strokes of a map do not nest, for commands that use its images as they are. */
 void cmd_warn_nesting(struct cmd_args *args, const char *name, const struct hatch_tam *map);
 
-/* The seed that a map tells of, as text, or NULL. */
+/* Returns the random seed in the metadata of a map, as text, or NULL. */
 const char *cmd_map_seed(const struct hatch_tam *map);
 
 #endif

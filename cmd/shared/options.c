@@ -13,15 +13,15 @@
 #define OPTIONS_MAX 96
 #define THREADS_MAX 256
 
-/* getopt_long's value for the table's i-th entry: beyond every letter. */
+/* Value of getopt_long for entry i of the table; larger than every letter. */
 #define CODE_OF(i) (1000 + (int)(i))
 
 struct table {
     struct cmd_option options[OPTIONS_MAX];
-    size_t own, count; /* the program's own come first, then the common ones */
+    size_t own, count; /* the options of the command come first, own of them, then the common ones */
 };
 
-/* What the common options are parsed into, before it goes to struct cmd_args. */
+/* Values of the common options, copied to struct cmd_args after parsing. */
 static struct {
     bool help, version, options_table, verbose, quiet, json;
     const char *output;
@@ -42,21 +42,21 @@ static void make_table(const struct cmd_program *program, struct table *table)
     for (const struct cmd_option *own = program->options; own && own->name; own++)
         add(table, *own);
     table->own = table->count;
-    add(table, (struct cmd_option){'o', "output", CMD_TEXT, 0, 0, "FILE",
-                                   "where the result goes (default: standard output)", &common.output, NULL, NULL});
+    add(table, (struct cmd_option){'o', "output", CMD_TEXT, 0, 0, "FILE", "output file (default: standard output)",
+                                   &common.output, NULL, NULL});
     if (program->seeded)
-        add(table, (struct cmd_option){'s', "seed", CMD_INT, 0, 0x1p53, "N", "what the random numbers follow from (1)",
-                                       &common.seed, NULL, NULL});
+        add(table, (struct cmd_option){'s', "seed", CMD_INT, 0, 0x1p53, "N", "random seed (default 1)", &common.seed,
+                                       NULL, NULL});
     if (program->reports)
         add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON", &common.json, NULL, NULL});
     add(table, (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N", "threads (default: one per processor)",
                                    &common.threads, NULL, NULL});
     add(table, (struct cmd_option){0, "max-memory", CMD_SIZE, 1 << 20, 0x1p53, "BYTES",
-                                   "refuse to use more; K, M or G may follow (4G)", &common.max_memory, NULL, NULL});
+                                   "memory limit, with K, M or G (default 4G)", &common.max_memory, NULL, NULL});
     add(table,
         (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "no warnings, no progress", &common.quiet, NULL, NULL});
     add(table,
-        (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "say what is done", &common.verbose, NULL, NULL});
+        (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "report details", &common.verbose, NULL, NULL});
     add(table, (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print this and exit", &common.help, NULL, NULL});
     add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL, "print the version and exit", &common.version,
                                    NULL, NULL});
@@ -70,7 +70,7 @@ static noreturn void refuse(const struct cmd_option *option, const char *text, c
     cmd_usage("--%s: '%s' is not %s", option->name, text, want);
 }
 
-/* "a whole number from 1 to 256" */
+/* Writes "a whole number from 1 to 256". */
 static void describe_range(const struct cmd_option *option, char *text, size_t size)
 {
     const char *kind = option->type == CMD_INT    ? "a whole number"
@@ -138,7 +138,7 @@ static void add_text(const struct cmd_option *option, const char *text)
 {
     struct cmd_texts *texts = option->value;
     if (texts->count == CMD_TEXTS_MAX)
-        cmd_usage("--%s: %d times is too often", option->name, CMD_TEXTS_MAX + 1);
+        cmd_usage("--%s: given more than %d times", option->name, CMD_TEXTS_MAX);
     texts->at[texts->count++] = text;
 }
 
@@ -156,7 +156,7 @@ static void parse_choice(const struct cmd_option *option, const char *text)
     refuse(option, text, all);
 }
 
-void cmd_take(const struct cmd_option *option, const char *text)
+void cmd_set_option(const struct cmd_option *option, const char *text)
 {
     int64_t whole = 0;
     double real = 0;
@@ -199,7 +199,7 @@ void cmd_take(const struct cmd_option *option, const char *text)
         *option->given = true;
 }
 
-/* "-o, --output FILE" */
+/* Writes "-o, --output FILE". */
 static void print_names(const struct cmd_option *option, char *text, size_t size)
 {
     char letter[8] = "    ";
@@ -209,7 +209,6 @@ static void print_names(const struct cmd_option *option, char *text, size_t size
              option->metavariable ? option->metavariable : "");
 }
 
-/* operands may hold several forms, one a line. */
 static void print_usage(const struct cmd_program *program)
 {
     const char *form = program->operands;
@@ -222,14 +221,13 @@ static void print_usage(const struct cmd_program *program)
     } while (*form++);
 }
 
-/* Names side by side, within this many columns. */
-#define NAMES_COLUMNS 96
+#define NAMES_COLUMNS 96 /* width of lines that list several options */
 
 struct names_line {
-    size_t used;
+    size_t used; /* columns */
 };
 
-static void print_beside(struct names_line *line, const struct cmd_option *option)
+static void print_in_line(struct names_line *line, const struct cmd_option *option)
 {
     char names[64];
     print_names(option, names, sizeof names);
@@ -239,18 +237,17 @@ static void print_beside(struct names_line *line, const struct cmd_option *optio
     printf("%s%s", gap, text);
 }
 
-static void print_seldom(const struct table *table)
+static void print_secondary(const struct table *table)
 {
     struct names_line line = {0};
     for (size_t i = 0; i < table->own; i++)
         if (table->options[i].help[0] == '+')
-            print_beside(&line, &table->options[i]);
+            print_in_line(&line, &table->options[i]);
     if (line.used)
         printf("\n");
 }
 
-/* Those that every command has but for -o and -s, several on a line and without words: they are in
- * hatch(7), and --help is to fit a screen. */
+/* Lists the common options other than -o and -s, without help, to fit a screen; hatch(7) describes them. */
 static void print_shared(const struct table *table, bool flags)
 {
     struct names_line line = {0};
@@ -259,7 +256,7 @@ static void print_shared(const struct table *table, bool flags)
         if (option->value == &common.output || option->value == &common.seed ||
             option->value == &common.options_table || (option->type == CMD_FLAG) != flags)
             continue;
-        print_beside(&line, option);
+        print_in_line(&line, option);
     }
     printf("\n");
 }
@@ -274,7 +271,7 @@ static void print_options(const struct table *table)
         if (own || option->value == &common.output || option->value == &common.seed)
             printf("  %-28s %s\n", names, option->help);
     }
-    print_seldom(table);
+    print_secondary(table);
     print_shared(table, false);
     print_shared(table, true);
 }
@@ -315,8 +312,7 @@ static noreturn void print_version(const struct cmd_program *program)
     exit(HATCH_OK);
 }
 
-/* The first '-' makes getopt_long give the operands in their order and ignore POSIXLY_CORRECT; ':'
- * keeps it from printing. */
+/* A leading '-' makes getopt_long return operands in order and ignore POSIXLY_CORRECT; ':' suppresses its messages. */
 static void make_getopt_tables(const struct table *table, struct option *longs, char *letters)
 {
     *letters++ = '-';
@@ -354,8 +350,7 @@ static noreturn void refuse_unknown(const struct table *table, char **argv)
     cmd_usage("unknown option %s", word);
 }
 
-/* getopt_long takes every unambiguous beginning of a name; a script that relies on one breaks when
- * an option is added. */
+/* Rejects abbreviated names, which getopt_long accepts: a script that uses one would break when an option is added. */
 static void refuse_abbreviation(const struct cmd_option *option, const char *word)
 {
     size_t length = strcspn(word, "=");
@@ -380,8 +375,8 @@ static void parse_words(const struct table *table, int argc, char **argv, struct
         if (code >= CODE_OF(0) || (code == ':' && optopt >= CODE_OF(0)))
             refuse_abbreviation(option, argv[begin]);
         if (code == ':')
-            cmd_usage("--%s wants a value: %s", option->name, option->metavariable);
-        cmd_take(option, optarg);
+            cmd_usage("--%s needs a value: %s", option->name, option->metavariable);
+        cmd_set_option(option, optarg);
     }
     while (optind < argc)
         argv[args->operand_count++] = argv[optind++];

@@ -13,44 +13,43 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* An output is either a descriptor that takes the bytes as they come (standard output, a device, a
- * pipe) or a hidden file beside the target, closed until the bytes are there, so that thousands of
- * outputs need no thousands of descriptors. */
+/* An output is either a descriptor (standard output, a device, a pipe) or a hidden file beside the target, which is
+ * closed until it is written, so that thousands of outputs do not need thousands of descriptors. */
 struct cmd_output {
     char *name;   /* for messages */
-    char *hidden; /* NULL: write to descriptor */
-    char *target; /* where hidden goes */
-    bool filled;  /* hidden holds its bytes */
+    char *hidden; /* path of the hidden file; NULL: write to descriptor */
+    char *target; /* path to which the hidden file is renamed */
+    bool filled;  /* the hidden file is written */
     int descriptor;
 };
 
-/* The hidden files that exist now; a signal handler reads this. */
+/* The hidden files that exist; read by a signal handler. */
 static char *volatile unfinished[CMD_OUTPUTS_MAX];
 
-/* Where each of them goes: two spellings of a name are one place. */
-static struct place {
+/* Their targets, identified independently of how the path is spelled. */
+static struct location {
     dev_t device;
     ino_t folder;
-    const char *name; /* within the folder */
-} places[CMD_OUTPUTS_MAX];
+    const char *name; /* within the folder; empty: unknown */
+} locations[CMD_OUTPUTS_MAX];
 
 static bool stdout_taken;
 
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 #define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
 
-/* A graphics driver that finds no memory ends so. They cannot be held back. */
+/* A graphics driver without memory may crash. These signals cannot be blocked. */
 static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 static bool stdout_closed;
 
-void cmd_hold_signals(bool hold)
+void cmd_block_signals(bool block)
 {
     sigset_t set;
     sigemptyset(&set);
     for (size_t i = 0; i < ENDING_SIGNALS; i++)
         sigaddset(&set, ending_signals[i]);
-    pthread_sigmask(hold ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
+    pthread_sigmask(block ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
 }
 
 static void remove_unfinished(void)
@@ -60,7 +59,7 @@ static void remove_unfinished(void)
             unlink(unfinished[i]);
 }
 
-/* The signal, raised again with its default action, ends the process when this returns. */
+/* Signal handler: the signal, raised again with its default action, ends the process when this returns. */
 static void clean_up_and_end(int signal_number)
 {
     remove_unfinished();
@@ -68,8 +67,8 @@ static void clean_up_and_end(int signal_number)
     raise(signal_number);
 }
 
-/* Unless the caller ignores it, or a sanitizer reports on it. */
-static void catch (int signal_number)
+/* Installs the handler, unless the parent process ignores the signal or a sanitizer handles it. */
+static void install_handler(int signal_number)
 {
     struct sigaction action = {.sa_handler = clean_up_and_end}, before;
     sigemptyset(&action.sa_mask);
@@ -78,20 +77,20 @@ static void catch (int signal_number)
         sigaction(signal_number, &action, NULL);
 }
 
-void cmd_catch_signals(void)
+void cmd_install_signal_handlers(void)
 {
     for (size_t i = 0; i < ENDING_SIGNALS; i++)
-        catch (ending_signals[i]);
+        install_handler(ending_signals[i]);
     for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
-        catch (crashes[i]);
-    signal(SIGXFSZ, SIG_IGN); /* a write past ulimit -f then fails like any other */
+        install_handler(crashes[i]);
+    signal(SIGXFSZ, SIG_IGN); /* a write past ulimit -f then fails with an error */
 }
 
 void cmd_discard_outputs(void)
 {
-    cmd_hold_signals(true);
+    cmd_block_signals(true);
     remove_unfinished();
-    cmd_hold_signals(false);
+    cmd_block_signals(false);
 }
 
 static noreturn void die_errno(const char *name, const char *sentence, int error_number)
@@ -101,7 +100,7 @@ static noreturn void die_errno(const char *name, const char *sentence, int error
     cmd_die(name, &err);
 }
 
-static void *obtain(size_t size)
+static void *allocate(size_t size)
 {
     void *block = calloc(1, size);
     if (!block) {
@@ -115,7 +114,7 @@ static void *obtain(size_t size)
 static char *copy_text(const char *text)
 {
     size_t size = strlen(text) + 1;
-    return memcpy(obtain(size), text, size);
+    return memcpy(allocate(size), text, size);
 }
 
 static void refuse_terminal(int descriptor, bool binary)
@@ -124,8 +123,7 @@ static void refuse_terminal(int descriptor, bool binary)
         cmd_usage("binary data is not written to a terminal: use -o FILE or a pipe");
 }
 
-/* The file that path leads to, through symbolic links, so that the rename replaces that file and
- * not the link. */
+/* Resolves symbolic links, so that the rename replaces the file and not the link. */
 static char *final_path(const char *path, bool exists)
 {
     char *resolved = NULL;
@@ -146,8 +144,8 @@ static mode_t mode_for(const struct stat *existing)
     return 0666 & ~mask;
 }
 
-/* The place in its folder; that of a folder that does not exist is equal to no other. */
-static struct place place_of(const char *target)
+/* The location of a path; in a folder that does not exist it differs from all others. */
+static struct location locate(const char *target)
 {
     const char *slash = strrchr(target, '/');
     char folder[PATH_MAX] = ".";
@@ -155,16 +153,16 @@ static struct place place_of(const char *target)
         snprintf(folder, sizeof folder, "%.*s/", (int)(slash - target), target);
     struct stat info;
     if (stat(folder, &info) < 0)
-        return (struct place){.name = ""};
-    return (struct place){info.st_dev, info.st_ino, slash ? slash + 1 : target};
+        return (struct location){.name = ""};
+    return (struct location){info.st_dev, info.st_ino, slash ? slash + 1 : target};
 }
 
-/* Of two outputs in one place one would be lost without a word. */
-static void refuse_second(const struct place *place, const char *name)
+/* Dies for a second output to one location, which would overwrite the first. */
+static void refuse_second(const struct location *location, const char *name)
 {
-    for (size_t i = 0; i < CMD_OUTPUTS_MAX && *place->name; i++)
-        if (unfinished[i] && places[i].folder == place->folder && places[i].device == place->device &&
-            strcmp(places[i].name, place->name) == 0)
+    for (size_t i = 0; i < CMD_OUTPUTS_MAX && *location->name; i++)
+        if (unfinished[i] && locations[i].folder == location->folder && locations[i].device == location->device &&
+            strcmp(locations[i].name, location->name) == 0)
             cmd_usage("two outputs go to %s", name);
 }
 
@@ -172,22 +170,22 @@ static void make_hidden(struct cmd_output *output, const struct stat *existing)
 {
     const char *slash = strrchr(output->target, '/');
     int folder_length = slash ? (int)(slash - output->target) + 1 : 0;
-    struct place place = place_of(output->target);
-    refuse_second(&place, output->name);
+    struct location location = locate(output->target);
+    refuse_second(&location, output->name);
     size_t size = (size_t)folder_length + strlen(cmd_current_program->name) + 16;
-    char *hidden = obtain(size);
+    char *hidden = allocate(size);
     snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target, cmd_current_program->name);
     size_t slot = 0;
     while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
         slot++;
     assert(slot < CMD_OUTPUTS_MAX);
-    places[slot] = place;
-    cmd_hold_signals(true);
+    locations[slot] = location;
+    cmd_block_signals(true);
     int descriptor = mkstemp(hidden);
     int error_number = errno;
     if (descriptor >= 0)
         unfinished[slot] = hidden;
-    cmd_hold_signals(false);
+    cmd_block_signals(false);
     if (descriptor < 0)
         die_errno(output->name, "cannot write", error_number);
     if (fchmod(descriptor, mode_for(existing)) < 0 || close(descriptor) < 0)
@@ -220,7 +218,7 @@ void cmd_check_ending(const char *path, const char *endings)
 
 struct cmd_output *cmd_open_output(const char *path, bool binary)
 {
-    struct cmd_output *output = obtain(sizeof *output);
+    struct cmd_output *output = allocate(sizeof *output);
     if (!path || strcmp(path, "-") == 0) {
         refuse_terminal(STDOUT_FILENO, binary);
         if (stdout_taken)
@@ -253,17 +251,17 @@ struct cmd_output *cmd_open_output(const char *path, bool binary)
 static void write_all(const struct cmd_output *output, const char *data, size_t size)
 {
     while (size) {
-        ssize_t put = write(output->descriptor, data, size);
-        if (put < 0 && errno == EINTR)
+        ssize_t written = write(output->descriptor, data, size);
+        if (written < 0 && errno == EINTR)
             continue;
-        if (put < 0)
+        if (written < 0)
             die_errno(output->name, "cannot write", errno);
-        data += put;
-        size -= (size_t)put;
+        data += written;
+        size -= (size_t)written;
     }
 }
 
-static void put(const struct cmd_file *file)
+static void write_file(const struct cmd_file *file)
 {
     struct cmd_output *output = file->output;
     if (output->filled)
@@ -284,12 +282,12 @@ bool cmd_write_ahead(const struct cmd_file *file)
 {
     if (!file->output->hidden)
         return false;
-    put(file);
+    write_file(file);
     file->output->filled = true;
     return true;
 }
 
-static void take_name(const struct cmd_output *output)
+static void rename_hidden(const struct cmd_output *output)
 {
     if (rename(output->hidden, output->target) < 0)
         die_errno(output->name, "cannot write", errno);
@@ -306,21 +304,20 @@ static void free_output(struct cmd_output *output)
     free(output);
 }
 
-/* What can fail comes before what replaces an old file; a pipe, which takes nothing back, comes after
- * the files. */
+/* Steps that may fail come before an old file is replaced; pipes, which cannot be undone, come after the files. */
 void cmd_write_all(const struct cmd_file *files, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if (files[i].output->hidden)
-            put(&files[i]);
+            write_file(&files[i]);
     for (size_t i = 0; i < count; i++)
         if (!files[i].output->hidden)
-            put(&files[i]);
-    cmd_hold_signals(true);
+            write_file(&files[i]);
+    cmd_block_signals(true);
     for (size_t i = 0; i < count; i++)
         if (files[i].output->hidden)
-            take_name(files[i].output);
-    cmd_hold_signals(false);
+            rename_hidden(files[i].output);
+    cmd_block_signals(false);
     for (size_t i = 0; i < count; i++)
         free_output(files[i].output);
 }

@@ -24,11 +24,11 @@ void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, s
 {
     struct hatch_err err;
     struct hatch_bytes file = {0};
-    const char *name = cmd_input_name(path), *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
     cmd_check(cmd_try_read(arena, path, &file, &err), name, &err);
     cmd_check(hatch_image_read_any(file, path, plugin, arena, &args->scratch, image, &err), name, &err);
     size_t replaced = replace_non_finite(image, fallback);
     if (replaced)
-        cmd_warn(name, "%zu %s finite: taken for %g", replaced, cmd_noun(replaced, "number is not", "numbers are not"),
-                 (double)fallback);
+        cmd_warn(name, "%zu %s finite: replaced by %g", replaced,
+                 cmd_plural(replaced, "number is not", "numbers are not"), (double)fallback);
 }

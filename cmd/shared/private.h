@@ -1,28 +1,33 @@
-/* What the files of cmd/cmd*.c share among themselves; commands include cmd.h only. */
-#ifndef HATCH_CMD_PRIVATE_H
-#define HATCH_CMD_PRIVATE_H
+/* Shared by the files of cmd/shared; commands include cmd.h instead. */
+#ifndef SHARED_PRIVATE_H
+#define SHARED_PRIVATE_H
 
 #include "shared/cmd.h"
 
-/* Set by cmd_begin; valid for the rest of the process. */
+/* Set by cmd_begin for the rest of the process. */
 extern const struct cmd_program *cmd_current_program;
 extern bool cmd_is_quiet, cmd_is_verbose;
 
-/* cmd_options.c: fills args and the program's values; prints and exits for --help, --version and
+/* Parses the command line into args and the values of the options. Prints and exits for --help, --version and
  * --options-table; dies on wrong usage. */
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
 
-/* cmd_output.c */
-void cmd_catch_signals(void);
+/* Installs handlers that remove unfinished outputs when a signal ends the process. */
+void cmd_install_signal_handlers(void);
+
+/* Removes unfinished outputs. */
 void cmd_discard_outputs(void);
-/* Blocks (true) or lets through (false) the signals that end the process. */
-void cmd_hold_signals(bool hold);
-/* Flushes and closes standard output; dies when it did not take everything. */
+
+/* Blocks (true) or unblocks (false) the signals that end the process, crashes excepted. */
+void cmd_block_signals(bool block);
+
+/* Flushes and closes standard output; dies on failure. */
 void cmd_close_stdout(void);
 
-/* cmd.c */
+/* Erases the progress line. */
 void cmd_clear_progress(void);
-/* err's status and "sentence: the system's reason for error_number". */
+
+/* Fills err with HATCH_IO and "sentence: the system's message for error_number"; returns HATCH_IO. */
 enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, int error_number);
 
 #endif

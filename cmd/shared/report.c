@@ -3,21 +3,21 @@
 #include <assert.h>
 #include <math.h>
 
-static void put(struct cmd_report *report, const char *text)
+static void add_text(struct cmd_report *report, const char *text)
 {
     struct hatch_err err;
     cmd_check(hatch_buffer_print(&report->text, &err, "%s", text), NULL, &err);
 }
 
-/* Within quotes of JSON, or between tabs. */
-static void put_escaped(struct cmd_report *report, const char *text)
+/* Adds a text between the quotes of JSON or between tabs. */
+static void add_escaped(struct cmd_report *report, const char *text)
 {
     for (; *text; text++) {
         unsigned char c = (unsigned char)*text;
         char plain[] = {c < 0x20 || c == 0x7f ? '?' : *text, '\0'};
         if (report->json && (c == '"' || c == '\\'))
-            put(report, "\\");
-        put(report, plain);
+            add_text(report, "\\");
+        add_text(report, plain);
     }
 }
 
@@ -28,27 +28,27 @@ void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const ch
         report->column_count++;
     assert(report->column_count > 0 && report->column_count <= CMD_REPORT_COLUMNS_MAX);
     if (args->json) {
-        put(report, "[");
+        add_text(report, "[");
         return;
     }
     for (uint32_t i = 0; i < report->column_count; i++) {
-        put(report, i ? "\t" : "");
-        put(report, columns[i]);
+        add_text(report, i ? "\t" : "");
+        add_text(report, columns[i]);
     }
-    put(report, "\n");
+    add_text(report, "\n");
 }
 
 static void begin_cell(struct cmd_report *report)
 {
     bool first = report->next == 0;
     if (!report->json) {
-        put(report, first ? "" : "\t");
+        add_text(report, first ? "" : "\t");
         return;
     }
-    put(report, !first ? ", " : report->any_row ? ",\n {" : "\n {");
-    put(report, "\"");
-    put(report, report->columns[report->next]);
-    put(report, "\": ");
+    add_text(report, !first ? ", " : report->any_row ? ",\n {" : "\n {");
+    add_text(report, "\"");
+    add_text(report, report->columns[report->next]);
+    add_text(report, "\": ");
 }
 
 static void end_cell(struct cmd_report *report)
@@ -57,15 +57,15 @@ static void end_cell(struct cmd_report *report)
     if (++report->next < report->column_count)
         return;
     report->next = 0;
-    put(report, report->json ? "}" : "\n");
+    add_text(report, report->json ? "}" : "\n");
 }
 
 void cmd_report_text(struct cmd_report *report, const char *text)
 {
     begin_cell(report);
-    put(report, report->json ? "\"" : "");
-    put_escaped(report, text);
-    put(report, report->json ? "\"" : "");
+    add_text(report, report->json ? "\"" : "");
+    add_escaped(report, text);
+    add_text(report, report->json ? "\"" : "");
     end_cell(report);
 }
 
@@ -74,13 +74,13 @@ void cmd_report_number(struct cmd_report *report, double number)
     struct hatch_err err;
     begin_cell(report);
     if (!isfinite(number))
-        put(report, report->json ? "null" : isnan(number) ? "nan" : number < 0 ? "-inf" : "inf");
+        add_text(report, report->json ? "null" : isnan(number) ? "nan" : number < 0 ? "-inf" : "inf");
     else
         cmd_check(hatch_buffer_print(&report->text, &err, "%.9g", number), NULL, &err);
     end_cell(report);
 }
 
-void cmd_report_whole(struct cmd_report *report, uint64_t number)
+void cmd_report_integer(struct cmd_report *report, uint64_t number)
 {
     struct hatch_err err;
     begin_cell(report);
@@ -91,7 +91,7 @@ void cmd_report_whole(struct cmd_report *report, uint64_t number)
 struct hatch_bytes cmd_report_end(struct cmd_report *report)
 {
     assert(report->next == 0);
-    put(report, report->json ? "\n]\n" : "");
+    add_text(report, report->json ? "\n]\n" : "");
     return (struct hatch_bytes){report->text.data, report->text.size};
 }
 

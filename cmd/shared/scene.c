@@ -6,7 +6,8 @@
 #include "io/gltf/gltf.h"
 #include "io/mesh/file.h"
 
-/* A glTF's companions lie beside it; context is the glTF's path. */
+/* Reads a companion file of a glTF, relative to it.
+ *   context  path of the glTF */
 static enum hatch_status read_companion(void *context, const char *uri, struct hatch_arena *arena,
                                         struct hatch_bytes *bytes, struct hatch_err *err)
 {
@@ -24,34 +25,35 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
     const struct {
         uint32_t count;
         const char *one, *many;
-    } said[] = {
+    } warnings[] = {
         {notes->degenerate_dropped, "face without an area is left out", "faces without an area are left out"},
         {notes->duplicates_dropped, "face given twice is left out", "faces given twice are left out"},
         {notes->unreferenced_dropped, "vertex that no face uses is left out",
          "vertices that no face uses are left out"},
-        {notes->vertices_apart, "vertex stands where another does and counts as one with it",
-         "vertices stand where others do and count as one with them"},
-        {notes->faces_flipped, "face looks the other way than its neighbours",
-         "faces look the other way than their neighbours"},
+        {notes->vertices_apart, "vertex has the position of another one and counts as the same",
+         "vertices have the position of others and count as the same"},
+        {notes->faces_flipped, "face has the opposite orientation to its neighbours",
+         "faces have the opposite orientation to their neighbours"},
         {notes->non_manifold_edges, "edge has more than two faces", "edges have more than two faces"},
         {notes->non_manifold_points, "point joins faces that share no edge there",
          "points join faces that share no edge there"},
-        {notes->contrary_edges, "edge between faces that cannot agree which side is out: the surface has but one side",
-         "edges between faces that cannot agree which side is out: the surface has but one side"},
+        {notes->contrary_edges, "edge between faces that cannot be oriented alike: the surface has one side only",
+         "edges between faces that cannot be oriented alike: the surface has one side only"},
         {notes->primitives_skipped, "set of points or lines is skipped", "sets of points or lines are skipped"},
-        {notes->morphs_ignored, "mesh has morph targets, and stays as it rests",
-         "meshes have morph targets, and stay as they rest"},
+        {notes->morphs_ignored, "mesh has morph targets, which are ignored",
+         "meshes have morph targets, which are ignored"},
         {notes->attributes_dropped, "vertex attribute is left out: unknown, or more than a mesh holds",
          "vertex attributes are left out: unknown, or more than a mesh holds"},
         {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
     };
-    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
-        if (said[i].count)
-            cmd_warn(name, "%u %s", said[i].count, said[i].count == 1 ? said[i].one : said[i].many);
+    for (size_t i = 0; i < sizeof warnings / sizeof *warnings; i++)
+        if (warnings[i].count)
+            cmd_warn(name, "%u %s", warnings[i].count,
+                     cmd_plural(warnings[i].count, warnings[i].one, warnings[i].many));
     if (notes->images_missing)
         cmd_warn(name, "%u %s left out that could not be read: %s%s", notes->images_missing,
-                 notes->images_missing == 1 ? "image is" : "images are", notes->image_missing,
-                 notes->images_missing == 1 ? "" : " and others");
+                 cmd_plural(notes->images_missing, "image is", "images are"), notes->image_missing,
+                 cmd_plural(notes->images_missing, "", " and others"));
 }
 
 static bool is_file(const char *path)
@@ -59,8 +61,8 @@ static bool is_file(const char *path)
     return path && strcmp(path, "-") != 0;
 }
 
-void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene,
-                          struct hatch_mesh_notes *notes)
+void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care,
+                             struct hatch_scene *scene, struct hatch_mesh_notes *notes)
 {
     const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
@@ -80,7 +82,7 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
         if (care == CMD_SCENE_CLEANED)
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
-        for (int k = 0; k < 3; k++) /* a survey's coordinates stay what they are in the scene */
+        for (int k = 0; k < 3; k++) /* large coordinates are moved to the node, to keep their precision */
             scene->nodes[0].translation[k] = (float)origin[k];
         scene->meshes[0].loose = format == HATCH_MESH_STL;
         if (scene->meshes[0].loose)
@@ -88,9 +90,9 @@ void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scen
     }
 }
 
-void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene)
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care, struct hatch_scene *scene)
 {
     struct hatch_mesh_notes notes = {0};
-    cmd_read_scene_noted(args, path, care, scene, &notes);
+    cmd_read_scene_silently(args, path, care, scene, &notes);
     cmd_warn_mesh(cmd_input_name(path), &notes);
 }

@@ -1,29 +1,30 @@
-/* Scenes and meshes as input of a command: any format, any dirt. For commands that link gltf. */
-#ifndef HATCH_CMD_SCENE_H
-#define HATCH_CMD_SCENE_H
+/* Scenes and meshes as input of a command, in any format. For commands that link gltf. */
+#ifndef SHARED_SCENE_H
+#define SHARED_SCENE_H
 
 #include "shared/cmd.h"
 #include "scene/scene.h"
 
-enum cmd_scene_care {
-    CMD_SCENE_AS_IS,  /* what the file holds, without a word but of what was skipped */
-    CMD_SCENE_CLEANED /* PLY, OBJ, OFF and STL cleaned (hatch_mesh_clean), with warnings */
+enum cmd_scene_cleaning {
+    CMD_SCENE_AS_IS,  /* the content of the file; warnings only for what was skipped */
+    CMD_SCENE_CLEANED /* PLY, OBJ, OFF and STL are cleaned (hatch_mesh_clean), with warnings */
 };
 
-/* Reads a scene: glTF with its companions (those of standard input cannot be found), or a mesh file as
- * a scene of one node. Normals are those of the file, or glTF's flat ones. Memory: args->keep. Dies on
- * failure. */
-void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene);
-
-/* The same without a word: what there is to warn of is added to notes, for commands that may have to end
- * with an error after all. */
-void cmd_read_scene_noted(struct cmd_args *args, const char *path, enum cmd_scene_care care, struct hatch_scene *scene,
-                          struct hatch_mesh_notes *notes);
-
-/* Where a file has no normals, edges that turn by more than 60 degrees stay sharp. */
+/* Edges with a larger angle stay sharp when normals are computed for a file without them; 60 degrees. */
 #define CMD_CREASE_RAD 1.0471975511965976f
 
-/* A warning for each thing that a mesh's user should know, repaired or not. */
+/* Reads a scene: glTF with its companion files (except from standard input), or a mesh file as a scene of one node.
+ * Normals are those of the file, or flat ones for glTF without normals. Dies on failure.
+ *   path   NULL or "-": standard input
+ *   scene  out, in args->keep */
+void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
+                    struct hatch_scene *scene);
+
+/* Reads a scene like cmd_read_scene, but adds to notes what there is to warn of, for commands that may still fail. */
+void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
+                             struct hatch_scene *scene, struct hatch_mesh_notes *notes);
+
+/* Warns of each kind of defect, repaired or not. */
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes);
 
 #endif

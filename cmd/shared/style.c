@@ -11,37 +11,38 @@ static bool is_path(const char *name)
     return strcmp(name, "-") == 0 || strpbrk(name, "/.");
 }
 
-/* NULL where none of that name comes with the commands. kind: "style" or "palette". */
-static const char *own_file(struct cmd_args *args, const char *name, const char *kind)
+/* Returns the path of an installed style or palette, or NULL.
+ *   kind  "style" or "palette" */
+static const char *installed_file(struct cmd_args *args, const char *name, const char *kind)
 {
     struct hatch_err err;
     struct hatch_buffer relative = {.arena = &args->keep};
     cmd_check(hatch_buffer_print(&relative, &err, "share/hatch/styles/%s.%s%c", name, kind, '\0'), NULL, &err);
-    const char *path = cmd_own_file(args, (const char *)relative.data);
+    const char *path = cmd_installed_path(args, (const char *)relative.data);
     return access(path, F_OK) == 0 ? path : NULL;
 }
 
 bool cmd_has_style(struct cmd_args *args, const char *name)
 {
-    return !is_path(name) && own_file(args, name, "style");
+    return !is_path(name) && installed_file(args, name, "style");
 }
 
-/* A bare name is a style that comes with the commands before it is a file here, so that a folder's
- * content does not change what "ink" means. */
+/* Installed styles come before files of the same name, so that the content of a folder cannot change the meaning of
+ * "ink". */
 static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
 {
     if (is_path(name))
         return name;
-    const char *path = own_file(args, name, kind);
+    const char *path = installed_file(args, name, kind);
     if (path)
         return path;
     if (access(name, F_OK) != 0)
-        cmd_usage("no %s '%s': it is neither a %s that comes with the commands nor a file", kind, name, kind);
+        cmd_usage("no %s '%s': it is neither an installed %s nor a file", kind, name, kind);
     return name;
 }
 
-/* The file's name without folders and ending; "custom" where nothing is left of it. */
-static void call_after(const char *path, struct hatch_style *style)
+/* Names a style after its file, without folders and ending; "custom" if that is empty. */
+static void name_after(const char *path, struct hatch_style *style)
 {
     const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path;
     const char *dot = strchr(stem, '.');
@@ -62,7 +63,7 @@ static void apply_settings(struct cmd_args *args, const char *settings, struct h
         cmd_usage("--set: %s", err.text);
 }
 
-const char *cmd_beside(struct cmd_args *args, const char *path, const char *name)
+const char *cmd_path_beside(struct cmd_args *args, const char *path, const char *name)
 {
     struct hatch_err err;
     const char *slash = strrchr(path, '/');
@@ -77,7 +78,7 @@ void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush 
 {
     struct hatch_err err;
     struct hatch_image image;
-    cmd_read_picture(args, path, 1, &args->keep, &image); /* what is no number is paper */
+    cmd_read_picture(args, path, 1, &args->keep, &image); /* numbers that are not finite become paper */
     cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), cmd_input_name(path), &err);
 }
 
@@ -87,12 +88,12 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
     struct hatch_err err;
     const char *path = find_file(args, name, "style");
     hatch_style_default(style);
-    call_after(path, style);
+    name_after(path, style);
     cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
     if (settings)
         apply_settings(args, settings, style);
     if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
-        brush_path = cmd_beside(args, path, style->brush_file);
+        brush_path = cmd_path_beside(args, path, style->brush_file);
     if (brush_path)
         cmd_read_brush(args, brush_path, brush);
     else
@@ -107,7 +108,7 @@ void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_styl
     hatch_style_default(&read);
     cmd_check(hatch_style_parse(cmd_read(args, path), &read, &err), cmd_input_name(path), &err);
     if (read.color_count == 0)
-        cmd_die(cmd_input_name(path), &(struct hatch_err){HATCH_BAD_INPUT, "no color in it"});
+        cmd_die(cmd_input_name(path), &(struct hatch_err){HATCH_BAD_INPUT, "the palette has no color line"});
     style->color_count = read.color_count;
     memcpy(style->colors, read.colors, sizeof style->colors);
 }

@@ -11,7 +11,7 @@ static bool has_area(const struct hatch_mesh *mesh)
     return false;
 }
 
-/* Takes meshes without area out of the scene and its nodes; returns how many. */
+/* Removes meshes without area from the scene and its nodes; returns their number. */
 static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -55,23 +55,23 @@ static void warn(const char *name, const struct hatch_surface_notes *notes, uint
     const struct {
         uint32_t count;
         const char *one, *many;
-    } done[] = {
+    } repairs[] = {
         {empty, "mesh without an area left out", "meshes without an area left out"},
         {notes->unreferenced, "vertex that no face uses left out", "vertices that no face uses left out"},
         {notes->degenerate, "face without an area left out", "faces without an area left out"},
         {notes->duplicate, "face given twice left out", "faces given twice left out"},
         {notes->welded, "vertex welded", "vertices welded"},
-        {notes->flipped, "face turned to agree", "faces turned to agree"},
+        {notes->flipped, "face flipped", "faces flipped"},
         {notes->edges_cut, "edge of more than two faces cut", "edges of more than two faces cut"},
         {notes->points_split, "point split where faces share no edge", "points split where faces share no edge"},
         {notes->contrary, "edge where a one-sided surface turns over", "edges where a one-sided surface turns over"},
     };
     char line[HATCH_ERR_TEXT_MAX * 2] = "";
     size_t length = 0;
-    for (size_t i = 0; i < sizeof done / sizeof *done; i++)
-        if (done[i].count)
+    for (size_t i = 0; i < sizeof repairs / sizeof *repairs; i++)
+        if (repairs[i].count)
             length += (size_t)snprintf(line + length, sizeof line - length, "%s%u %s", length ? ", " : "",
-                                       done[i].count, done[i].count == 1 ? done[i].one : done[i].many);
+                                       repairs[i].count, cmd_plural(repairs[i].count, repairs[i].one, repairs[i].many));
     if (length)
         cmd_warn(name, "%s", line);
 }
@@ -90,14 +90,14 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct hatch_scene_mesh *from = &scene->meshes[i];
         cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);
-        /* Vertices of one place are no fault where they may differ in what they carry. */
+        /* Vertices at one position are no defect if their attributes may differ. */
         if (from->loose || from->mesh.attribute_count > 1)
             notes.welded = 0;
-        if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has said what cannot be mended */
+        if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has already reported these */
             notes.edges_cut = notes.points_split = notes.contrary = 0;
         add(&sum, &notes);
     }
     warn(name, &sum, empty);
-    cmd_note("%u %s", sum.components, cmd_noun(sum.components, "surface", "surfaces"));
+    cmd_note("%u %s", sum.components, cmd_plural(sum.components, "surface", "surfaces"));
     return surfaces;
 }

@@ -6,6 +6,7 @@
 #include "io/texture/container.h"
 #include "io/exr/exr.h"
 
+/* The parts of an EXR. */
 struct parts {
     const struct cmd_texture *texture;
     struct hatch_exr_writer *writer;
@@ -17,7 +18,7 @@ struct parts {
     } * results;
 };
 
-bool cmd_wants_exr(const char *path)
+bool cmd_is_exr_path(const char *path)
 {
     size_t length = path ? strlen(path) : 0;
     return length >= 4 && strcmp(path + length - 4, ".exr") == 0;
@@ -31,7 +32,6 @@ static void unpack_slice(const struct hatch_texels *texels, uint32_t level, uint
         image->pixels[i] = (float)from[i] / 255;
 }
 
-/* Names and sizes; pixels only with an arena. */
 static enum hatch_status make_part(const struct parts *parts, uint32_t part, struct hatch_arena *arena,
                                    struct hatch_image *levels, struct hatch_mipmap *mipmap, struct hatch_err *err)
 {
@@ -102,7 +102,8 @@ void cmd_encode_texture(struct cmd_args *args, const struct cmd_texture *texture
                         struct hatch_buffer *file)
 {
     struct hatch_err err;
-    enum hatch_status status = cmd_wants_exr(path) ? encode_exr(args, texture, file, &err)
-                                                   : hatch_ktx2_write(texture->texels, texture->key_values, file, &err);
+    enum hatch_status status = cmd_is_exr_path(path)
+                                   ? encode_exr(args, texture, file, &err)
+                                   : hatch_ktx2_write(texture->texels, texture->key_values, file, &err);
     cmd_check(status, path, &err);
 }

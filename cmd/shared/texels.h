@@ -1,25 +1,25 @@
-/* Writing textures: what every command does that makes one. A command that uses this links the packages
- * container and exr. */
-#ifndef HATCH_CMD_TEXELS_H
-#define HATCH_CMD_TEXELS_H
+/* Textures as output of a command. A command that uses this links the packages texture and exr. */
+#ifndef SHARED_TEXELS_H
+#define SHARED_TEXELS_H
 
 #include "shared/cmd.h"
 #include "image/texels.h"
 
-/* A texture and what its file says of it. */
+/* A texture and the metadata of its file. */
 struct cmd_texture {
     const struct hatch_texels *texels;
-    const char *const *key_values;  /* alternating, NULL-terminated */
-    const char *const *layer_names; /* of its EXR parts; NULL: slice.000 and so on */
+    const char *const *key_values;  /* keys and values alternate, NULL-terminated */
+    const char *const *layer_names; /* names of the parts of an EXR; NULL: slice.000, slice.001 and so on */
 };
 
-/* Whether path ends in ".exr". */
-bool cmd_wants_exr(const char *path);
+/* Returns whether path ends in ".exr". */
+bool cmd_is_exr_path(const char *path);
 
-/* Encodes a texture into file, an empty buffer: as KTX2, or, where path ends in .exr, as OpenEXR with a
- * part for each layer or slice of the finest level. A part of a 3D texture has on level l the slice that
- * its own falls into, number k >> l; levels of 1x1 texels beyond the first are left out. Plain texels
- * only for EXR. Numbers are halves, 0 to 1, and attributes the keys. Dies on failure. */
+/* Encodes a texture as KTX2, or as OpenEXR if path ends in .exr. An EXR has one part per layer, or per slice of the
+ * finest level; level l of the part for slice k of a 3D texture is slice k >> l; only one level of 1x1 texels is
+ * written. Its numbers are half floats, 0 .. 1, its attributes the keys. Dies on failure.
+ *   texture  HATCH_TEXELS_PLAIN for EXR
+ *   file     empty; receives the result */
 void cmd_encode_texture(struct cmd_args *args, const struct cmd_texture *texture, const char *path,
                         struct hatch_buffer *file);
 

@@ -5,13 +5,13 @@
 
 #include "shared/cmd.h"
 
-/* Copies are floats, twice what a column takes in the file: with many threads they would outweigh the
- * map itself. A third of its columns at once is more than the filling can feed. */
+/* At most a third of the columns are copied at a time. Copies are floats, twice the size of a column in the file, so
+ * with many threads they would need more memory than the map; and filling is too slow to need more. */
 #define COPIES_DIVISOR 3u
-/* With one copy a thread the others run dry while this one compresses a column itself, since all were taken. */
+/* With one copy per thread, the other threads idle while this one compresses a column itself. */
 #define COPIES_PER_THREAD 2u
 
-/* A column that waits for its compression: the canvas goes on changing, so its pixels are copied. */
+/* A copy of a column to be compressed: the canvas changes meanwhile. */
 struct column_copy {
     struct hatch_exr_writer *writer;
     uint32_t tone;
@@ -84,7 +84,7 @@ enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_
         hatch_tam_sheet_add(columns->sheet, tone, column);
     cmd_progress("columns", (double)++columns->done / columns->tones);
     struct column_copy *copy = free_copy(columns);
-    if (!copy) /* all threads are busy: this one may as well compress */
+    if (!copy) /* all other threads are busy */
         return hatch_exr_add_part(columns->writer, tone, column, err);
     if (copy->status != HATCH_OK) {
         *err = copy->err;

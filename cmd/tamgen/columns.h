@@ -1,7 +1,6 @@
-/* The finished columns of a tonal art map on their way into a file: compressed on other threads while
- * the next column is filled. */
-#ifndef HATCH_TAMGEN_COLUMNS_H
-#define HATCH_TAMGEN_COLUMNS_H
+/* Writes the columns of a tonal art map to a file, compressed on other threads while the next column is filled. */
+#ifndef TAMGEN_COLUMNS_H
+#define TAMGEN_COLUMNS_H
 
 #include "base/parallel.h"
 #include "io/exr/exr.h"
@@ -12,20 +11,22 @@ struct column_copy;
 struct columns {
     struct hatch_arena *arena;
     struct hatch_pool *pool;
-    uint32_t tones;
-    struct hatch_tam_sheet *sheet;   /* or NULL */
-    struct hatch_exr_writer *writer; /* made for the first column */
+    uint32_t tones;                  /* number of columns */
+    struct hatch_tam_sheet *sheet;   /* receives the columns; NULL: none */
+    struct hatch_exr_writer *writer; /* made with the first column */
     struct column_copy *copies;
     uint32_t copy_count;
-    uint32_t done; /* columns received */
+    uint32_t done; /* number of columns received */
 };
 
-/* Takes one column: a hatch_tam_sink; context is a struct columns. */
+/* Takes one column; struct hatch_tam_sink's take.
+ *   context  struct columns */
 enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                struct hatch_err *err) HATCH_MUST_USE;
 
-/* Waits for the other threads and tells the file's bytes: those of head, then those of pieces[tones], which live
- * until hatch_exr_abandon(columns->writer). */
+/* Waits for the other threads and returns the file.
+ *   head    out: first bytes of the file
+ *   pieces  out: the others, one per column, valid until hatch_exr_abandon(columns->writer) */
 enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *head, struct hatch_bytes *pieces,
                                  struct hatch_err *err) HATCH_MUST_USE;
 

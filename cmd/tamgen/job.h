@@ -1,6 +1,6 @@
-/* What tamgen was asked for, and what it has made of it. */
-#ifndef HATCH_TAMGEN_JOB_H
-#define HATCH_TAMGEN_JOB_H
+/* The job of tamgen: its options and its results. */
+#ifndef TAMGEN_JOB_H
+#define TAMGEN_JOB_H
 
 #include "shared/cmd.h"
 #include "columns.h"
@@ -12,38 +12,39 @@ struct job {
     struct hatch_brush brush;
     uint32_t size_px, tones, levels;
     bool color, ids;
-    const char *sheet_path, *strokes_path;
+    const char *sheet_path, *strokes_path; /* NULL: not written */
     struct hatch_tam_sheet sheet;
     struct columns columns;
     struct hatch_stroke_list strokes;
 };
 
-/* Everything that tamgen writes; opened before the work, written after it. */
 struct outputs {
-    struct cmd_output *map, *strokes, *sheet;
+    struct cmd_output *map;
+    struct cmd_output *strokes, *sheet; /* NULL: not written */
 };
 
+/* Opens all outputs, before the work begins. */
 struct outputs open_outputs(const struct job *job);
 
-/* Makes columns ready to receive, and the sheet, if one is wanted. job->color is set. */
+/* Prepares columns, and the sheet if there is one. job->color must be set. */
 void begin_columns(struct job *job);
 
-/* Encodes all, then writes all. */
+/* Encodes all outputs, then writes them. */
 void write_outputs(struct job *job, const struct outputs *outputs);
 
-/* How a drawing is replayed. */
+/* Options of --replay. */
 struct replay_job {
     const char *path;
-    bool is_svg;
+    bool is_svg; /* else a script */
     struct hatch_bytes file;
-    double keep;
-    bool fit;
+    double keep; /* as in struct hatch_replay_options */
+    bool fit;    /* likewise */
 };
 
-/* Reads the strokes of a script or an SVG drawing into job->strokes, and says what was passed over. */
+/* Reads the strokes of a script or an SVG drawing into job->strokes and reports what is not replayed. */
 void read_drawing(struct job *job, const struct replay_job *replay);
 
-/* Makes the map of those strokes; columns receive it. */
+/* Makes a map of these strokes; columns receive it. */
 void replay_drawing(struct job *job, const struct replay_job *replay);
 
 #endif

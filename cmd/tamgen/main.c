@@ -1,4 +1,4 @@
-/* tamgen: fills a tonal art map with strokes of a style, or with those of a drawing. */
+/* tamgen: makes a tonal art map from strokes of a style, or from those of a drawing. */
 #include "shared/style.h"
 #include "io/svg/svg.h"
 #include "job.h"
@@ -16,27 +16,26 @@ static bool ids;
 static const char *const methods[] = {"field", "exhaustive", NULL};
 
 static const struct cmd_option options[] = {
-    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default ink)", &style_name, NULL, NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL, NULL},
-    {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by darkness: a palette's name, or a file", &palette, NULL,
-     NULL},
-    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "a grey image of one stroke, dark on white", &brush_path, NULL, NULL},
-    {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "columns, lightest first (default 6)", &tones, NULL, NULL},
-    {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX", "finest level, a power of two (default 256)",
-     &size_px, NULL, NULL},
-    {'l', "levels", CMD_INT, 1, 8, "N", "levels that hold strokes (default: down to 32 px)", &levels, NULL, NULL},
-    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "strokes tried per stroke, light to dark columns", candidates, NULL,
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "name of a style, or a file (default ink)", &style_name, NULL, NULL},
+    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines to add: 'width 3; jitter 2'", &settings, NULL, NULL},
+    {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by tone: name of a palette, or a file", &palette, NULL, NULL},
+    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "grey image of a stroke, dark on white", &brush_path, NULL, NULL},
+    {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "number of tones, or columns (default 6)", &tones, NULL, NULL},
+    {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX",
+     "size of the finest level, a power of two (default 256)", &size_px, NULL, NULL},
+    {'l', "levels", CMD_INT, 1, 8, "N", "drawn levels (default: down to 32 px)", &levels, NULL, NULL},
+    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "candidates per stroke, lightest and darkest column", candidates, NULL,
      &candidates_given},
-    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the paper's loop", &method, methods,
-     &method_given},
-    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes begin that much smaller and grow (default 0)", &growth, NULL,
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive, the loop of the paper", &method,
+     methods, &method_given},
+    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes start shorter by SHARE and grow (default 0)", &growth, NULL,
      &growth_given},
-    {'R', "replay", CMD_TEXT, 0, 0, "FILE", "strokes of a script or an SVG drawing, in their order", &replay.path, NULL,
+    {'R', "replay", CMD_TEXT, 0, 0, "FILE", "replay the strokes of a script or an SVG drawing", &replay.path, NULL,
      NULL},
-    {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "of a drawing's strokes, from level to level (default 1)", &replay.keep,
+    {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "replay: share of strokes to keep per level (default 1)", &replay.keep,
      NULL, &keep_given},
-    {'f', "fit", CMD_FLAG, 0, 0, NULL, "find that share for each image; says the errors left", &replay.fit, NULL, NULL},
-    {'i', "ids", CMD_FLAG, 0, 0, NULL, "store which stroke each pixel belongs to", &ids, NULL, NULL},
+    {'f', "fit", CMD_FLAG, 0, 0, NULL, "replay: compute that share per image, report errors", &replay.fit, NULL, NULL},
+    {'i', "ids", CMD_FLAG, 0, 0, NULL, "store the stroke of each pixel", &ids, NULL, NULL},
     {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL, NULL},
     {'x', "contact-sheet", CMD_TEXT, 0, 0, "PNG", "draw the grid of tones and levels", &sheet_path, NULL, NULL},
     {0},
@@ -75,18 +74,17 @@ static void check_sizes(void)
         levels = deepest;
 }
 
-/* What goes together. */
 static void check_replay(void)
 {
     if (!replay.path && (keep_given || replay.fit))
-        cmd_usage("--keep and --fit tell how a drawing is replayed: --replay is missing");
+        cmd_usage("--keep and --fit need --replay");
     if (keep_given && replay.fit)
-        cmd_usage("--fit finds the share that --keep gives");
+        cmd_usage("--keep and --fit exclude each other: --fit computes the share");
     if (replay.path && (method_given || growth_given || candidates_given))
-        cmd_usage("--replay draws strokes as they are: no --method, --growth or --candidates");
+        cmd_usage("--replay excludes --method, --growth and --candidates: its strokes are given");
 }
 
-/* The drawing's bytes decide the style that it gets where none is named. */
+/* Reads the drawing first, because its format decides the default style. */
 static void read_style(struct job *job)
 {
     if (replay.path) {
@@ -108,7 +106,9 @@ static void read_style(struct job *job)
 static void fill_map(struct job *job)
 {
     struct hatch_err err;
-    struct hatch_fill_options fill = {.size_px = job->size_px,
+    struct hatch_fill_options fill = {.style = &job->style,
+                                      .brush = &job->brush,
+                                      .size_px = job->size_px,
                                       .tones = job->tones,
                                       .levels = job->levels,
                                       .method = (enum hatch_fill_method)method,
@@ -116,9 +116,8 @@ static void fill_map(struct job *job)
                                       .growth = (float)growth,
                                       .color = job->color,
                                       .ids = job->ids};
-    cmd_check(hatch_tam_fill(&job->style, &job->brush, &fill, &job->args.keep, &job->args.scratch, columns_take,
-                             &job->columns, &job->strokes, &err),
-              NULL, &err);
+    const struct hatch_tam_sink sink = {columns_take, &job->columns};
+    cmd_check(hatch_tam_fill(&fill, &job->args.keep, &job->args.scratch, &sink, &job->strokes, &err), NULL, &err);
     cmd_note("%u strokes", job->strokes.count);
 }
 

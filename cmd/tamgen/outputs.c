@@ -21,10 +21,9 @@ void begin_columns(struct job *job)
                                     .tones = job->tones,
                                     .sheet = job->sheet_path ? &job->sheet : NULL};
     uint32_t shown = job->tones < SHEET_COLUMNS_MAX ? job->tones : SHEET_COLUMNS_MAX;
+    const struct hatch_tam_sheet_options sheet = {job->size_px, job->levels, job->tones, shown, job->color};
     if (job->sheet_path)
-        cmd_check(hatch_tam_sheet_make(job->size_px, job->levels, job->tones, job->color, shown, &job->args.keep,
-                                       &job->sheet, &err),
-                  job->sheet_path, &err);
+        cmd_check(hatch_tam_sheet_make(&sheet, &job->args.keep, &job->sheet, &err), job->sheet_path, &err);
 }
 
 void write_outputs(struct job *job, const struct outputs *outputs)

@@ -1,10 +1,10 @@
-/* tamgen --replay: the strokes of a drawing in place of strokes of its own. */
+/* tamgen --replay: makes a map of the strokes of a drawing. */
 #include "io/svg/svg.h"
 #include "job.h"
 #include "stroke/script.h"
 
-/* What of a drawing is not replayed: a warning, or, where nothing else is there, the end. */
-static void tell_of_rest(const struct job *job, const char *file, const struct hatch_svg_notes *notes)
+/* Warns of the parts of a drawing that are not replayed; dies if nothing else is left. */
+static void warn_of_skipped(const struct job *job, const char *file, const struct hatch_svg_notes *notes)
 {
     struct hatch_err err;
     uint32_t sum = notes->fills + notes->texts + notes->images + notes->gradients + notes->others;
@@ -15,7 +15,7 @@ static void tell_of_rest(const struct job *job, const char *file, const struct h
         cmd_die(file, &err);
     }
     if (sum)
-        cmd_warn(file, "only plain strokes are replayed, passed over: %s", err.text);
+        cmd_warn(file, "only plain strokes are replayed, left out: %s", err.text);
     if (notes->outside)
         cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside, notes->outside + notes->strokes);
 }
@@ -38,23 +38,24 @@ void read_drawing(struct job *job, const struct replay_job *replay)
                                               &job->strokes, &notes, &err)
                              : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes, &err),
               name, &err);
-    tell_of_rest(job, name, &notes);
+    warn_of_skipped(job, name, &notes);
     job->color = job->style.color_count > 0 || is_colored(&job->strokes);
 }
 
 static void warn_of_range(const struct job *job, const char *name, const struct hatch_replay_result *result)
 {
     if (result->short_columns)
-        cmd_warn(name, "the drawing reaches a darkness of %.3f: %u of %u columns are to be darker, and hold all of it",
+        cmd_warn(name, "the whole drawing has a tone of %.3f: %u of %u columns should be darker and hold all strokes",
                  (double)result->darkest, result->short_columns, job->tones);
     if (result->exhausted)
-        cmd_warn(name, "%u %s lighter than wanted, by up to %.4f: the finer ones have no more strokes",
-                 result->exhausted, cmd_noun(result->exhausted, "image stays", "images stay"),
+        cmd_warn(name, "%u %s lighter than the target, by up to %.4f: the next finer level has no more strokes",
+                 result->exhausted, cmd_plural(result->exhausted, "image stays", "images stay"),
                  (double)result->tone_error);
 }
 
-/* --fit is asked for its figures; of the others they are worth knowing. */
-static void say_errors(const struct job *job, const struct replay_job *replay, const struct hatch_replay_result *result)
+/* Reports the errors: always with --fit, else with --verbose. */
+static void report_errors(const struct job *job, const struct replay_job *replay,
+                          const struct hatch_replay_result *result)
 {
     void (*say)(const char *, ...) = replay->fit && !job->args.quiet ? cmd_say : cmd_note;
     say("tone within %.4f (bound %.4f) on every level", (double)result->tone_error, (double)result->tone_bound);
@@ -67,7 +68,9 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
 {
     struct hatch_err err;
     struct hatch_replay_result result;
-    struct hatch_replay_options options = {.size_px = job->size_px,
+    struct hatch_replay_options options = {.style = &job->style,
+                                           .brush = &job->brush,
+                                           .size_px = job->size_px,
                                            .tones = job->tones,
                                            .levels = job->levels,
                                            .seed = job->args.seed,
@@ -75,15 +78,15 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
                                            .color = job->color,
                                            .keep = (float)replay->keep,
                                            .fit = replay->fit};
+    const struct hatch_tam_sink sink = {columns_take, &job->columns};
     float targets[HATCH_TAM_TONES_MAX];
     const char *name = cmd_input_name(replay->path);
     uint32_t drawn = job->strokes.count;
     hatch_style_targets(&job->style, job->tones, targets);
-    cmd_check(hatch_tam_replay(&job->style, &job->brush, &options, job->style.tone_max_given ? targets : NULL,
-                               &job->strokes, &job->args.keep, &job->args.scratch, columns_take, &job->columns, &result,
-                               &err),
+    options.targets = job->style.tone_max_given ? targets : NULL;
+    cmd_check(hatch_tam_replay(&options, &job->strokes, &job->args.keep, &job->args.scratch, &sink, &result, &err),
               name, &err);
     warn_of_range(job, name, &result);
-    cmd_note("%u of %u strokes, darkness up to %.3f", job->strokes.count, drawn, (double)result.darkest);
-    say_errors(job, replay, &result);
+    cmd_note("%u of %u strokes, tone up to %.3f", job->strokes.count, drawn, (double)result.darkest);
+    report_errors(job, replay, &result);
 }

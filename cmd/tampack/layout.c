@@ -8,7 +8,7 @@
 #include "io/png/png.h"
 #include "tam/pack.h"
 
-#define NUMBER_BYTES 16 /* of " 0.123456789" and its end */
+#define NUMBER_BYTES 16 /* of " 0.123456789" and a terminating zero */
 
 static uint32_t count_one(const struct hatch_tam *tam)
 {
@@ -44,8 +44,8 @@ static void suffix_picture(const struct hatch_tam *tam, uint32_t index, char *su
     snprintf(suffix, size, ".%03u.%02u", index / levels, index % levels);
 }
 
-/* What a shader needs to know goes into the file: the tones of the channels or layers, which number
- * is ink, and how many levels hold strokes. */
+/* Writes a texture with the metadata that a shader needs: the tones of the channels or layers, which number is ink, and
+ * the number of drawn levels. */
 static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, uint32_t count,
                                     const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)
@@ -119,13 +119,11 @@ static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index, 
 
 const struct pack_layout pack_layouts[] = {
     {"rgb", ".ktx2", NULL, false, true, false, hatch_tam_rgb_count, suffix_index, encode_rgb},
-    {"array", ".ktx2",
-     "three.js takes a KTX2 array for a plain texture and Godot refuses it: see --layout rgb and "
-     "dds",
+    {"array", ".ktx2", "three.js reads a KTX2 array as a plain texture and Godot rejects it: see --layout rgb and dds",
      false, true, true, count_one, suffix_index, encode_array},
     {"dds", ".dds", NULL, false, true, true, count_one, suffix_index, encode_dds},
-    {"png", ".png", "importers make mip levels of their own, which thins the strokes: see --layout rgb", false, true,
+    {"png", ".png", "importers make their own mip levels, which thins the strokes: see --layout rgb", false, true,
      false, count_pictures, suffix_picture, encode_png},
-    {"exr", ".exr", "three.js and most importers take the finest level alone and make mip levels of their own", true,
-     false, false, count_tones, suffix_tone, encode_exr},
+    {"exr", ".exr", "three.js and most importers read the finest level only and make their own mip levels", true, false,
+     false, count_tones, suffix_tone, encode_exr},
 };

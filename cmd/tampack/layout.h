@@ -1,11 +1,10 @@
-/* The layouts of tampack: one line of the table each. */
+/* The layouts of tampack. */
 #ifndef TAMPACK_LAYOUT_H
 #define TAMPACK_LAYOUT_H
 
 #include "shared/cmd.h"
 #include "tam/tam.h"
 
-/* What is packed, and how. */
 struct pack_job {
     struct cmd_args *args;
     struct hatch_tam tam;
@@ -14,16 +13,19 @@ struct pack_job {
 };
 
 struct pack_layout {
-    const char *name, *ending;
-    const char *warning;                  /* which importers spoil it; NULL: none is known */
-    bool keeps_ids, takes_ink, is_single; /* single: always one file */
+    const char *name;
+    const char *ending;  /* of file names, with the dot */
+    const char *warning; /* importers that read it wrongly; NULL: none is known */
+    bool keeps_ids;
+    bool takes_ink; /* allows --ink */
+    bool is_single; /* always one file */
 
-    /* How many files, and what goes before the ending in the name of one, when there are several.
-     */
+    /* Returns the number of files. */
     uint32_t (*count)(const struct hatch_tam *tam);
+    /* Writes the suffix of one of several file names, before the ending. */
     void (*suffix)(const struct hatch_tam *tam, uint32_t index, char *suffix, size_t size);
 
-    /* One file; several are encoded at once. What scratch holds afterwards is freed. */
+    /* Encodes one file; called on several threads at once. scratch is freed afterwards. */
     enum hatch_status (*encode)(const struct pack_job *job, uint32_t index, struct hatch_arena *scratch,
                                 struct hatch_buffer *file, struct hatch_err *err);
 };
@@ -31,8 +33,10 @@ struct pack_layout {
 /* In the order of the option's choices. */
 extern const struct pack_layout pack_layouts[];
 
-/* The name of the file with that suffix, in args->keep: path is what -o says, a name or an existing
- * folder; input is where the map came from. */
+/* Makes the name of an output file, in args->keep.
+ *   path    of --output: a name or an existing folder
+ *   input   path of the map, which names the files in a folder; NULL or "-": standard input
+ *   ending  with the dot */
 const char *pack_file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
                            const char *ending);
 

@@ -1,4 +1,4 @@
-/* tampack: a tonal art map as the textures that engines load. */
+/* tampack: packs a tonal art map into the textures that engines load. */
 #include <stdio.h>
 
 #include "shared/map.h"
@@ -13,8 +13,7 @@ static const char *const layout_choices[] = {"rgb", "array", "dds", "png", "exr"
 static const struct cmd_option options[] = {
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout,
      layout_choices, NULL},
-    {'i', "ink", CMD_INT, 0, 1, "N", "the number that stands for ink; paper is the other (default 0)", &ink, NULL,
-     &ink_given},
+    {'i', "ink", CMD_INT, 0, 1, "N", "number for ink; paper is the other one (default 0)", &ink, NULL, &ink_given},
     {0},
 };
 
@@ -40,15 +39,15 @@ static void warn(const struct pack_layout *how, const struct hatch_tam *tam, con
     if (how->warning)
         cmd_warn(cmd_input_name(input), "%s", how->warning);
     if (tam->ids && !how->keeps_ids)
-        cmd_warn(cmd_input_name(input), "the strokes' ids are left out: only --layout exr holds them");
+        cmd_warn(cmd_input_name(input), "stroke ids are left out: only --layout exr holds them");
 }
 
-/* One file on its way; arena holds its bytes. */
+/* One output file. */
 struct file {
     const struct pack_job *job;
     const struct pack_layout *how;
     struct cmd_output *output;
-    struct hatch_arena arena;
+    struct hatch_arena arena; /* of bytes */
     struct hatch_buffer bytes;
     enum hatch_status status;
     struct hatch_err err;
@@ -82,11 +81,11 @@ static uint32_t count_files(const struct pack_job *job, const struct pack_layout
         cmd_die(cmd_input_name(input), &err);
     }
     if (count > 1 && !job->args->output)
-        cmd_usage("--layout %s makes %u files here: -o says where", how->name, count);
+        cmd_usage("--layout %s makes %u files: give a name or a folder with -o", how->name, count);
     return count;
 }
 
-/* All files are encoded before the first is written, and opened before that. */
+/* Opens all files, encodes them, then writes them. */
 static void pack(const struct pack_job *job, const struct pack_layout *how, const char *input,
                  struct cmd_output *single)
 {
@@ -112,9 +111,9 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     cmd_write_all(written, count);
     for (uint32_t i = 0; i < count; i++)
         hatch_arena_free(&files[i].arena);
-    cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_noun(job->tam.tones, "tone", "tones"),
-             job->tam.columns[0].level_count, cmd_noun(job->tam.columns[0].level_count, "level", "levels"), count,
-             cmd_noun(count, "file", "files"));
+    cmd_note("%u %s, %u %s; %u %s", job->tam.tones, cmd_plural(job->tam.tones, "tone", "tones"),
+             job->tam.columns[0].level_count, cmd_plural(job->tam.columns[0].level_count, "level", "levels"), count,
+             cmd_plural(count, "file", "files"));
 }
 
 int main(int argc, char **argv)
@@ -124,7 +123,7 @@ int main(int argc, char **argv)
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
     if (ink_given && !how->takes_ink)
-        cmd_usage("--ink does not go with --layout %s, which is 0 for ink by its format", how->name);
+        cmd_usage("--ink does not work with --layout %s, in which ink is always 0", how->name);
     cmd_check_ending(args.output, how->ending + 1);
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 

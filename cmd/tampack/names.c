@@ -17,7 +17,7 @@ static const char *after_last_slash(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Bytes of a name without its ending; a leading dot begins no ending. */
+/* The length of a name without its ending; a leading dot does not begin an ending. */
 static size_t stem_length(const char *name)
 {
     const char *dot = strrchr(name, '.');

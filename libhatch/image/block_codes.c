@@ -8,7 +8,7 @@
 #define BC7_MODE6 0x40u
 #define BC7_STEPS 15
 
-/* Bits of a block, the lowest first. */
+/* A writer of bits, lowest first. */
 struct bits {
     uint8_t *bytes;
     uint32_t at;
@@ -28,7 +28,7 @@ static uint32_t take(const uint8_t *bytes, uint32_t *at, uint32_t count)
     return value;
 }
 
-/* The eight numbers of a block, rounded to nearest. */
+/* Computes the eight numbers of a block, rounded to nearest. */
 static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
 {
     uint32_t steps = a > b ? 7 : 5;
@@ -42,7 +42,7 @@ static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
     }
 }
 
-/* Each texel's nearest number; returns the sum of squares that remains. */
+/* Chooses the nearest number for each texel; returns the sum of squared errors. */
 static uint32_t bc4_choose(uint8_t texels[TEXELS][4], const uint8_t numbers[8], uint8_t index[TEXELS])
 {
     uint32_t sum = 0;
@@ -87,7 +87,7 @@ void hatch_bc4_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
         bc4_write(low, low, index[0], block);
         return;
     }
-    if (inner_low > inner_high) /* paper and ink alone */
+    if (inner_low > inner_high) /* only 0 and 255 */
         inner_low = inner_high = 0;
     bc4_numbers(inner_low, inner_high, numbers);
     uint32_t with_ends = bc4_choose(texels, numbers, index[0]);
@@ -108,8 +108,8 @@ void hatch_bc4_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
         texels[t][0] = numbers[take(block, &at, BC4_INDEX_BITS)];
 }
 
-/* The direction in which colours vary most: a few steps of the power method. */
-static void main_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis[3])
+/* The principal axis of the colours, by a few steps of power iteration. */
+static void principal_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis[3])
 {
     float products[3][3] = {{0}};
     for (uint32_t t = 0; t < TEXELS; t++)
@@ -131,14 +131,14 @@ static void main_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis
     }
 }
 
-/* The two ends of the texels' spread along their main axis. */
+/* The end points of the colours projected to their principal axis. */
 static void axis_ends(uint8_t texels[TEXELS][4], float ends[2][3])
 {
     float mean[3] = {0}, axis[3], least = 0, most = 0, length = 1e-20f;
     for (uint32_t t = 0; t < TEXELS; t++)
         for (int c = 0; c < 3; c++)
             mean[c] += (float)texels[t][c] / TEXELS;
-    main_axis(texels, mean, axis);
+    principal_axis(texels, mean, axis);
     for (int c = 0; c < 3; c++)
         length += axis[c] * axis[c];
     for (uint32_t t = 0; t < TEXELS; t++) {
@@ -154,7 +154,7 @@ static void axis_ends(uint8_t texels[TEXELS][4], float ends[2][3])
     }
 }
 
-/* Five, six and five bits. */
+/* Quantises a colour to 5, 6 and 5 bits. */
 static uint32_t bc1_end(const float color[3])
 {
     static const float most[] = {31, 63, 31};
@@ -166,7 +166,7 @@ static uint32_t bc1_end(const float color[3])
     return bits[0] << 11 | bits[1] << 5 | bits[2];
 }
 
-/* The block's four colours, rounded to nearest; of two ends in rising order the last is black. */
+/* Computes the four colours of a block, rounded to nearest; the last one is black unless a > b. */
 static void bc1_colors(uint32_t a, uint32_t b, uint8_t colors[4][3])
 {
     const uint32_t ends[2] = {a, b};
@@ -183,7 +183,7 @@ static void bc1_colors(uint32_t a, uint32_t b, uint8_t colors[4][3])
     }
 }
 
-/* Each texel's nearest colour; returns the sum of squares that remains. */
+/* Chooses the nearest colour for each texel; returns the sum of squared errors. */
 static uint32_t bc1_choose(uint8_t texels[TEXELS][4], uint32_t a, uint32_t b, uint8_t index[TEXELS])
 {
     uint8_t colors[4][3];
@@ -207,7 +207,7 @@ static uint32_t bc1_choose(uint8_t texels[TEXELS][4], uint32_t a, uint32_t b, ui
     return sum;
 }
 
-/* The ends that suit the chosen indices best: least squares. False where all texels took one colour. */
+/* Fits the end points to the chosen indices by least squares; false if all texels have one colour. */
 static bool bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], float ends[2][3])
 {
     static const float shares[] = {0, 1, 1.0f / 3, 2.0f / 3}; /* of the second end */
@@ -240,15 +240,15 @@ void hatch_bc1_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
     axis_ends(texels, ends);
     for (int round = 0; round < BC1_ROUNDS && best > 0; round++) {
         uint32_t a = bc1_end(ends[0]), b = bc1_end(ends[1]);
-        if (a < b) { /* four colours want the larger one first */
+        if (a < b) { /* the code for four colours has the larger end point first */
             uint32_t larger = b;
             b = a;
             a = larger;
         }
-        uint32_t left = bc1_choose(texels, a, b, tried);
-        if (left >= best)
+        uint32_t error = bc1_choose(texels, a, b, tried);
+        if (error >= best)
             break;
-        best = left;
+        best = error;
         chosen[0] = a;
         chosen[1] = b;
         memcpy(index, tried, sizeof index);
@@ -274,7 +274,7 @@ void hatch_bc1_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
     }
 }
 
-/* Seven bits a channel and one for all of them: the one that comes nearer. */
+/* Quantises a colour to seven bits per channel and a shared lowest bit, which is returned. */
 static uint32_t bc7_end(const float color[3], uint8_t end[4])
 {
     float best = 1e20f;
@@ -308,15 +308,15 @@ static void bc7_ends(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t low
 
 static void bc7_choose(uint8_t texels[TEXELS][4], uint8_t ends[2][4], uint32_t index[TEXELS])
 {
-    int way[3], length = 0;
+    int axis[3], length = 0;
     for (int c = 0; c < 3; c++) {
-        way[c] = ends[1][c] - ends[0][c];
-        length += way[c] * way[c];
+        axis[c] = ends[1][c] - ends[0][c];
+        length += axis[c] * axis[c];
     }
     for (uint32_t t = 0; t < TEXELS; t++) {
         int along = 0;
         for (int c = 0; c < 3; c++)
-            along += (texels[t][c] - ends[0][c]) * way[c];
+            along += (texels[t][c] - ends[0][c]) * axis[c];
         int step = length && along > 0 ? (2 * BC7_STEPS * along + length) / (2 * length) : 0;
         index[t] = (uint32_t)(step < BC7_STEPS ? step : BC7_STEPS);
     }
@@ -328,18 +328,18 @@ void hatch_bc7_encode(uint8_t texels[TEXELS][4], uint8_t block[16])
     uint32_t low_bits[2], index[TEXELS];
     bc7_ends(texels, ends, low_bits);
     bc7_choose(texels, ends, index);
-    /* The first index has a bit less: its texel is in the first half. */
-    uint32_t first = index[0] > BC7_STEPS / 2 ? 1 : 0;
+    /* The first index has a bit less, so it must be in the first half; else the end points are swapped. */
+    uint32_t swap = index[0] > BC7_STEPS / 2 ? 1 : 0;
     struct bits bits = {block, 7};
     memset(block, 0, 16);
     block[0] = BC7_MODE6;
     for (int c = 0; c < 4; c++)
         for (uint32_t end = 0; end < 2; end++)
-            put(&bits, 7, ends[end ^ first][c] >> 1);
+            put(&bits, 7, ends[end ^ swap][c] >> 1);
     for (uint32_t end = 0; end < 2; end++)
-        put(&bits, 1, low_bits[end ^ first]);
+        put(&bits, 1, low_bits[end ^ swap]);
     for (uint32_t t = 0; t < TEXELS; t++)
-        put(&bits, t ? 4 : 3, first ? BC7_STEPS - index[t] : index[t]);
+        put(&bits, t ? 4 : 3, swap ? BC7_STEPS - index[t] : index[t]);
 }
 
 bool hatch_bc7_decode(const uint8_t block[16], uint8_t texels[TEXELS][4])

@@ -9,14 +9,15 @@
 #define SIDE HATCH_BLOCK_SIDE
 #define TEXELS (SIDE * SIDE)
 
-/* One level: a task is a row of blocks of one layer or slice. */
+/* Work on one level; a task is a row of blocks of one layer or slice. */
 struct job {
     const struct hatch_texels *plain, *packed;
-    uint32_t level, width, height, across, down;
+    uint32_t level, width, height;
+    uint32_t across, down; /* blocks */
     struct sums {
         uint64_t squares;
         uint32_t worst;
-        bool unknown;
+        bool unknown; /* a block of an unknown mode */
     } * rows;
 };
 
@@ -35,7 +36,7 @@ static struct job job_of(const struct hatch_texels *plain, const struct hatch_te
     return job;
 }
 
-/* Where a texel of a block stands in the plain texture; those beyond its border are its last. */
+/* A texel of a block in the plain texture; beyond the border, the last one. */
 static uint8_t *texel_at(const struct job *job, uint32_t row, uint32_t block, uint32_t texel)
 {
     uint32_t x = block * SIDE + texel % SIDE, y = row % job->down * SIDE + texel / SIDE;
@@ -51,7 +52,7 @@ static uint8_t *block_at(const struct job *job, uint32_t row, uint32_t block)
     return job->packed->texels[job->level] + ((size_t)row * job->across + block) * bytes;
 }
 
-/* Alpha is 255 where there is none; a grey texel is its first number alone. */
+/* Copies the texels of a block; alpha is 255 in a texture without alpha. */
 static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8_t texels[TEXELS][4])
 {
     for (uint32_t i = 0; i < TEXELS; i++) {
@@ -81,7 +82,7 @@ static void encode(enum hatch_texels_code code, uint8_t texels[TEXELS][4], uint8
         hatch_bc7_encode(texels, block);
 }
 
-/* False for what is no block. */
+/* Returns false for a block of an unknown mode. */
 static bool decode(enum hatch_texels_code code, const uint8_t *block, uint8_t texels[TEXELS][4])
 {
     if (code == HATCH_TEXELS_BC7)
@@ -112,7 +113,7 @@ static void unpack_row(void *context, uint32_t row)
         uint8_t texels[TEXELS][4];
         if (!decode(job->packed->code, block_at(job, row, b), texels))
             job->rows[row].unknown = true;
-        /* backwards: the texel that stands there is the first of those that fall on it */
+        /* backwards: of the texels clamped to one, the first must win */
         for (uint32_t i = TEXELS; i-- > 0;)
             memcpy(texel_at(job, row, b, i), texels[i], job->plain->channels);
     }
@@ -136,9 +137,9 @@ static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatc
     return HATCH_OK;
 }
 
-enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
-                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
-                                    struct hatch_block_figures *figures, struct hatch_err *err)
+enum hatch_status hatch_texels_compress(const struct hatch_texels *plain, enum hatch_texels_code code,
+                                        struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
+                                        struct hatch_block_figures *figures, struct hatch_err *err)
 {
     assert(plain->code == HATCH_TEXELS_PLAIN);
     assert(hatch_texels_block_side(code) == SIDE);
@@ -160,15 +161,15 @@ enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch
     return HATCH_OK;
 }
 
-enum hatch_status hatch_texels_unpack(const struct hatch_texels *packed, struct hatch_arena *arena,
-                                      struct hatch_texels *plain, struct hatch_err *err)
+enum hatch_status hatch_texels_decompress(const struct hatch_texels *packed, struct hatch_arena *arena,
+                                          struct hatch_texels *plain, struct hatch_err *err)
 {
     if (packed->code == HATCH_TEXELS_PLAIN) {
         *plain = *packed;
         return HATCH_OK;
     }
     if (packed->code == HATCH_TEXELS_R32UI)
-        return hatch_fail(err, HATCH_BAD_INPUT, "whole numbers, where colours are wanted");
+        return hatch_fail(err, HATCH_BAD_INPUT, "the texture holds whole numbers, want colours");
     struct hatch_texels made = *packed;
     struct sums sums = {0};
     made.code = HATCH_TEXELS_PLAIN;

@@ -1,27 +1,30 @@
-/* Block compression of textures, 4x4 texels a block: BC1 (S3TC) of RGB, 8 bytes a block, BC4 (RGTC1) of one
- * channel, 8 bytes, and BC7 (BPTC) of RGB or RGBA, 16 bytes, in its mode 6. (Khronos Data Format
- * Specification 1.3, sections 18, 20.4 and 21; OpenGL 4.5, appendix D.)
- * Edges that are no multiple of 4 repeat their last texel. */
+/* Block compression of textures, 4x4 texels per block: BC1 (S3TC) for RGB, 8 bytes per block, BC4 (RGTC1) for one
+ * channel, 8 bytes, and BC7 (BPTC) for RGB or RGBA, 16 bytes, mode 6 only (Khronos Data Format Specification 1.3,
+ * sections 18, 20.4 and 21; OpenGL 4.5, appendix D). Blocks that exceed the texture repeat its last texels. */
 #ifndef HATCH_IMAGE_BLOCKS_H
 #define HATCH_IMAGE_BLOCKS_H
 
 #include "base/parallel.h"
 #include "image/texels.h"
 
-/* Of channels, 0 .. 1, over all levels. */
+/* Compression error over the channels of all levels, 0 .. 1. */
 struct hatch_block_figures {
     double error_max, error_rms;
 };
 
-/* Packs a plain texture, R8 to BC4, RGB8 or RGBA8 to BC7, whose alpha becomes 254 or 255, or to BC1, which has
- * none. pool: NULL is one thread; the result is the same. figures: may be NULL. */
-enum hatch_status hatch_texels_pack(const struct hatch_texels *plain, enum hatch_texels_code code,
-                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
-                                    struct hatch_block_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
+/* Compresses a texture.
+ *   plain    HATCH_TEXELS_PLAIN: R8 for BC4; RGB8 or RGBA8 for BC1, which drops alpha, and for BC7, which replaces
+ * alpha by 254 or 255 code     HATCH_TEXELS_BC1, HATCH_TEXELS_BC4 or HATCH_TEXELS_BC7 pool     NULL: one thread; the
+ * result is the same packed   out, in arena; unchanged on failure figures  out; may be NULL */
+enum hatch_status hatch_texels_compress(const struct hatch_texels *plain, enum hatch_texels_code code,
+                                        struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_texels *packed,
+                                        struct hatch_block_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Unpacks BC1 to RGB8, BC4 to R8 and BC7 to RGBA8, as a GPU would, rounded to 8 bits; a plain texture is taken as it
- * is (nothing is copied). HATCH_BAD_INPUT names a BC7 block of another mode than 6. */
-enum hatch_status hatch_texels_unpack(const struct hatch_texels *packed, struct hatch_arena *arena,
-                                      struct hatch_texels *plain, struct hatch_err *err) HATCH_MUST_USE;
+/* Decompresses BC1 to RGB8, BC4 to R8 and BC7 to RGBA8, as a GPU does, rounded to 8 bits.
+ *   packed  a plain texture is passed on by reference
+ *   plain   out, in arena; unchanged on failure
+ * HATCH_BAD_INPUT for HATCH_TEXELS_R32UI, and with the level for a BC7 block of another mode than 6. */
+enum hatch_status hatch_texels_decompress(const struct hatch_texels *packed, struct hatch_arena *arena,
+                                          struct hatch_texels *plain, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -1,5 +1,5 @@
-/* IEEE 754 binary16. The selections are made with masks, and the loops run over blocks of a fixed
- * length, because gcc at -O2 makes vector code of nothing else. */
+/* IEEE 754 binary16. Selects with masks and loops over blocks of a fixed length, because gcc at -O2 vectorises only
+ * this. */
 #include "image/image.h"
 
 #include <string.h>
@@ -32,7 +32,7 @@ static inline uint16_t half_of(float value)
     int32_t magnitude = (int32_t)(bits & 0x7fffffffu);
     int32_t odd = magnitude >> 13 & 1;
     int32_t normal = (magnitude - 0x38000000 + 0xfff + odd) >> 13;
-    /* below the smallest normal half, adding 0.5 shifts the digits into place and rounds them */
+    /* below the smallest normal half, adding 0.5 shifts the mantissa into place and rounds it */
     int32_t subnormal = (int32_t)bits_of(float_of((uint32_t)magnitude) + 0.5f) - 0x3f000000;
     int32_t half = choose(magnitude < 0x38800000, subnormal, normal);
     half = choose(magnitude >= 0x47800000, 0x7c00, half); /* too large, or infinite */
@@ -45,7 +45,7 @@ static inline float float_of_half(uint16_t half)
     uint32_t sign = (uint32_t)(half & 0x8000u) << 16;
     uint32_t magnitude = (uint32_t)(half & 0x7fffu) << 13;
     uint32_t bits = bits_of(float_of(magnitude) * 0x1p112f);
-    bits |= (uint32_t) - (int32_t)(magnitude >= 0x0f800000u) & 0x7f800000u; /* infinite, or no number */
+    bits |= (uint32_t) - (int32_t)(magnitude >= 0x0f800000u) & 0x7f800000u; /* infinite, or not a number */
     return float_of(sign | bits);
 }
 

@@ -34,7 +34,7 @@ static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct h
     return HATCH_OK;
 }
 
-static enum hatch_status ratio_of(const struct hatch_seed_place *places, uint32_t count, double bound,
+static enum hatch_status ratio_of(const struct hatch_seed_point *places, uint32_t count, double bound,
                                   struct hatch_arena *scratch, double *ratio, struct hatch_err *err)
 {
     HATCH_TRY(hatch_spread_distance(places, count, scratch, ratio, err));
@@ -44,11 +44,11 @@ static enum hatch_status ratio_of(const struct hatch_seed_place *places, uint32_
 
 /* The first points of the recursive Bayer order (Bayer, ICC 1973): the base-4 digits of i, lowest first, select
  * the quarters 00, 11, 10 or 01 in which point i lies. */
-static void bayer_places(struct hatch_seed_place *places, uint32_t count)
+static void bayer_places(struct hatch_seed_point *places, uint32_t count)
 {
     static const uint64_t u_of[4] = {0, 1, 1, 0}, v_of[4] = {0, 1, 0, 1};
     for (uint32_t i = 0; i < count; i++) {
-        places[i] = (struct hatch_seed_place){0, 0};
+        places[i] = (struct hatch_seed_point){0, 0};
         for (uint32_t digit = 0; digit < 16; digit++) {
             places[i].u |= u_of[i >> 2 * digit & 3] << (63 - digit);
             places[i].v |= v_of[i >> 2 * digit & 3] << (63 - digit);
@@ -58,8 +58,8 @@ static void bayer_places(struct hatch_seed_place *places, uint32_t count)
 
 /* Seed points of a tile of the next level, which spans four tiles: of each tile, those remain whose last bits
  * equal the tile's parities. Returns their number. */
-static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hatch_seed_place *dense,
-                              struct hatch_seed_place *sparse)
+static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hatch_seed_point *dense,
+                              struct hatch_seed_point *sparse)
 {
     uint32_t remaining = 0;
     for (uint64_t tile = 0; tile < 4; tile++)
@@ -74,7 +74,7 @@ static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hat
 }
 
 static enum hatch_status measure_distances(const struct hatch_seed_set *set, uint32_t throws,
-                                           const struct hatch_seed_place *places, struct hatch_seed_place *others,
+                                           const struct hatch_seed_point *places, struct hatch_seed_point *others,
                                            struct hatch_arena *scratch, struct hatch_seed_figures *f,
                                            struct hatch_err *err)
 {
@@ -96,7 +96,7 @@ static enum hatch_status measure_distances(const struct hatch_seed_set *set, uin
     return HATCH_OK;
 }
 
-static double correlate(const struct hatch_seed_place *places, uint32_t count)
+static double correlate(const struct hatch_seed_point *places, uint32_t count)
 {
     double u = 0, v = 0, uu = 0, vv = 0, uv = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -116,11 +116,11 @@ static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t thro
                                  struct hatch_seed_figures *f, struct hatch_err *err)
 {
     uint32_t count = set->count;
-    struct hatch_seed_place *places = HATCH_NEW(scratch, struct hatch_seed_place, count, err);
-    struct hatch_seed_place *others = places ? HATCH_NEW(scratch, struct hatch_seed_place, count, err) : NULL;
+    struct hatch_seed_point *places = HATCH_NEW(scratch, struct hatch_seed_point, count, err);
+    struct hatch_seed_point *others = places ? HATCH_NEW(scratch, struct hatch_seed_point, count, err) : NULL;
     if (!others)
         return HATCH_LIMIT;
-    hatch_seed_places(set, places);
+    hatch_seed_points(set, places);
     HATCH_TRY(count_uneven(set, scratch, &f->uneven, err));
     HATCH_TRY(measure_distances(set, throws, places, others, scratch, f, err));
     f->correlation = correlate(places, count);

@@ -77,7 +77,7 @@ static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)
     return (creal(sum) * creal(sum) + cimag(sum) * cimag(sum)) / waves->count;
 }
 
-enum hatch_status hatch_measure_spectrum(const struct hatch_seed_place *places, uint32_t count,
+enum hatch_status hatch_measure_spectrum(const struct hatch_seed_point *places, uint32_t count,
                                          struct hatch_arena *scratch, double power[HATCH_SEED_RINGS],
                                          struct hatch_err *err)
 {

@@ -11,7 +11,7 @@ enum hatch_status hatch_measure_astray(const struct hatch_seed_set *set, struct 
 
 /* Computes the mean of |sum of e^(-2 pi i k·s)|² / N over the integer frequencies k whose length is within
  * sqrt(N) / 8 of each ring's radius. */
-enum hatch_status hatch_measure_spectrum(const struct hatch_seed_place *places, uint32_t count,
+enum hatch_status hatch_measure_spectrum(const struct hatch_seed_point *places, uint32_t count,
                                          struct hatch_arena *scratch, double power[HATCH_SEED_RINGS],
                                          struct hatch_err *err) HATCH_MUST_USE;
 

@@ -16,13 +16,14 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
                                       uint32_t levels, struct hatch_style *style, struct hatch_arena *scratch,
                                       struct hatch_canvas *canvas, struct hatch_err *err)
 {
+    const struct hatch_canvas_options options = {style, strokes->brush, tam->size_px, levels, tam->color, false};
     *style = *strokes->style;
     for (uint32_t i = 0; i < strokes->list->count; i++) {
         const struct hatch_stroke *stroke = &strokes->list->items[i];
         style->length_max = fmaxf(style->length_max, stroke->length);
         style->width_px = fmaxf(style->width_px, stroke->width_px);
     }
-    return hatch_canvas_make(scratch, style, strokes->brush, tam->size_px, levels, tam->color, false, canvas, err);
+    return hatch_canvas_make(&options, scratch, canvas, err);
 }
 
 /* Whether a pixel of the footprint is lighter in any channel than the stroke alone would make it. */

@@ -2,23 +2,24 @@
 
 #include <string.h>
 
-enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatch_style *style,
-                                    const struct hatch_brush *brush, uint32_t size_px, uint32_t levels, bool color,
-                                    bool ids, struct hatch_canvas *canvas, struct hatch_err *err)
+enum hatch_status hatch_canvas_make(const struct hatch_canvas_options *options, struct hatch_arena *arena,
+                                    struct hatch_canvas *canvas, struct hatch_err *err)
 {
-    struct hatch_canvas made = {.style = style, .brush = brush, .size_px = size_px, .levels = levels};
-    for (uint32_t level = 0; level < levels; level++) {
+    const struct hatch_style *style = options->style;
+    uint32_t size_px = options->size_px;
+    struct hatch_canvas made = {.style = style, .brush = options->brush, .size_px = size_px, .levels = options->levels};
+    for (uint32_t level = 0; level < options->levels; level++) {
         size_t pixels = (size_t)(size_px >> level) * (size_px >> level);
         made.paper[level] = HATCH_NEW(arena, float, pixels, err);
         if (!made.paper[level])
             return HATCH_LIMIT;
         for (size_t i = 0; i < pixels; i++)
             made.paper[level][i] = 1;
-        if (color && !(made.rgb[level] = HATCH_NEW(arena, float, 3 * pixels, err)))
+        if (options->color && !(made.rgb[level] = HATCH_NEW(arena, float, 3 * pixels, err)))
             return HATCH_LIMIT;
-        for (size_t i = 0; color && i < 3 * pixels; i++)
+        for (size_t i = 0; options->color && i < 3 * pixels; i++)
             made.rgb[level][i] = 1;
-        if (!ids)
+        if (!options->ids)
             continue;
         made.id[level] = HATCH_NEW(arena, float, pixels, err);
         made.along[level] = HATCH_NEW(arena, float, pixels, err);
@@ -34,18 +35,18 @@ enum hatch_status hatch_canvas_make(struct hatch_arena *arena, const struct hatc
     return HATCH_OK;
 }
 
-/* What ink of that alpha and colour leaves of a reflectance. Never more than there was, so that darker
- * columns nest pixel by pixel. */
+/* The reflectance of one channel after a stroke. Never larger than before, so that columns nest pixel by pixel. */
 static float inked(enum hatch_overlap overlap, float paper, float alpha, float color)
 {
     float alone = 1 - alpha * (1 - color);
     if (overlap == HATCH_OVERLAP_DARKENS)
         return paper * alone;
-    float left = overlap == HATCH_OVERLAP_FLAT ? alone : paper * (1 - alpha) + alpha * color;
-    return paper < left ? paper : left;
+    float covered = overlap == HATCH_OVERLAP_FLAT ? alone : paper * (1 - alpha) + alpha * color;
+    return paper < covered ? paper : covered;
 }
 
-/* The i-th pixel of the footprint after the stroke: its mean, and in colour its three. */
+/* Returns the reflectance of the i-th pixel of the footprint after the stroke; in colour the mean of rgb.
+ *   rgb  out: only in colour */
 static float inked_pixel(const struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level,
                          uint32_t i, float rgb[3])
 {
@@ -73,7 +74,7 @@ static double measure_change(struct hatch_canvas *canvas, const struct hatch_str
     return sum / (size * size);
 }
 
-/* A growing stroke gets longer faster than it gets wider: thin beginnings would be grey. */
+/* A growing stroke widens half as fast as it lengthens: a stroke that starts very thin would be grey. */
 static float width_scale(float scale)
 {
     return (1 + scale) * 0.5f;
@@ -106,7 +107,7 @@ void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *s
     hatch_footprint_draw(stroke, canvas->brush, size_px, scale, width_scale(scale), f);
     if (scale_before > 0 && canvas->style->overlap != HATCH_OVERLAP_FLAT) {
         hatch_footprint_draw(stroke, canvas->brush, size_px, scale_before, width_scale(scale_before), &canvas->before);
-        hatch_footprint_remove(f, &canvas->before);
+        hatch_footprint_subtract(f, &canvas->before);
     }
     canvas->darkness[level] += measure_change(canvas, stroke, level);
     for (uint32_t i = 0; i < f->count; i++) {

@@ -5,19 +5,20 @@
 
 #include "filter/pyramid.h"
 
-enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
-                                     struct hatch_arena *arena, struct hatch_tam_label *label, struct hatch_err *err)
+enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
+                                        struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
+                                        struct hatch_err *err)
 {
     char text[24];
     int digits = snprintf(text, sizeof text, "%" PRIu64, seed);
     const char *kept = hatch_arena_text(arena, text, (size_t)digits, err);
     if (!kept)
         return HATCH_LIMIT;
-    *label = (struct hatch_tam_label){levels, kept, style->name, growth};
+    *metadata = (struct hatch_tam_metadata){levels, kept, style->name, growth};
     return HATCH_OK;
 }
 
-/* Joins reflectance, id and t of one level into the image. */
+/* Adds the channels id and t to the image of a level. */
 static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t level, struct hatch_arena *scratch,
                                   struct hatch_image *image, struct hatch_err *err)
 {
@@ -40,7 +41,7 @@ static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t le
     return HATCH_OK;
 }
 
-/* Below the drawn levels a pixel holds a mixture of strokes: no identity. */
+/* Below the drawn levels a pixel mixes several strokes and has no id. */
 static void clear_ids(struct hatch_mipmap *column, uint32_t first)
 {
     for (uint32_t level = first; level < column->level_count; level++) {
@@ -51,7 +52,7 @@ static void clear_ids(struct hatch_mipmap *column, uint32_t first)
     }
 }
 
-static void show_ink(const struct hatch_canvas *canvas, uint32_t level, struct hatch_image *image)
+static void refer_to_ink(const struct hatch_canvas *canvas, uint32_t level, struct hatch_image *image)
 {
     uint32_t size = hatch_canvas_size(canvas, level);
     *image = (struct hatch_image){.width = size, .height = size, .channel_count = 1};
@@ -65,11 +66,11 @@ static void show_ink(const struct hatch_canvas *canvas, uint32_t level, struct h
         image->channels[c] = (struct hatch_channel){{"RGB"[c]}, HATCH_HALF};
 }
 
-static enum hatch_status column_of(const struct hatch_canvas *canvas, struct hatch_arena *scratch,
-                                   struct hatch_mipmap *column, struct hatch_err *err)
+static enum hatch_status make_column(const struct hatch_canvas *canvas, struct hatch_arena *scratch,
+                                     struct hatch_mipmap *column, struct hatch_err *err)
 {
     for (uint32_t level = 0; level < canvas->levels; level++) {
-        show_ink(canvas, level, &column->levels[level]);
+        refer_to_ink(canvas, level, &column->levels[level]);
         if (canvas->id[level])
             HATCH_TRY(join_ids(canvas, level, scratch, &column->levels[level], err));
     }
@@ -79,17 +80,17 @@ static enum hatch_status column_of(const struct hatch_canvas *canvas, struct hat
     return HATCH_OK;
 }
 
-enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_label *label,
-                                       uint32_t tone, float target, struct hatch_arena *scratch, hatch_tam_sink sink,
-                                       void *context, struct hatch_err *err)
+enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_metadata *metadata,
+                                       uint32_t tone, float target, struct hatch_arena *scratch,
+                                       const struct hatch_tam_sink *sink, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
     struct hatch_mipmap column = {.levels = levels};
-    hatch_tam_label_column(label, tone, target, &column);
-    enum hatch_status status = column_of(canvas, scratch, &column, err);
+    hatch_tam_set_metadata(metadata, tone, target, &column);
+    enum hatch_status status = make_column(canvas, scratch, &column, err);
     if (status == HATCH_OK)
-        status = sink(context, tone, &column, err);
+        status = sink->take(sink->context, tone, &column, err);
     hatch_arena_rewind(scratch, mark);
     return status;
 }

@@ -1,19 +1,25 @@
-/* The images of a canvas as one column of a tonal art map, handed to a sink. Private to tam. */
-#ifndef HATCH_TAM_COLUMN_H
-#define HATCH_TAM_COLUMN_H
+/* Hands the images of a canvas to a sink as one column of a tonal art map. Private to placement. */
+#ifndef HATCH_PLACEMENT_COLUMN_H
+#define HATCH_PLACEMENT_COLUMN_H
 
 #include "placement/canvas.h"
 #include "placement/fill.h"
 
-/* What a file says of the whole map; seed's digits live in arena: a sink may keep a column's attributes
- * longer than its pixels. */
-enum hatch_status hatch_column_label(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
-                                     struct hatch_arena *arena, struct hatch_tam_label *label,
-                                     struct hatch_err *err) HATCH_MUST_USE;
+/* Collects the metadata of a map.
+ *   seed      random seed
+ *   growth    of struct hatch_fill_options
+ *   arena     receives the digits of seed; a sink may keep the attributes of a column longer than its pixels
+ *   metadata  out: refers to style */
+enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
+                                        struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* The canvas's levels are the column's own, the rest is box-filtered. */
-enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_label *label,
-                                       uint32_t tone, float target, struct hatch_arena *scratch, hatch_tam_sink sink,
-                                       void *context, struct hatch_err *err) HATCH_MUST_USE;
+/* Completes the mip chain below the drawn levels by box filtering and calls sink.
+ *   tone    index of the column
+ *   target  target tone of the column
+ * The status of sink; HATCH_LIMIT when memory does not suffice. */
+enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_metadata *metadata,
+                                       uint32_t tone, float target, struct hatch_arena *scratch,
+                                       const struct hatch_tam_sink *sink, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

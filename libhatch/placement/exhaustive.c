@@ -2,7 +2,7 @@
 
 #include "placement/place.h"
 
-/* A candidate on the tile: what does not depend on the image's size. */
+/* A candidate on the tile, independent of the size of an image. */
 struct line {
     float x, y, cosine, sine;
     float bend_rad;
@@ -10,17 +10,18 @@ struct line {
     float width_px;
 };
 
-/* Moves a place of the straight line to where it lies on the arc; across it, the two differ too little to
- * tell. */
-static void bend(float curvature, float *at, float *lift)
+/* Moves a point of the straight line to the arc. Ignores that arcs fan out across the stroke.
+ *   along   in and out: from the middle of the stroke
+ *   across  out */
+static void bend(float curvature, float *along, float *across)
 {
-    double angle = (double)(*at * curvature);
-    *at = (float)sin(angle) / curvature;
-    *lift = (float)(1 - cos(angle)) / curvature;
+    double angle = (double)(*along * curvature);
+    *along = (float)sin(angle) / curvature;
+    *across = (float)(1 - cos(angle)) / curvature;
 }
 
-/* The darkness that the stroke adds to one square image of a pyramid: a plain loop over its footprint, one
- * sample a pixel along it and across it. width_px: of the stroke at this image's scale. */
+/* The darkness that the stroke adds to one square image of a pyramid, from about one sample per pixel of its footprint.
+ *   width_px  of the stroke at the scale of the image */
 static float added_darkness(const struct line *line, const struct hatch_brush *brush, float width_px,
                             const float *paper, uint32_t size)
 {
@@ -34,18 +35,18 @@ static float added_darkness(const struct line *line, const struct hatch_brush *b
     for (uint32_t i = 0; i < along; i++) {
         uint32_t column = (2 * i + 1) * brush->width / (2 * along);
         float alpha = brush->cumulative[(size_t)(column + 1) * (brush->height + 1) - 1];
-        float at = (float)i * step_along - back, lift = 0, left = 0;
+        float position = (float)i * step_along - back, lift = 0, reflectance = 0;
         if (line->bend_rad != 0)
-            bend(line->bend_rad / length, &at, &lift);
+            bend(line->bend_rad / length, &position, &lift);
         for (uint32_t j = 0; j < across; j++) {
             float off = (float)j * step_across - aside + lift;
-            float place_x = (line->x + 8) * (float)size + at * line->cosine - off * line->sine;
-            float place_y = (line->y + 8) * (float)size + at * line->sine + off * line->cosine;
-            /* sizes are powers of two and places lie within a few tiles: the mask wraps them */
-            uint32_t x = (uint32_t)(int32_t)place_x & mask, y = (uint32_t)(int32_t)place_y & mask;
-            left += paper[y * size + x];
+            float sample_x = (line->x + 8) * (float)size + position * line->cosine - off * line->sine;
+            float sample_y = (line->y + 8) * (float)size + position * line->sine + off * line->cosine;
+            /* The size is a power of two and samples lie within a few tiles, so the mask wraps them. */
+            uint32_t x = (uint32_t)(int32_t)sample_x & mask, y = (uint32_t)(int32_t)sample_y & mask;
+            reflectance += paper[y * size + x];
         }
-        sum += alpha * left;
+        sum += alpha * reflectance;
     }
     return sum * step_along * step_across / ((float)size * (float)size);
 }
@@ -56,7 +57,7 @@ struct hatch_stroke hatch_place_exhaustively(const struct hatch_canvas *canvas, 
     struct hatch_stroke best = {0};
     float best_goodness = -1;
     for (uint32_t c = 0; c < choice->candidates; c++) {
-        struct hatch_stroke stroke = hatch_candidate(canvas->style, choice, c);
+        struct hatch_stroke stroke = hatch_choice_candidate(canvas->style, choice, c);
         struct line line = {stroke.x,
                             stroke.y,
                             (float)cos((double)stroke.angle_rad),

@@ -8,10 +8,10 @@
 #include "placement/potential.h"
 #include "placement/place.h"
 
-/* After this many choices in a row that found no paper to darken, or nothing small enough, an image is
- * as close to its target as it gets: the ink may be too thin to reach it. */
+/* After this many choices in a row without a stroke that darkens the image, or without one short enough, the image
+ * counts as full: the ink may be too light to reach the target. */
 #define FRUITLESS_MAX 8u
-/* How much less a stroke may darken than the one tried before it did, on paper that others darkened since. */
+/* Lower bound of the darkness of a stroke per length, relative to the previous one: more paper is covered since. */
 #define OVERLAP_SHARE 0.8
 
 struct filler {
@@ -19,13 +19,13 @@ struct filler {
     const struct hatch_fill_options *options;
     struct hatch_canvas canvas;
     struct hatch_potential field;                                /* method FIELD */
-    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [.][0] is paper */
+    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [level][0] is canvas.paper */
     float targets[HATCH_TAM_TONES_MAX];
-    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on each level; 0: none was */
+    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* darkness of the last stroke tried on each level; 0: none */
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
-    uint64_t choices; /* made so far; also the stream of the next one's random numbers */
-    float *scale;     /* of each stroke: the share of its full size that it is drawn at */
+    uint64_t choices; /* number of choices so far, the stream of random numbers of the next */
+    float *scale;     /* per stroke: share of its full length at which it is drawn */
     uint32_t scale_capacity;
 };
 
@@ -46,7 +46,7 @@ static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *are
     return HATCH_OK;
 }
 
-/* Takes the change of the stroke just drawn into the pyramids of that level. */
+/* Applies the change of the stroke just drawn to the pyramid of the level. */
 static void update_pyramid(struct filler *f, uint32_t level)
 {
     const struct hatch_footprint *print = &f->canvas.footprint;
@@ -61,7 +61,7 @@ static void update_pyramid(struct filler *f, uint32_t level)
     }
 }
 
-/* Draws on every level that receives the stroke, finest to coarsest. */
+/* Draws the stroke on all of its levels. */
 static void draw(struct filler *f, const struct hatch_stroke *stroke, float scale_before, float scale)
 {
     for (uint32_t level = 0; level <= stroke->level; level++) {
@@ -72,7 +72,7 @@ static void draw(struct filler *f, const struct hatch_stroke *stroke, float scal
             update_pyramid(f, level);
     }
     if (f->options->method == HATCH_FILL_FIELD)
-        hatch_potential_settle(&f->field);
+        hatch_potential_update(&f->field);
 }
 
 static uint32_t candidates_of(const struct filler *f, uint32_t tone)
@@ -84,7 +84,7 @@ static uint32_t candidates_of(const struct filler *f, uint32_t tone)
     return (uint32_t)((double)light + ((double)dark - (double)light) * share + 0.5);
 }
 
-/* The directions of a column; where the schedule leaves a gap, all of them. */
+/* The directions for a target tone; all directions if none is for it. */
 static uint32_t directions_of(const struct hatch_style *style, float target, float *angles)
 {
     uint32_t count = 0;
@@ -99,14 +99,14 @@ static uint32_t directions_of(const struct hatch_style *style, float target, flo
 static struct hatch_stroke place(struct filler *f, const struct hatch_choice *choice)
 {
     if (f->options->method == HATCH_FILL_FIELD) {
-        hatch_potential_start(&f->field, choice->level);
+        hatch_potential_select(&f->field, choice->level);
         return hatch_place_by_field(f->style, &f->field, choice);
     }
     return hatch_place_exhaustively(&f->canvas, f->pyramids, choice);
 }
 
-/* Appends the stroke and remembers its size. */
-static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke, float scale, struct hatch_err *err)
+/* Appends the stroke and its scale. */
+static enum hatch_status add_stroke(struct filler *f, struct hatch_stroke *stroke, float scale, struct hatch_err *err)
 {
     if (f->strokes.count == f->scale_capacity) {
         uint32_t capacity = f->scale_capacity ? 2 * f->scale_capacity : 1024;
@@ -123,8 +123,8 @@ static enum hatch_status remember(struct filler *f, struct hatch_stroke *stroke,
     return hatch_stroke_list_add(&f->strokes, f->arena, stroke, err);
 }
 
-/* Lets the strokes that belong to this level grow by one step each, the oldest first, as long as the
- * image is lighter than its target. */
+/* Grows the strokes whose coarsest level is this one by one step each, the oldest first, while the image is lighter
+ * than its target. */
 static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
 {
     if (!(f->options->growth > 0))
@@ -143,8 +143,9 @@ static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
     }
 }
 
-/* How dark a stroke would just do. Finer images receive it too, half as dark from one to the next: where one has
- * less to spare, its error and the image's are made even. Nothing or less: better wait for a darker column. */
+/* The darkness of a stroke that fits best. Finer images receive the stroke too, half as dark from one level to the
+ * next; if one of them is closer to its target, the errors of both are made equal. 0 or less: no stroke fits in this
+ * column. */
 static double room_for_stroke(const struct filler *f, uint32_t level, double target)
 {
     double missing = target - f->canvas.darkness[level], room = missing;
@@ -155,16 +156,16 @@ static double room_for_stroke(const struct filler *f, uint32_t level, double tar
     return room;
 }
 
-/* Whether the shortest stroke would be too dark, so that trying is in vain: where columns lie closer than that, most
- * images wait for a darker one. */
-static bool is_hopeless(const struct filler *f, uint32_t tone, uint32_t level, double room)
+/* Returns whether even the shortest stroke would be too dark. With many columns the step between two is smaller than a
+ * stroke, and most images receive none. */
+static bool is_shortest_too_dark(const struct filler *f, uint32_t tone, uint32_t level, double room)
 {
     double shortest = f->gain_per_length[level] * (double)f->style->length_min * OVERLAP_SHARE;
     double step = (double)f->targets[tone] - (tone ? (double)f->targets[tone - 1] : 0);
     return shortest > step && shortest > 2 * room;
 }
 
-/* Whether one more stroke brings the image closer to its target; else what to try instead. */
+/* TAKE: the stroke brings the image closer to its target; SHORTER: a shorter one may. */
 enum verdict { TAKE, SHORTER, FRUITLESS };
 
 static enum verdict judge(double gain, double room)
@@ -174,8 +175,8 @@ static enum verdict judge(double gain, double room)
     return gain > 1e-9 ? TAKE : FRUITLESS;
 }
 
-/* Adds strokes to one image until no stroke brings its mean closer to the target. An image that is too
- * dark already, because a coarser one's strokes were dark, receives none. */
+/* Adds strokes to one image until none brings its mean closer to the target. An image that is too dark already,
+ * because of the strokes of coarser levels, receives none. */
 static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t level, struct hatch_err *err)
 {
     double target = (double)f->targets[tone];
@@ -190,7 +191,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     grow_strokes(f, tone, level);
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
         double room = room_for_stroke(f, level, target);
-        if (!(room > 0) || is_hopeless(f, tone, level, room))
+        if (!(room > 0) || is_shortest_too_dark(f, tone, level, room))
             return HATCH_OK;
         choice.number = f->choices++;
         struct hatch_stroke stroke = place(f, &choice);
@@ -200,7 +201,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
         case TAKE:
             fruitless = 0;
             stroke.column = tone;
-            HATCH_TRY(remember(f, &stroke, choice.scale, err));
+            HATCH_TRY(add_stroke(f, &stroke, choice.scale, err));
             draw(f, &stroke, 0, choice.scale);
             break;
         case SHORTER:
@@ -215,33 +216,34 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     return HATCH_OK;
 }
 
-enum hatch_status hatch_tam_fill(const struct hatch_style *style, const struct hatch_brush *brush,
-                                 const struct hatch_fill_options *options, struct hatch_arena *arena,
-                                 struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
-                                 struct hatch_stroke_list *list, struct hatch_err *err)
+enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, const struct hatch_tam_sink *sink,
+                                 struct hatch_stroke_list *strokes, struct hatch_err *err)
 {
+    const struct hatch_style *style = options->style;
     assert((options->size_px & (options->size_px - 1)) == 0);
     assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX);
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
-    struct hatch_tam_label label;
-    HATCH_TRY(hatch_column_label(style, options->levels, options->seed, options->growth, arena, &label, err));
+    struct hatch_tam_metadata metadata;
+    HATCH_TRY(hatch_column_metadata(style, options->levels, options->seed, options->growth, arena, &metadata, err));
+    const struct hatch_canvas_options canvas = {style,           options->brush, options->size_px,
+                                                options->levels, options->color, options->ids};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = hatch_canvas_make(scratch, style, brush, options->size_px, options->levels,
-                                                 options->color, options->ids, &f.canvas, err);
+    enum hatch_status status = hatch_canvas_make(&canvas, scratch, &f.canvas, err);
     if (status == HATCH_OK)
         status = options->method == HATCH_FILL_FIELD
-                     ? hatch_potential_make(scratch, options->size_px, options->levels, brush, &f.field, err)
+                     ? hatch_potential_make(scratch, options->size_px, options->levels, options->brush, &f.field, err)
                      : make_pyramids(&f, scratch, err);
     for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)
-            status = hatch_column_deliver(&f.canvas, &label, tone, f.targets[tone], scratch, sink, context, err);
+            status = hatch_column_deliver(&f.canvas, &metadata, tone, f.targets[tone], scratch, sink, err);
     }
     hatch_arena_rewind(scratch, mark);
-    if (status == HATCH_OK && list)
-        *list = f.strokes;
+    if (status == HATCH_OK && strokes)
+        *strokes = f.strokes;
     return status;
 }

@@ -7,8 +7,7 @@
 #define SHORTLIST 6u
 #define COARSE_SAMPLES 24u
 
-/* A standard normal number from twelve uniform ones (their sum has variance 1): no libm, the same
- * everywhere, and never beyond 6. */
+/* A standard normal number, as the sum of twelve uniform ones: the same on every machine, and within 6 of 0. */
 static float normal(uint64_t seed, uint64_t stream, uint64_t index)
 {
     float sum = -6;
@@ -19,16 +18,16 @@ static float normal(uint64_t seed, uint64_t stream, uint64_t index)
     return sum;
 }
 
-struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struct hatch_choice *choice,
-                                    uint32_t candidate)
+struct hatch_stroke hatch_choice_candidate(const struct hatch_style *style, const struct hatch_choice *choice,
+                                           uint32_t candidate)
 {
     uint64_t index = (uint64_t)candidate * 32;
-    uint64_t place = hatch_random_u64(choice->seed, choice->number, index);
+    uint64_t position = hatch_random_u64(choice->seed, choice->number, index);
     uint64_t shape = hatch_random_u64(choice->seed, choice->number, index + 1);
     float longest = choice->length_max > style->length_min ? choice->length_max : style->length_min;
     struct hatch_stroke stroke = {
-        .x = (float)(place >> 40) * 0x1p-24f,
-        .y = (float)(place & 0xffffffu) * 0x1p-24f,
+        .x = (float)(position >> 40) * 0x1p-24f,
+        .y = (float)(position & 0xffffffu) * 0x1p-24f,
         .length = style->length_min + (longest - style->length_min) * ((float)(shape >> 40) * 0x1p-24f),
         .width_px = style->width_px,
         .tone = style->ink,
@@ -39,8 +38,8 @@ struct hatch_stroke hatch_candidate(const struct hatch_style *style, const struc
     float jitter = style->jitter_rad > 0 ? style->jitter_rad * normal(choice->seed, choice->number, index + 2) : 0;
     if (style->bend_max_rad > 0) {
         uint64_t bend = hatch_random_u64(choice->seed, choice->number, index + 14);
-        float most = style->bend_max_rad - style->bend_min_rad;
-        stroke.bend_rad = style->bend_min_rad + most * ((float)(bend >> 40) * 0x1p-24f);
+        float range = style->bend_max_rad - style->bend_min_rad;
+        stroke.bend_rad = style->bend_min_rad + range * ((float)(bend >> 40) * 0x1p-24f);
         stroke.bend_rad = bend & 1 ? -stroke.bend_rad : stroke.bend_rad;
     }
     stroke.angle_rad = choice->directions[candidate % choice->direction_count] + jitter;
@@ -52,7 +51,7 @@ struct scored {
     struct hatch_stroke stroke;
 };
 
-/* Keeps the list sorted, best first; among equals the earlier candidate stands first. */
+/* Inserts into the list, which is sorted, lowest score first; of equal scores the earlier candidate comes first. */
 static uint32_t insert(struct scored *list, uint32_t count, const struct scored *entry)
 {
     uint32_t at = count < SHORTLIST ? count : SHORTLIST - 1;
@@ -72,8 +71,8 @@ static struct hatch_stroke moved_across(const struct hatch_stroke *stroke, float
     return moved;
 }
 
-/* Steps across its own direction while the score falls, in halving steps. */
-static struct scored settle(const struct hatch_potential *field, const struct hatch_stroke *stroke)
+/* Moves the stroke across its direction to a local minimum of the score, in halving steps. */
+static struct scored descend(const struct hatch_potential *field, const struct hatch_stroke *stroke)
 {
     struct scored best = {hatch_potential_score(field, stroke, UINT32_MAX), *stroke};
     for (float step = 4.0f / (float)field->size; step * (float)field->size > 0.4f; step /= 2)
@@ -98,14 +97,14 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
     struct scored list[SHORTLIST] = {{0}};
     uint32_t count = 0;
     for (uint32_t c = 0; c < choice->candidates; c++) {
-        struct scored entry = {0, hatch_candidate(style, choice, c)};
-        entry.stroke.length *= choice->scale; /* the score is that of what will be drawn now */
+        struct scored entry = {0, hatch_choice_candidate(style, choice, c)};
+        entry.stroke.length *= choice->scale; /* score it at the size at which it will be drawn first */
         entry.score = hatch_potential_score(field, &entry.stroke, COARSE_SAMPLES);
         count = insert(list, count, &entry);
     }
-    struct scored best = settle(field, &list[0].stroke);
+    struct scored best = descend(field, &list[0].stroke);
     for (uint32_t i = 1; i < count; i++) {
-        struct scored other = settle(field, &list[i].stroke);
+        struct scored other = descend(field, &list[i].stroke);
         if (other.score < best.score)
             best = other;
     }

@@ -3,18 +3,18 @@
 #include <math.h>
 #include <string.h>
 
-static float *shares_of(float *share, uint32_t parts)
+static float *ink_shares(float *share, uint32_t parts)
 {
     return share + (size_t)parts * (parts - 1) / 2;
 }
 
-/* How the brush's ink is spread over that many equal parts of its length. */
-static void spread_ink(const struct hatch_brush *brush, uint32_t parts, float *share)
+/* Computes the distribution of the brush's ink over equal parts of its length. */
+static void fill_ink_shares(const struct hatch_brush *brush, uint32_t parts, float *share)
 {
     double ink[HATCH_POTENTIAL_PARTS] = {0}, total = 0;
     for (uint64_t x = 0; x < brush->width; x++) {
         double alpha = (double)brush->cumulative[(x + 1) * (brush->height + 1) - 1];
-        uint64_t from = x * parts, to = from + parts; /* one column, in units of 1 / (width * parts) */
+        uint64_t from = x * parts, to = from + parts; /* of the brush column, in units of 1 / (width * parts) */
         for (uint64_t i = from / brush->width; i * brush->width < to; i++) {
             uint64_t begin = i * brush->width, end = begin + brush->width;
             uint64_t covered = (end < to ? end : to) - (begin > from ? begin : from);
@@ -31,8 +31,8 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
                                        struct hatch_err *err)
 {
     struct hatch_potential made = {.canvas_size_px = canvas_size_px, .levels = levels, .reach = levels};
-    /* Measured: cells of two pixels at 256, of four at 1024, of eight at 4096 are as even as finer ones,
-     * for a fraction of the time. */
+    /* Measured: cells of 2 pixels at 256, 4 at 1024 and 8 at 4096 pixels give strokes as even as finer ones, in a
+     * fraction of the time. */
     made.size = canvas_size_px / 4;
     if (made.size < 128)
         made.size = canvas_size_px < 128 ? canvas_size_px : 128;
@@ -46,7 +46,7 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     if (!made.potential || !made.row || !made.used || !made.share)
         return HATCH_LIMIT;
     for (uint32_t parts = 1; parts <= HATCH_POTENTIAL_PARTS; parts++)
-        spread_ink(brush, parts, shares_of(made.share, parts));
+        fill_ink_shares(brush, parts, ink_shares(made.share, parts));
     for (uint32_t size = made.size; size >= 2; size /= 2) {
         float *octave = HATCH_NEW(arena, float, (size_t)size *size, err);
         if (!octave)
@@ -64,15 +64,15 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     return HATCH_OK;
 }
 
-/* The weight of a level: its stroke covers width_px / size of the tile across, so that a coarse image
- * counts for more, as in the paper's sum. */
+/* The weight of a level: a stroke of width_px covers width_px / size of the tile, so a coarser level weighs more, as
+ * in the sum of the paper. */
 static float level_weight(uint32_t size_px)
 {
     return 1.0f / (float)size_px;
 }
 
 /* Adds amount to the cells of the field under one cell of a level's grid. */
-static void spread(struct hatch_potential *field, uint32_t grid, uint32_t x, uint32_t y, float amount)
+static void deposit(struct hatch_potential *field, uint32_t grid, uint32_t x, uint32_t y, float amount)
 {
     uint32_t cells = field->size / grid;
     for (uint32_t j = 0; j < cells; j++) {
@@ -94,12 +94,12 @@ void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_c
         float amount = canvas->change[i] * share;
         field->darkness[level][y * grid + x] += amount;
         if (level < field->reach)
-            spread(field, grid, x, y, amount * weight);
+            deposit(field, grid, x, y, amount * weight);
     }
 }
 
-/* Adds all of a level's darkness to the field; its rows repeat as often as a cell of its grid is wide. */
-static void spread_all(struct hatch_potential *field, uint32_t level)
+/* Adds the darkness of a level to the field; rows are repeated to the size of a cell of its grid. */
+static void deposit_level(struct hatch_potential *field, uint32_t level)
 {
     uint32_t size = field->size, grid = field->grid[level], cells = size / grid;
     float weight = level_weight(field->canvas_size_px >> level), *repeated = field->row;
@@ -117,7 +117,7 @@ static void spread_all(struct hatch_potential *field, uint32_t level)
     }
 }
 
-void hatch_potential_start(struct hatch_potential *field, uint32_t level)
+void hatch_potential_select(struct hatch_potential *field, uint32_t level)
 {
     if (field->reach == level + 1)
         return;
@@ -125,12 +125,14 @@ void hatch_potential_start(struct hatch_potential *field, uint32_t level)
     size_t cells = (size_t)field->size * field->size;
     memset(field->potential, 0, cells * sizeof *field->potential);
     for (uint32_t l = 0; l <= level; l++)
-        spread_all(field, l);
-    hatch_potential_settle(field);
+        deposit_level(field, l);
+    hatch_potential_update(field);
 }
 
-/* coarse = fine, filtered by (1 3 3 1)/8 each way and halved, on the torus: close to a Gaussian, so that
- * the pyramid hardly depends on where its cells lie. used: rows of fine that are not all zero, or NULL. */
+/* Filters fine by (1 3 3 1) / 8 along both axes, on the torus, and halves its size. The filter is close to a Gaussian,
+ * so the pyramid hardly depends on the position of its cells.
+ *   used    rows of fine that are not all zero; NULL: all rows
+ *   padded  scratch: size + 2 floats */
 static void reduce(const float *fine, uint32_t size, const bool *used, float *padded, float *coarse)
 {
     uint32_t half = size / 2, mask = size - 1;
@@ -153,7 +155,7 @@ static void reduce(const float *fine, uint32_t size, const bool *used, float *pa
     }
 }
 
-/* Adds coarse to fine, interpolated linearly between the coarse cells' centres. */
+/* Adds coarse to fine, interpolated linearly between the centres of the coarse cells. */
 static void expand(const float *coarse, uint32_t half, float *padded, float *fine)
 {
     uint32_t size = 2 * half, mask = half - 1;
@@ -173,8 +175,8 @@ static void expand(const float *coarse, uint32_t half, float *padded, float *fin
     }
 }
 
-/* Moves what was deposited at the finest scale into the potential. */
-static void take_deposits(struct hatch_potential *field)
+/* Moves the deposits at the finest scale to the potential. */
+static void move_deposits(struct hatch_potential *field)
 {
     for (uint32_t y = 0; y < field->size; y++) {
         float *from = field->octave[0] + (size_t)y * field->size;
@@ -187,21 +189,21 @@ static void take_deposits(struct hatch_potential *field)
     }
 }
 
-void hatch_potential_settle(struct hatch_potential *field)
+void hatch_potential_update(struct hatch_potential *field)
 {
     uint32_t last = field->octaves - 1;
     for (uint32_t o = 0; o < last; o++)
         reduce(field->octave[o], field->size >> o, o ? NULL : field->used, field->row, field->octave[o + 1]);
     for (uint32_t o = last; o-- > 1;)
         expand(field->octave[o + 1], field->size >> (o + 1), field->row, field->octave[o]);
-    take_deposits(field);
+    move_deposits(field);
     expand(field->octave[1], field->size / 2, field->row, field->potential);
 }
 
-/* Steps along a stroke in 16.16 fixed point of cells; the wrap around the torus is the mask's. */
+/* Samples along a stroke, in cells, 16.16 fixed point; the caller's mask wraps them around the torus. */
 struct walk {
     uint32_t x, y, step_x, step_y;
-    float dx, dy, cosine, sine; /* of an arc: the next step, and how each turns */
+    float dx, dy, cosine, sine; /* of an arc: the next step, and the rotation from one step to the next */
 };
 
 static void set_step(struct walk *walk)
@@ -218,9 +220,8 @@ static void turn(struct walk *walk)
     set_step(walk);
 }
 
-/* The steps of an arc are its chords; the first sample lies half of what all of them turn before the
- * middle. */
-static void bend_walk(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples, struct walk *walk)
+/* The steps of an arc are chords between its samples, which lie in the middles of equal parts. */
+static void begin_arc(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples, struct walk *walk)
 {
     double angle = (double)stroke->bend_rad / samples, back = angle * (samples - 1) / 2;
     double radius = (double)cells / (double)stroke->bend_rad;
@@ -236,11 +237,11 @@ static void bend_walk(const struct hatch_stroke *stroke, float size, float cells
     set_step(walk);
 }
 
-static struct walk walk_of(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples)
+static struct walk begin_walk(const struct hatch_stroke *stroke, float size, float cells, uint32_t samples)
 {
     struct walk walk = {.dx = 0};
     if (stroke->bend_rad != 0) {
-        bend_walk(stroke, size, cells, samples, &walk);
+        begin_arc(stroke, size, cells, samples, &walk);
         return walk;
     }
     walk.dx = (float)cos((double)stroke->angle_rad) * cells / (float)samples;
@@ -258,9 +259,9 @@ float hatch_potential_score(const struct hatch_potential *field, const struct ha
     float size = (float)field->size;
     float cells = stroke->length * size;
     uint32_t samples = cells < 1 ? 1 : cells > (float)samples_max ? samples_max : (uint32_t)cells;
-    struct walk walk = walk_of(stroke, size, cells, samples);
+    struct walk walk = begin_walk(stroke, size, cells, samples);
     uint32_t mask = field->size - 1, parts = samples < HATCH_POTENTIAL_PARTS ? samples : HATCH_POTENTIAL_PARTS;
-    const float *share = shares_of(field->share, parts);
+    const float *share = ink_shares(field->share, parts);
     float sum = 0, weight = 0;
     for (uint32_t i = 0; i < samples; i++) {
         float ink = share[parts == samples ? i : (uint64_t)i * parts / samples];

@@ -1,14 +1,14 @@
-/* The potential field: how dark it is around each place, over every level that a stroke would reach and
- * over every scale, so that a candidate's goodness is a mean along one line. Private to tam.
+/* The potential field: the darkness around each position, summed over all levels that a stroke would reach and over
+ * all scales, so that the goodness of a candidate is a mean along one line. Private to placement.
  *
- * Praun et al. 2001, §4, sum the darkness that a stroke adds over all receiving levels and over all
- * levels of each one's pyramid. That sum is linear in the paper that is left: it is the integral, over
- * the stroke, of the sum of all those pyramids. The field keeps this sum on one grid, with smooth
- * pyramids in place of box filters (their blocks would draw strokes to block borders), so that a
- * candidate costs some dozens of look-ups instead of its footprints on all levels and pyramids.
+ * Praun et al. 2001, §4, sum the darkness that a stroke adds over all receiving levels and all levels of their
+ * pyramids. That sum is linear in the remaining reflectance: it is the integral, over the stroke, of the sum of all
+ * those pyramids. The field keeps this sum on one grid, with smooth pyramids instead of box filters (whose blocks
+ * would attract strokes to block borders), so that a candidate costs some dozens of look-ups instead of its
+ * footprints on all levels and pyramids.
  */
-#ifndef HATCH_TAM_POTENTIAL_H
-#define HATCH_TAM_POTENTIAL_H
+#ifndef HATCH_PLACEMENT_POTENTIAL_H
+#define HATCH_PLACEMENT_POTENTIAL_H
 
 #include "placement/canvas.h"
 
@@ -16,39 +16,42 @@
 #define HATCH_POTENTIAL_PARTS 64u
 
 struct hatch_potential {
-    uint32_t size; /* cells each way, a power of two */
-    uint32_t octaves;
+    uint32_t size;    /* width and height of the grid, cells, a power of two */
+    uint32_t octaves; /* number of scales */
     float *potential; /* size² cells */
-    float *share;     /* of the ink: [n * (n - 1) / 2 + i] is in part i of n along the stroke, n = 1 ..
-                         HATCH_POTENTIAL_PARTS; the shares of one n sum to 1 */
-    float *octave[HATCH_POTENTIAL_OCTAVES_MAX]; /* work: what was deposited since, at each scale */
-    bool *used;                                 /* rows of octave[0] that hold something */
-    float *row;                                 /* work: one row and a cell on either side */
+    float *share;     /* distribution of ink along a stroke: [n * (n - 1) / 2 + i] is the share in part i of n equal
+                         parts, n = 1 .. HATCH_POTENTIAL_PARTS */
+    float *octave[HATCH_POTENTIAL_OCTAVES_MAX]; /* scratch: darkness deposited since the last update, at each scale */
+    bool *used;                                 /* rows of octave[0] that are not all zero */
+    float *row;                                 /* scratch: one row and a cell on either side */
     uint32_t canvas_size_px, levels;
     uint32_t reach;                        /* the potential is that of levels 0 .. reach - 1 */
     float *darkness[HATCH_MIP_LEVELS_MAX]; /* of each canvas level, averaged over cells */
-    uint32_t grid[HATCH_MIP_LEVELS_MAX];   /* its size: the field's, or the level's if smaller */
+    uint32_t grid[HATCH_MIP_LEVELS_MAX];   /* width and height of darkness[level]: size, or the level's if smaller */
 };
 
-/* A field for a white canvas, turned to all its levels, and for strokes of that brush. canvas_size_px: a power of
- * two. */
+/* Makes a field for a canvas of white paper with all its levels selected.
+ *   canvas_size_px  a power of two
+ *   brush           of the strokes to score
+ *   field           out, in arena */
 enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canvas_size_px, uint32_t levels,
                                        const struct hatch_brush *brush, struct hatch_potential *field,
                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* Turns to strokes that levels 0 .. level receive: the potential is that of what has been deposited on
- * those levels. Costs nothing where it was the last that the field turned to. */
-void hatch_potential_start(struct hatch_potential *field, uint32_t level);
+/* Selects the levels 0 .. level, those that the next stroke reaches, for the potential. Does nothing if they are
+ * selected already. */
+void hatch_potential_select(struct hatch_potential *field, uint32_t level);
 
-/* Takes in canvas->change of the stroke just drawn on that level; what lies beyond the levels of the last
- * start shows from the next one on. */
+/* Records canvas->change of the stroke just drawn on a level. On a level that is not selected it takes effect when
+ * the level is. */
 void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_canvas *canvas, uint32_t level);
 
-/* Spreads what was deposited over all scales: once per stroke. */
-void hatch_potential_settle(struct hatch_potential *field);
+/* Spreads the recorded changes over all scales; to be called once per stroke. */
+void hatch_potential_update(struct hatch_potential *field);
 
-/* The mean potential along the stroke's centre line, weighted by where the brush holds its ink, from at
- * most samples_max evenly spaced places: the lower the better. */
+/* Returns the mean potential along the centre line of a stroke (for a path, its chord), weighted by the brush's ink;
+ * lower is better.
+ *   samples_max  at most so many evenly spaced samples */
 float hatch_potential_score(const struct hatch_potential *field, const struct hatch_stroke *stroke,
                             uint32_t samples_max);
 

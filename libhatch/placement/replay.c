@@ -10,39 +10,37 @@
 #include "placement/column.h"
 #include "placement/potential.h"
 
-/* How many strokes --fit looks at for the one that lies emptiest, and at last for the one that closes the gap
- * best. More of the first are more even, and their colours less so. */
+/* With fit, the one in the emptiest part of the image comes first of so many strokes. A larger number makes the image
+ * more even and its colours less so. */
 #define LOOKAHEAD 4u
-#define CLOSING_CANDIDATES 64u
+/* With fit, the number of strokes considered for the last one of an image. */
+#define LAST_CANDIDATES 64u
 
-/* One stroke's place in the order in which --fit takes them. */
-struct lot {
+/* A stroke and its key in the order in which fit takes strokes. */
+struct ordered_stroke {
     uint32_t key, stroke;
 };
 
 struct replay {
-    const struct hatch_style *style;
     const struct hatch_replay_options *options;
     struct hatch_stroke *strokes;
     uint32_t count;
     struct hatch_canvas canvas;
     float targets[HATCH_TAM_TONES_MAX];
-    uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* the column in which a level first has the stroke, from 1 */
-    uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* strokes before it were looked at in their order */
-    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of each coarser level's own strokes */
-    struct lot *lots;                                      /* strokes in the order in which fit takes them */
-    double largest;                                        /* darkness that a stroke added or would have added */
+    uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* per stroke: first column that holds it on a level, plus 1; 0: none */
+    uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* per level: next stroke in drawing order */
+    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of the strokes of each level but the finest */
+    struct ordered_stroke *order;                          /* with fit, the new strokes of an image */
+    double largest;                                        /* largest darkness that a stroke adds to an image */
     struct hatch_replay_result result;
 };
 
-/* What a level does with its next stroke. */
-enum verdict { TAKE, LEAVE };
-
-static enum verdict judge(struct replay *r, uint32_t level, uint32_t stroke, double target)
+/* Returns whether the stroke brings the image closer to its target. */
+static bool improves(struct replay *r, uint32_t level, uint32_t stroke, double target)
 {
     double gain = hatch_canvas_try(&r->canvas, &r->strokes[stroke], level, 1);
     r->largest = fmax(r->largest, gain);
-    return gain <= 2 * (target - r->canvas.darkness[level]) ? TAKE : LEAVE;
+    return gain <= 2 * (target - r->canvas.darkness[level]);
 }
 
 static void take(struct replay *r, uint32_t level, uint32_t stroke, uint32_t tone)
@@ -51,18 +49,17 @@ static void take(struct replay *r, uint32_t level, uint32_t stroke, uint32_t ton
     r->entered[level][stroke] = (uint16_t)(tone + 1);
     if (level && r->options->fit) {
         hatch_potential_deposit(&r->field[level], &r->canvas, level);
-        hatch_potential_settle(&r->field[level]);
+        hatch_potential_update(&r->field[level]);
     }
 }
 
-/* Whether the next finer level has the stroke, and this one may take it. */
-static bool offered(const struct replay *r, uint32_t level, uint32_t stroke)
+/* Returns whether the level may take the stroke: it does not hold it yet, but the next finer level does. */
+static bool is_available(const struct replay *r, uint32_t level, uint32_t stroke)
 {
     return !r->entered[level][stroke] && (level == 0 || r->entered[level - 1][stroke]);
 }
 
-/* Whether the stroke belongs to the level's share of the drawing: those of a coarser level are among those
- * of the finer ones. */
+/* Returns whether the stroke is in the random selection of the level, a subset of those of the finer levels. */
 static bool is_kept(const struct replay *r, uint32_t level, uint32_t stroke)
 {
     for (uint32_t l = 1; l <= level && r->options->keep < 1; l++)
@@ -71,101 +68,103 @@ static bool is_kept(const struct replay *r, uint32_t level, uint32_t stroke)
     return true;
 }
 
-/* The first strokes of the level's share, until another one would bring the image no closer. */
+/* Takes the first strokes of the level's selection until the next one does not improve the image. Returns whether the
+ * tone is met. */
 static bool fill_in_order(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
     uint32_t end = level ? r->cursor[level - 1] : r->count;
     for (; r->cursor[level] < end; r->cursor[level]++) {
         uint32_t stroke = r->cursor[level];
-        if (!offered(r, level, stroke) || !is_kept(r, level, stroke))
+        if (!is_available(r, level, stroke) || !is_kept(r, level, stroke))
             continue;
-        if (judge(r, level, stroke, target) == LEAVE)
+        if (!improves(r, level, stroke, target))
             return true;
         take(r, level, stroke, tone);
     }
     return false;
 }
 
-/* Strokes that were thrown out come back, the latest first, where the others leave the image too light:
- * the latest have this tone's colour. */
+/* Takes strokes that were left out, if the others leave the image too light: the latest first, because they have the
+ * colour of this tone. */
 static bool fill_backwards(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
     for (uint32_t stroke = r->cursor[level]; stroke-- > 0;) {
-        if (!offered(r, level, stroke))
+        if (!is_available(r, level, stroke))
             continue;
-        if (judge(r, level, stroke, target) == LEAVE)
+        if (!improves(r, level, stroke, target))
             return true;
         take(r, level, stroke, tone);
     }
     return false;
 }
 
-static int compare_lots(const void *a, const void *b)
+static int compare_keys(const void *a, const void *b)
 {
-    uint32_t first = ((const struct lot *)a)->key, second = ((const struct lot *)b)->key;
-    return (first > second) - (first < second); /* no two are alike */
+    uint32_t first = ((const struct ordered_stroke *)a)->key;
+    uint32_t second = ((const struct ordered_stroke *)b)->key;
+    return (first > second) - (first < second); /* keys are distinct */
 }
 
-/* The strokes that the finer level has since this column, so ordered that the first ones, however many, are
- * spread evenly over the drawing: the i-th has the lot frac(i φ), and lots rise. How many there are. */
-static uint32_t draw_lots(struct replay *r, uint32_t level, uint32_t tone)
+/* Lists the strokes that the finer level received in this column and returns their number. They are ordered by
+ * frac(i / φ) for the i-th, so that the first ones, of any number, are spread evenly over the drawing. */
+static uint32_t order_new_strokes(struct replay *r, uint32_t level, uint32_t tone)
 {
     uint32_t count = 0, start = (uint32_t)hatch_random_u64(r->options->seed, level, tone);
     for (uint32_t stroke = 0; stroke < r->count; stroke++)
         if (r->entered[level - 1][stroke] == tone + 1 && !r->entered[level][stroke]) {
-            r->lots[count] = (struct lot){start + count * 2654435769u, stroke}; /* 2^32 / φ, modulo 2^32 */
+            r->order[count] = (struct ordered_stroke){start + count * 2654435769u, stroke}; /* 2^32 / φ, modulo 2^32 */
             count++;
         }
-    qsort(r->lots, count, sizeof *r->lots, compare_lots);
+    qsort(r->order, count, sizeof *r->order, compare_keys);
     return count;
 }
 
-/* Moves that of the next few to the front that lies where the image is emptiest: a drawing that is even is as
- * uneven as chance when strokes leave it by lot. A path is judged along its chord. */
+/* Moves the stroke in the emptiest part of the image to the front of the next few. A random selection of the strokes
+ * of an even drawing alone would be uneven. A path is scored along its chord. */
 static void choose_emptiest(struct replay *r, uint32_t level, uint32_t from, uint32_t count)
 {
     uint32_t best = from;
     float best_score = INFINITY;
     for (uint32_t i = from; i < count && i < from + LOOKAHEAD; i++) {
-        float score = hatch_potential_score(&r->field[level], &r->strokes[r->lots[i].stroke], UINT32_MAX);
+        float score = hatch_potential_score(&r->field[level], &r->strokes[r->order[i].stroke], UINT32_MAX);
         if (score < best_score) {
             best_score = score;
             best = i;
         }
     }
-    struct lot chosen = r->lots[best];
-    memmove(&r->lots[from + 1], &r->lots[from], (best - from) * sizeof chosen);
-    r->lots[from] = chosen;
+    struct ordered_stroke chosen = r->order[best];
+    memmove(&r->order[from + 1], &r->order[from], (best - from) * sizeof chosen);
+    r->order[from] = chosen;
 }
 
-/* Takes the stroke that brings the image closest, of those left in the lots from `from` on. */
-static void close_gap(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from, uint32_t count)
+/* Takes the stroke that brings the image closest to its target, of the next ones in order. */
+static void take_last(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from, uint32_t count)
 {
-    double missing = target - r->canvas.darkness[level], best_left = fabs(missing);
+    double missing = target - r->canvas.darkness[level], best_error = fabs(missing);
     uint32_t best = UINT32_MAX;
-    for (uint32_t i = from; i < count && i < from + CLOSING_CANDIDATES; i++) {
-        double gain = hatch_canvas_try(&r->canvas, &r->strokes[r->lots[i].stroke], level, 1);
-        if (fabs(missing - gain) < best_left) {
-            best_left = fabs(missing - gain);
-            best = r->lots[i].stroke;
+    for (uint32_t i = from; i < count && i < from + LAST_CANDIDATES; i++) {
+        double gain = hatch_canvas_try(&r->canvas, &r->strokes[r->order[i].stroke], level, 1);
+        if (fabs(missing - gain) < best_error) {
+            best_error = fabs(missing - gain);
+            best = r->order[i].stroke;
         }
     }
     if (best != UINT32_MAX)
         take(r, level, best, tone);
 }
 
-/* The share of this column's new strokes at which its tone is met. It is found without a bisection: as they
- * enter in the order of their lots, the first that would overshoot says where one would end. */
+/* Takes the share of this column's new strokes that meets its tone. Because strokes are taken in order, the first one
+ * that overshoots ends the search; no bisection is needed. Returns whether the tone is met. */
 static bool fill_by_share(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
-    uint32_t count = draw_lots(r, level, tone);
+    uint32_t count = order_new_strokes(r, level, tone);
     for (uint32_t i = 0; i < count; i++) {
         choose_emptiest(r, level, i, count);
-        if (judge(r, level, r->lots[i].stroke, target) == LEAVE) {
-            close_gap(r, level, tone, target, i + 1, count);
+        if (!improves(r, level, r->order[i].stroke, target)) {
+            take_last(r, level, tone, target, i + 1, count);
             return true;
         }
-        take(r, level, r->lots[i].stroke, tone);
+        take(r, level, r->order[i].stroke, tone);
     }
     return false;
 }
@@ -207,38 +206,40 @@ static void compare_colors(struct replay *r)
     }
 }
 
-/* How dark the whole drawing is on the finest level. Strokes get the style's colour, if it has any, of the
- * darkness that there is when they are drawn. */
+/* Draws all strokes on the finest level and returns its darkness. If the style has colours, sets those of the strokes,
+ * by the darkness when they are drawn. */
 static double draw_all(const struct replay *r, struct hatch_canvas *canvas)
 {
     for (uint32_t stroke = 0; stroke < r->count; stroke++) {
-        if (r->style->color_count)
-            hatch_style_color_at(r->style, (float)canvas->darkness[0], r->strokes[stroke].rgb);
+        if (r->options->style->color_count)
+            hatch_style_color_at(r->options->style, (float)canvas->darkness[0], r->strokes[stroke].rgb);
         hatch_canvas_draw(canvas, &r->strokes[stroke], 0, 0, 1);
     }
     return canvas->darkness[0];
 }
 
-/* Room for the longest and the widest stroke. style is kept by the canvas. */
-static enum hatch_status make_canvas(const struct replay *r, const struct hatch_brush *brush, uint32_t levels, bool ids,
-                                     struct hatch_style *style, struct hatch_arena *scratch,
-                                     struct hatch_canvas *canvas, struct hatch_err *err)
+/* Makes a canvas with room for the longest and the widest stroke.
+ *   style  out: kept by the canvas */
+static enum hatch_status make_canvas(const struct replay *r, uint32_t levels, bool ids, struct hatch_style *style,
+                                     struct hatch_arena *scratch, struct hatch_canvas *canvas, struct hatch_err *err)
 {
-    *style = *r->style;
+    const struct hatch_canvas_options options = {style,  r->options->brush, r->options->size_px,
+                                                 levels, r->options->color, ids};
+    *style = *r->options->style;
     for (uint32_t i = 0; i < r->count; i++) {
         style->length_max = fmaxf(style->length_max, r->strokes[i].length);
         style->width_px = fmaxf(style->width_px, r->strokes[i].width_px);
     }
-    return hatch_canvas_make(scratch, style, brush, r->options->size_px, levels, r->options->color, ids, canvas, err);
+    return hatch_canvas_make(&options, scratch, canvas, err);
 }
 
-static enum hatch_status set_targets(struct replay *r, const struct hatch_brush *brush, const float *targets,
-                                     struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status set_targets(struct replay *r, struct hatch_arena *scratch, struct hatch_err *err)
 {
+    const float *targets = r->options->targets;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_canvas canvas;
     struct hatch_style style;
-    enum hatch_status status = make_canvas(r, brush, 1, false, &style, scratch, &canvas, err);
+    enum hatch_status status = make_canvas(r, 1, false, &style, scratch, &canvas, err);
     if (status == HATCH_OK)
         r->result.darkest = (float)draw_all(r, &canvas);
     hatch_arena_rewind(scratch, mark);
@@ -253,22 +254,23 @@ static enum hatch_status set_targets(struct replay *r, const struct hatch_brush 
     return HATCH_OK;
 }
 
-static enum hatch_status make_lists(struct replay *r, const struct hatch_brush *brush, struct hatch_arena *scratch,
-                                    struct hatch_err *err)
+static enum hatch_status make_lists(struct replay *r, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    for (uint32_t level = 1; r->options->fit && level < r->options->levels; level++)
-        HATCH_TRY(hatch_potential_make(scratch, r->options->size_px, r->options->levels, brush, &r->field[level], err));
-    for (uint32_t level = 0; level < r->options->levels; level++) {
+    const struct hatch_replay_options *options = r->options;
+    for (uint32_t level = 1; options->fit && level < options->levels; level++)
+        HATCH_TRY(
+            hatch_potential_make(scratch, options->size_px, options->levels, options->brush, &r->field[level], err));
+    for (uint32_t level = 0; level < options->levels; level++) {
         r->entered[level] = HATCH_NEW(scratch, uint16_t, r->count, err);
         if (!r->entered[level])
             return HATCH_LIMIT;
     }
-    r->lots = HATCH_NEW(scratch, struct lot, r->count, err);
-    return r->lots ? HATCH_OK : HATCH_LIMIT;
+    r->order = HATCH_NEW(scratch, struct ordered_stroke, r->count, err);
+    return r->order ? HATCH_OK : HATCH_LIMIT;
 }
 
-/* Writes into the strokes where they stand, and leaves out those that stand nowhere. */
-static void note_places(const struct replay *r, struct hatch_stroke_list *list)
+/* Sets column, level and delay of the strokes, and removes those that no image holds. */
+static void set_columns(const struct replay *r, struct hatch_stroke_list *list)
 {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < r->count; i++) {
@@ -287,43 +289,41 @@ static void note_places(const struct replay *r, struct hatch_stroke_list *list)
     list->count = kept;
 }
 
-static enum hatch_status replay(struct replay *r, const struct hatch_brush *brush, const float *targets,
-                                const struct hatch_tam_label *label, struct hatch_arena *scratch, hatch_tam_sink sink,
-                                void *context, struct hatch_err *err)
+static enum hatch_status replay(struct replay *r, const struct hatch_tam_metadata *metadata,
+                                struct hatch_arena *scratch, const struct hatch_tam_sink *sink, struct hatch_err *err)
 {
     struct hatch_style style;
-    HATCH_TRY(set_targets(r, brush, targets, scratch, err));
-    HATCH_TRY(make_lists(r, brush, scratch, err));
-    HATCH_TRY(make_canvas(r, brush, r->options->levels, r->options->ids, &style, scratch, &r->canvas, err));
+    HATCH_TRY(set_targets(r, scratch, err));
+    HATCH_TRY(make_lists(r, scratch, err));
+    HATCH_TRY(make_canvas(r, r->options->levels, r->options->ids, &style, scratch, &r->canvas, err));
     for (uint32_t tone = 0; tone < r->options->tones; tone++) {
         for (uint32_t level = 0; level < r->options->levels; level++)
             fill_image(r, level, tone);
         if (r->options->color)
             compare_colors(r);
-        HATCH_TRY(hatch_column_deliver(&r->canvas, label, tone, r->targets[tone], scratch, sink, context, err));
+        HATCH_TRY(hatch_column_deliver(&r->canvas, metadata, tone, r->targets[tone], scratch, sink, err));
     }
     r->result.tone_bound = (float)(r->largest / 2);
     return HATCH_OK;
 }
 
-enum hatch_status hatch_tam_replay(const struct hatch_style *style, const struct hatch_brush *brush,
-                                   const struct hatch_replay_options *options, const float *targets,
-                                   struct hatch_stroke_list *strokes, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
-                                   struct hatch_replay_result *result, struct hatch_err *err)
+enum hatch_status hatch_tam_replay(const struct hatch_replay_options *options, struct hatch_stroke_list *strokes,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   const struct hatch_tam_sink *sink, struct hatch_replay_result *result,
+                                   struct hatch_err *err)
 {
     assert((options->size_px & (options->size_px - 1)) == 0);
     assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX);
     assert(options->levels >= 1 && options->levels <= HATCH_STROKE_LEVELS_MAX);
     if (strokes->count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "a drawing without strokes");
-    struct replay r = {.style = style, .options = options, .strokes = strokes->items, .count = strokes->count};
-    struct hatch_tam_label label;
-    HATCH_TRY(hatch_column_label(style, options->levels, options->seed, 0, arena, &label, err));
+        return hatch_fail(err, HATCH_BAD_INPUT, "the drawing has no strokes");
+    struct replay r = {.options = options, .strokes = strokes->items, .count = strokes->count};
+    struct hatch_tam_metadata metadata;
+    HATCH_TRY(hatch_column_metadata(options->style, options->levels, options->seed, 0, arena, &metadata, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = replay(&r, brush, targets, &label, scratch, sink, context, err);
+    enum hatch_status status = replay(&r, &metadata, scratch, sink, err);
     if (status == HATCH_OK) {
-        note_places(&r, strokes);
+        set_columns(&r, strokes);
         *result = r.result;
     }
     hatch_arena_rewind(scratch, mark);

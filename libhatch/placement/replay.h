@@ -1,47 +1,53 @@
-/* A tonal art map from a drawing: its strokes are drawn again in their order, and the images of a tone are
- * what stands there when the drawing has become that dark (Webb, Praun, Finkelstein and Hoppe, "Fine Tone
- * Control in Hardware Hatching", NPAR 2002, §4). */
-#ifndef HATCH_TAM_REPLAY_H
-#define HATCH_TAM_REPLAY_H
+/* Makes a tonal art map from a drawing: replays its strokes in their order; the images of a tone hold the strokes
+ * up to the point at which the drawing is that dark (Webb, Praun, Finkelstein & Hoppe, "Fine Tone Control in Hardware
+ * Hatching", NPAR 2002, §4). */
+#ifndef HATCH_PLACEMENT_REPLAY_H
+#define HATCH_PLACEMENT_REPLAY_H
 
 #include "placement/fill.h"
 
 struct hatch_replay_options {
-    uint32_t size_px, tones, levels; /* as for filling; levels: 1 .. HATCH_STROKE_LEVELS_MAX */
-    uint64_t seed;                   /* of the strokes that are thrown out */
-    bool ids, color;                 /* color: columns hold R, G and B */
-    /* How an image of a coarser level chooses from the strokes of the next finer one. Below 1: the share of
-     * the drawing that is kept, at random, from level to level, before the first ones are taken until the
-     * tone is met; 1: the first ones. */
-    float keep;
-    bool fit; /* take of each tone's new strokes the share that meets it, found stroke by stroke */
+    const struct hatch_style *style;
+    const struct hatch_brush *brush; /* of all strokes */
+    uint32_t size_px, tones;         /* as in struct hatch_fill_options */
+    uint32_t levels;                 /* number of drawn levels, 1 .. HATCH_STROKE_LEVELS_MAX */
+    uint64_t seed;                   /* random seed for leaving out strokes */
+    bool ids, color;                 /* as in struct hatch_fill_options, but strokes have their own colours */
+    const float *targets; /* target tone of each column, rising; NULL: even steps to the darkness of the whole
+                             drawing, shaped by the tone_gamma of the style */
+    float keep; /* how a coarser level chooses strokes of the next finer one. Below 1: a random selection, this share
+                   of the drawing per level, from which the first strokes are taken until the tone is met; 1: the
+                   first strokes */
+    bool fit;   /* instead of keep: of the new strokes of each tone, the share that meets the tone */
 };
 
-/* A tone error that nobody sees. Chroma and hue are those of image/color.h. */
+/* Tone error below what is visible. */
 #define HATCH_REPLAY_TONE 0.003f
 
+/* Chroma and hue are those of image/color.h. */
 struct hatch_replay_result {
-    float darkest;          /* of the finest level with every stroke */
-    uint32_t short_columns; /* whose target is over HATCH_REPLAY_TONE darker than that */
-    float tone_error;       /* largest, over all images, between the mean and the target */
-    float tone_bound;       /* what it cannot pass where no image is exhausted: half of what the darkest stroke
-                               adds to an image */
-    uint32_t exhausted;     /* images over HATCH_REPLAY_TONE lighter than their target with all the strokes that
-                               the finer image has */
-    float chroma_error;     /* largest distance of an image's (chroma, hue) from that of its tone's finest
-                               image: as both are means, no blend of images is further off */
-    float hue_error_deg;    /* largest, where the finest image has HATCH_COLOR_CHROMA_MIN or more */
+    float darkest;          /* mean darkness of the finest level with every stroke */
+    uint32_t short_columns; /* columns whose target is more than HATCH_REPLAY_TONE darker than that */
+    float tone_error;       /* largest difference between the mean of an image and its target */
+    float tone_bound;       /* bound of tone_error unless images are exhausted: half of the largest darkness that a
+                               stroke adds to an image */
+    uint32_t exhausted;     /* images more than HATCH_REPLAY_TONE lighter than their target although they hold all
+                               strokes of the next finer image */
+    float chroma_error;     /* largest distance of an image's mean (chroma, hue) from that of its tone's finest image;
+                               as both are means, no blend of images has a larger one */
+    float hue_error_deg;    /* largest such difference of hue, where the finest image has at least
+                               HATCH_COLOR_CHROMA_MIN */
 };
 
-/* Draws the strokes in their order. Where they stand is noted in their column, level and delay; those that
- * stand nowhere, because the darkest column is reached before them, are left out.
- * Every stroke of an image is also in all darker images of its size and in all finer images of its tone.
- * targets: of each column, rising; NULL for even steps to what the whole drawing reaches, and then
- * style's tone_gamma counts. brush: of all strokes. Columns go to sink, lightest first. */
-enum hatch_status hatch_tam_replay(const struct hatch_style *style, const struct hatch_brush *brush,
-                                   const struct hatch_replay_options *options, const float *targets,
-                                   struct hatch_stroke_list *strokes, struct hatch_arena *arena,
-                                   struct hatch_arena *scratch, hatch_tam_sink sink, void *context,
-                                   struct hatch_replay_result *result, struct hatch_err *err) HATCH_MUST_USE;
+/* Replays a drawing and passes each column to sink. Every stroke of an image is also in all darker images of its
+ * level and in all finer images of its tone.
+ *   strokes  in drawing order; their column, level and delay are set, and strokes that no image holds, because the
+ *            darkest column is reached before them, are removed
+ *   result   out; unchanged on failure
+ * HATCH_BAD_INPUT for a drawing without strokes; the status of sink. */
+enum hatch_status hatch_tam_replay(const struct hatch_replay_options *options, struct hatch_stroke_list *strokes,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch,
+                                   const struct hatch_tam_sink *sink, struct hatch_replay_result *result,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

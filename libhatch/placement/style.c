@@ -7,7 +7,7 @@
 #include "image/color.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
-#define SHOWN_MAX 40u /* letters of a key that is none */
+#define SHOWN_MAX 40u /* characters of a wrong word in a message */
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -55,20 +55,20 @@ void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float 
     }
 }
 
-/* Where the parser is, and what it fills. */
+/* State of the parser. */
 struct reading {
     struct hatch_style style;
-    bool directions_given; /* the first "direction" line replaces the default schedule */
-    bool colors_given;     /* and the first "color" line the colours */
+    bool directions_given; /* the first "direction" line replaces the default directions */
+    bool colors_given;     /* the first "color" line replaces the default colours */
 };
 
-/* The keys whose values are plain numbers: how many, their range, where they go. */
+/* A key whose values are plain numbers. */
 struct number_key {
     const char *name;
     uint32_t count;
     double low, high;
-    double scale; /* from the file's unit to the struct's */
-    size_t at[2];
+    double scale;     /* from the unit of the file to that of the struct */
+    size_t offset[2]; /* in struct hatch_style */
 };
 
 #define AT(field) offsetof(struct hatch_style, field)
@@ -87,7 +87,7 @@ static const struct number_key number_keys[] = {
     {"gamma", 1, 0.1, 10, 1, {AT(tone_gamma), 0}},
 };
 
-static enum hatch_status take_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
+static enum hatch_status read_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
                                      struct hatch_err *err)
 {
     struct hatch_text word;
@@ -95,7 +95,7 @@ static enum hatch_status take_number(struct hatch_text *rest, const char *key, d
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: a value is missing", key);
     if (!hatch_text_number(word, value))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key,
-                          (int)(word.length < 40 ? word.length : 40), word.at);
+                          (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX), word.at);
     if (!(*value >= low && *value <= high))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, *value, low, high);
     return HATCH_OK;
@@ -104,9 +104,9 @@ static enum hatch_status take_number(struct hatch_text *rest, const char *key, d
 static enum hatch_status read_direction(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double angle, from, to;
-    HATCH_TRY(take_number(rest, "direction", -360, 360, &angle, err));
-    HATCH_TRY(take_number(rest, "direction", 0, 1, &from, err));
-    HATCH_TRY(take_number(rest, "direction", 0, 1, &to, err));
+    HATCH_TRY(read_number(rest, "direction", -360, 360, &angle, err));
+    HATCH_TRY(read_number(rest, "direction", 0, 1, &from, err));
+    HATCH_TRY(read_number(rest, "direction", 0, 1, &to, err));
     if (from > to)
         return hatch_fail(err, HATCH_BAD_INPUT, "direction: from tone %g to tone %g is empty", from, to);
     if (!r->directions_given)
@@ -124,10 +124,10 @@ static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, 
     struct hatch_style_color color;
     struct hatch_text word;
     double tone;
-    HATCH_TRY(take_number(rest, "color", 0, 1, &tone, err));
+    HATCH_TRY(read_number(rest, "color", 0, 1, &tone, err));
     color.tone = (float)tone;
     if (!hatch_text_word(rest, &word) || !hatch_color_from_hex(word, color.rgb))
-        return hatch_fail(err, HATCH_BAD_INPUT, "color: want a darkness and six hexadecimal digits");
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: want a tone and three or six hexadecimal digits");
     if (!r->colors_given)
         r->style.color_count = 0;
     r->colors_given = true;
@@ -135,7 +135,7 @@ static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, 
     if (count == HATCH_STYLE_COLORS_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "color: more than %u", HATCH_STYLE_COLORS_MAX);
     if (count && !(color.tone > r->style.colors[count - 1].tone))
-        return hatch_fail(err, HATCH_BAD_INPUT, "color: darkness %g does not rise", tone);
+        return hatch_fail(err, HATCH_BAD_INPUT, "color: tone %g does not exceed that of the color line before", tone);
     r->style.colors[r->style.color_count++] = color;
     return HATCH_OK;
 }
@@ -164,10 +164,10 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
     if (!hatch_text_is(word, "image"))
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple, round or image FILE",
-                          (int)(word.length < 40 ? word.length : 40), word.at);
-    rest_of_line = trimmed(*rest); /* a file's name may hold spaces */
+                          (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX), word.at);
+    rest_of_line = trimmed(*rest); /* file names may hold spaces */
     if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
-        return hatch_fail(err, HATCH_BAD_INPUT, "brush: image wants a file name of up to %zu bytes",
+        return hatch_fail(err, HATCH_BAD_INPUT, "brush: image needs a file name of up to %zu bytes",
                           sizeof r->style.brush_file - 1);
     r->style.brush = HATCH_BRUSH_IMAGE;
     memset(r->style.brush_file, 0, sizeof r->style.brush_file);
@@ -192,8 +192,8 @@ static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r
 static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double light, dark;
-    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &light, err));
-    HATCH_TRY(take_number(rest, "candidates", 1, 1e6, &dark, err));
+    HATCH_TRY(read_number(rest, "candidates", 1, 1e6, &light, err));
+    HATCH_TRY(read_number(rest, "candidates", 1, 1e6, &dark, err));
     if (light != floor(light) || dark != floor(dark))
         return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %g %g, want whole numbers", light, dark);
     r->style.candidates_light = (uint32_t)light;
@@ -216,9 +216,9 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 {
     for (uint32_t i = 0; i < key->count; i++) {
         double value;
-        HATCH_TRY(take_number(rest, key->name, key->low, key->high, &value, err));
+        HATCH_TRY(read_number(rest, key->name, key->low, key->high, &value, err));
         float stored = (float)(value * key->scale);
-        memcpy((char *)&r->style + key->at[i], &stored, sizeof stored);
+        memcpy((char *)&r->style + key->offset[i], &stored, sizeof stored);
     }
     return HATCH_OK;
 }
@@ -257,22 +257,22 @@ static enum hatch_status read_line(struct hatch_text line, struct reading *r, st
         if (hatch_text_is(key, number_keys[i].name)) {
             known = true;
             HATCH_TRY(read_numbers(&number_keys[i], &line, r, err));
-            r->style.tone_max_given |= number_keys[i].at[0] == AT(tone_max);
+            r->style.tone_max_given |= number_keys[i].offset[0] == AT(tone_max);
         }
     if (!known)
         return fail_unknown(key, err);
     if (hatch_text_word(&line, &extra))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: more values than it takes", (int)key.length, key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: too many values", (int)key.length, key.at);
     return HATCH_OK;
 }
 
 static enum hatch_status check_ranges(const struct hatch_style *style, struct hatch_err *err)
 {
     if (style->length_min > style->length_max)
-        return hatch_fail(err, HATCH_BAD_INPUT, "length: the shortest, %g, is above the longest, %g",
+        return hatch_fail(err, HATCH_BAD_INPUT, "length: the minimum %g exceeds the maximum %g",
                           (double)style->length_min, (double)style->length_max);
     if (style->bend_min_rad > style->bend_max_rad)
-        return hatch_fail(err, HATCH_BAD_INPUT, "bend: the least, %g, is above the most, %g",
+        return hatch_fail(err, HATCH_BAD_INPUT, "bend: the minimum %g exceeds the maximum %g",
                           (double)style->bend_min_rad / RADIANS_PER_DEGREE,
                           (double)style->bend_max_rad / RADIANS_PER_DEGREE);
     return HATCH_OK;

@@ -1,7 +1,7 @@
-/* A drawing style: a small text file that a user copies and changes. One "key value ..." per line,
- * '#' begins a comment. hatch-style(5) lists the keys; every key of this struct has one. */
-#ifndef HATCH_TAM_STYLE_H
-#define HATCH_TAM_STYLE_H
+/* Drawing styles: small text files with one "key value ..." per line; '#' begins a comment. hatch-style(5)
+ * lists the keys, one for each member of struct hatch_style. */
+#ifndef HATCH_PLACEMENT_STYLE_H
+#define HATCH_PLACEMENT_STYLE_H
 
 #include <stdbool.h>
 
@@ -12,22 +12,22 @@
 #define HATCH_STYLE_DIRECTIONS_MAX 8u
 #define HATCH_STYLE_COLORS_MAX 32u
 
-/* One direction of the cross-hatching schedule (§4): strokes of angle_rad are drawn in the columns
- * whose target darkness lies in [from, to]. Several at once fill the gaps of each other. */
+/* One direction of cross-hatching (§4): for the columns whose target tone lies in from .. to. Strokes of a column
+ * alternate between all of its directions. */
 struct hatch_style_direction {
     float angle_rad;
-    float from, to; /* 0 .. 1 */
+    float from, to; /* tones, 0 .. 1 */
 };
 
-/* What crossing strokes do to each other; nothing ever gets lighter. With a stroke's colour c and alpha a,
- * channel by channel, a reflectance p becomes: */
+/* Combination of crossing strokes; no pixel ever gets lighter. A stroke of colour c and alpha a changes the reflectance
+ * p of each channel to: */
 enum hatch_overlap {
     HATCH_OVERLAP_DARKENS, /* p (1 - a (1 - c)): layers of thin colour */
-    HATCH_OVERLAP_FLAT,    /* min(p, 1 - a (1 - c)): the darker one stands */
-    HATCH_OVERLAP_COVERS   /* min(p, p (1 - a) + a c): the later one covers, as paint does */
+    HATCH_OVERLAP_FLAT,    /* min(p, 1 - a (1 - c)): the darker stroke wins */
+    HATCH_OVERLAP_COVERS   /* min(p, p (1 - a) + a c): the later stroke covers, like paint */
 };
 
-/* The colour of the strokes that are drawn in the column of that darkness. */
+/* The colour of strokes at a tone. */
 struct hatch_style_color {
     float tone;   /* 0 .. 1, rising */
     float rgb[3]; /* linear */
@@ -36,36 +36,41 @@ struct hatch_style_color {
 struct hatch_style {
     char name[HATCH_NAME_MAX];
     enum hatch_brush_kind brush;
-    char brush_file[256];             /* brush image: a path, relative to the style's file */
-    float width_px;                   /* 0.5 .. 64, equal on every level */
+    char brush_file[256];             /* brush image: a path relative to the style's file */
+    float width_px;                   /* 0.5 .. 64, the same on every level */
     float length_min, length_max;     /* fractions of the tile, 0 .. 4; 0 0 makes dots */
-    float jitter_rad;                 /* standard deviation of the orientation */
-    float ink;                        /* 0 .. 1: how dark one stroke is */
-    float bend_min_rad, bend_max_rad; /* how far a stroke turns, to either side, 0 .. HATCH_STROKE_BEND_MAX */
+    float jitter_rad;                 /* standard deviation of the direction */
+    float ink;                        /* darkness of a stroke, 0.01 .. 1 */
+    float bend_min_rad, bend_max_rad; /* turn of a stroke from start to end, 0 .. HATCH_STROKE_BEND_MAX, to a random
+                                         side */
     enum hatch_overlap overlap;
-    float tone_max; /* target darkness of the last column, 0 .. 1 */
+    float tone_max; /* target tone of the last column, 0.01 .. 1 */
     bool tone_max_given;
-    float tone_gamma; /* 0.1 .. 10: 1 is even steps of darkness from white, which is implicit */
+    float tone_gamma; /* 0.1 .. 10; 1: even steps of darkness from paper, which is not a column */
     uint32_t direction_count;
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
-    uint32_t color_count; /* 0: black */
+    uint32_t color_count; /* 0: strokes are black */
     struct hatch_style_color colors[HATCH_STYLE_COLORS_MAX];
-    uint32_t candidates_light, candidates_dark; /* 1000 falling to 100 (§4) */
+    uint32_t candidates_light, candidates_dark; /* candidates per stroke in the lightest and the darkest column;
+                                                   1000 and 100 in §4 */
 };
 
-/* The style "ink": what an empty file means. */
+/* Sets the style "ink", the meaning of an empty file. */
 void hatch_style_default(struct hatch_style *style);
 
-/* HATCH_BAD_INPUT with the line for an unknown key, a wrong number of values, or a value out of
- * range. style holds the defaults on entry and is unchanged on failure. */
+/* Parses a style file.
+ *   style  in: the defaults; out; unchanged on failure
+ * HATCH_BAD_INPUT with the line for an unknown key, a wrong number of values or a value out of range. */
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The colour of strokes that are drawn at that darkness: linear between the style's colours, the nearest
- * beyond them, black where there is none. */
+/* Computes the colour of strokes at a tone: linear between the colours of the style, clamped to the first and the
+ * last; black without colours.
+ *   rgb  out: linear */
 void hatch_style_color_at(const struct hatch_style *style, float tone, float rgb[3]);
 
-/* The target darkness of each column: target[i] = tone_max * ((i + 1) / tones)^tone_gamma. */
+/* Computes the target tone of each column: target[i] = tone_max * ((i + 1) / tones)^tone_gamma.
+ *   target  out: tones entries */
 void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target);
 
 #endif

@@ -1,20 +1,19 @@
-/* Draws sets and keeps those whose seeds are spread best. */
+/* Makes random seed sets and keeps those whose seed points are spread best. */
 #include <math.h>
 #include <string.h>
 
 #include "seed/spread.h"
 
-/* All layers' places so far, with room for one more. */
 struct choice {
     const struct hatch_seeds_options *options;
-    struct hatch_seed_place *places;
-    uint32_t placed;
-    uint8_t *crumbs;
-    uint64_t steps;
+    struct hatch_seed_point *points; /* of the chosen layers, then of a candidate */
+    uint32_t chosen;                 /* number of points of the chosen layers */
+    uint8_t *crumbs;                 /* of a candidate */
+    uint64_t steps;                  /* sum of hatch_cycle_make */
 };
 
-static enum hatch_status draw(struct choice *choice, uint64_t stream, struct hatch_arena *scratch,
-                              struct hatch_err *err)
+static enum hatch_status make_candidate(struct choice *choice, uint64_t stream, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
 {
     struct hatch_cycle_options cycle = choice->options->cycle;
     uint64_t steps = 0;
@@ -24,49 +23,49 @@ static enum hatch_status draw(struct choice *choice, uint64_t stream, struct hat
     return HATCH_OK;
 }
 
-/* The candidate's own spread and, from the second layer on, that of all layers with it. */
-static enum hatch_status weigh(struct choice *choice, struct hatch_arena *scratch, double *goodness,
-                               struct hatch_err *err)
+/* Computes the goodness of a candidate, as hatch_seeds_make describes. */
+static enum hatch_status rate(struct choice *choice, struct hatch_arena *scratch, double *goodness,
+                              struct hatch_err *err)
 {
     const struct hatch_seed_set set = {choice->options->cycle.count, choice->crumbs};
-    uint32_t all = choice->placed + set.count;
+    uint32_t all = choice->chosen + set.count;
     double own, together;
-    hatch_seed_places(&set, choice->places + choice->placed);
-    HATCH_TRY(hatch_spread_distance(choice->places + choice->placed, set.count, scratch, &own, err));
+    hatch_seed_points(&set, choice->points + choice->chosen);
+    HATCH_TRY(hatch_spread_distance(choice->points + choice->chosen, set.count, scratch, &own, err));
     own /= hatch_spread_bound(set.count);
-    if (choice->placed) {
-        HATCH_TRY(hatch_spread_distance(choice->places, all, scratch, &together, err));
+    if (choice->chosen) {
+        HATCH_TRY(hatch_spread_distance(choice->points, all, scratch, &together, err));
         own *= own * together / hatch_spread_bound(all);
     }
     *goodness = own;
     return HATCH_OK;
 }
 
-static uint32_t candidates_of(const struct hatch_seeds_options *options)
+static uint32_t count_candidates(const struct hatch_seeds_options *options)
 {
-    uint32_t fitting = 100000u / options->cycle.count;
+    uint32_t affordable = 100000u / options->cycle.count;
     if (options->candidates)
         return options->candidates;
-    return fitting > 1000 ? 1000 : fitting > 1 ? fitting : 1;
+    return affordable > 1000 ? 1000 : affordable > 1 ? affordable : 1;
 }
 
 static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, const struct hatch_seed_set *set,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
-    uint32_t candidates = candidates_of(choice->options);
+    uint32_t candidates = count_candidates(choice->options);
     double best = -1;
     for (uint32_t i = 0; i < candidates; i++) {
         double goodness = 0;
-        HATCH_TRY(draw(choice, (uint64_t)layer << 32 | i, scratch, err));
+        HATCH_TRY(make_candidate(choice, (uint64_t)layer << 32 | i, scratch, err));
         if (candidates > 1)
-            HATCH_TRY(weigh(choice, scratch, &goodness, err));
+            HATCH_TRY(rate(choice, scratch, &goodness, err));
         if (goodness <= best)
             continue;
         best = goodness;
         memcpy(set->crumbs, choice->crumbs, set->count);
     }
-    hatch_seed_places(set, choice->places + choice->placed);
-    choice->placed += set->count;
+    hatch_seed_points(set, choice->points + choice->chosen);
+    choice->chosen += set->count;
     return HATCH_OK;
 }
 
@@ -80,8 +79,8 @@ enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, st
     struct choice choice = {.options = options};
     made.layers = HATCH_NEW(arena, struct hatch_seed_set, options->layers, err);
     if (made.layers)
-        choice.places = HATCH_NEW(scratch, struct hatch_seed_place, (size_t)count * options->layers, err);
-    choice.crumbs = choice.places ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
+        choice.points = HATCH_NEW(scratch, struct hatch_seed_point, (size_t)count * options->layers, err);
+    choice.crumbs = choice.points ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
     enum hatch_status status = choice.crumbs ? HATCH_OK : HATCH_LIMIT;
     for (uint32_t i = 0; status == HATCH_OK && i < options->layers; i++) {
         made.layers[i].count = count;
@@ -103,23 +102,23 @@ enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hat
     for (uint32_t i = 0; i < seeds->layer_count; i++)
         total += seeds->layers[i].count;
     if (total > UINT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "%zu seeds in all layers", total);
-    struct hatch_seed_place *places = HATCH_NEW(scratch, struct hatch_seed_place, total, err);
-    enum hatch_status status = places ? HATCH_OK : HATCH_LIMIT;
+        return hatch_fail(err, HATCH_LIMIT, "%zu seed points in all layers: want less than 2^32", total);
+    struct hatch_seed_point *points = HATCH_NEW(scratch, struct hatch_seed_point, total, err);
+    enum hatch_status status = points ? HATCH_OK : HATCH_LIMIT;
     double smallest = 1, distance = 1;
-    uint32_t placed = 0;
+    uint32_t count = 0;
     for (uint32_t i = 0; status == HATCH_OK && i < seeds->layer_count; i++) {
         const struct hatch_seed_set *set = &seeds->layers[i];
-        hatch_seed_places(set, places + placed);
-        status = hatch_spread_distance(places + placed, set->count, scratch, &distance, err);
+        hatch_seed_points(set, points + count);
+        status = hatch_spread_distance(points + count, set->count, scratch, &distance, err);
         smallest = fmin(smallest, distance / hatch_spread_bound(set->count));
-        placed += set->count;
+        count += set->count;
     }
     if (status == HATCH_OK)
-        status = hatch_spread_distance(places, placed, scratch, &distance, err);
+        status = hatch_spread_distance(points, count, scratch, &distance, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
     *within = smallest;
-    *together = distance / hatch_spread_bound(placed);
+    *together = distance / hatch_spread_bound(count);
     return HATCH_OK;
 }

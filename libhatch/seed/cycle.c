@@ -14,11 +14,11 @@ int hatch_cycle_order(uint32_t count)
     return count == 1 ? order : -1;
 }
 
-/* The edges, chosen or all, and a circuit through them. */
-static enum hatch_status make_circuit(const struct hatch_cycle_options *options, struct cycle_dice *dice,
+/* Chooses edges of the de Bruijn graph and a circuit through them. */
+static enum hatch_status make_circuit(const struct hatch_cycle_options *options, struct hatch_cycle_rng *rng,
                                       struct hatch_arena *scratch, uint8_t *crumbs, struct hatch_err *err)
 {
-    bool all = hatch_cycle_order(options->count) > 0; /* every pattern of K crumbs, once */
+    bool all = hatch_cycle_order(options->count) > 0; /* every pattern of K crumbs appears once */
     int order = 0;
     while (options->count >> 2 * (order + 1))
         order++;
@@ -30,24 +30,24 @@ static enum hatch_status make_circuit(const struct hatch_cycle_options *options,
     for (size_t edge = 0; edge < edge_count && all; edge++)
         edges[edge] = 1;
     if (!all)
-        HATCH_TRY(hatch_cycle_balance(options->count, order, dice, scratch, edges, err));
-    return hatch_cycle_circuit(edges, order, dice, scratch, crumbs, err);
+        HATCH_TRY(hatch_cycle_balance(options->count, order, rng, scratch, edges, err));
+    return hatch_cycle_circuit(edges, order, rng, scratch, crumbs, err);
 }
 
 enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, struct hatch_arena *scratch,
                                    uint8_t *crumbs, uint64_t *steps, struct hatch_err *err)
 {
-    struct cycle_dice dice = {.seed = options->seed, .stream = options->stream};
+    struct hatch_cycle_rng rng = {.seed = options->seed, .stream = options->stream};
     uint64_t tried = 0;
     assert(options->count >= HATCH_CYCLE_MIN && options->count <= HATCH_CYCLE_MAX);
     if (options->method != HATCH_CYCLE_ANY && hatch_cycle_order(options->count) < 1)
-        return hatch_fail(err, HATCH_USAGE, "%u seeds: this method makes powers of four (4, 16, 64 ...)",
+        return hatch_fail(err, HATCH_USAGE, "%u seed points: this method is for powers of four (4, 16, 64 ...)",
                           options->count);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status =
         options->method == HATCH_CYCLE_BACKTRACK
-            ? hatch_cycle_backtrack(options->count, options->steps_max, &dice, scratch, crumbs, &tried, err)
-            : make_circuit(options, &dice, scratch, crumbs, err);
+            ? hatch_cycle_backtrack(options->count, options->steps_max, &rng, scratch, crumbs, &tried, err)
+            : make_circuit(options, &rng, scratch, crumbs, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && steps)
         *steps = tried;

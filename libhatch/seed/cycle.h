@@ -1,6 +1,6 @@
-/* Uniform cycles: cyclic sequences of crumbs (0 .. 3) in which every pattern of m crumbs appears
- * floor(N/4^m) or ceil(N/4^m) times, for every m (Recursive Procedural Tonal Art Maps, §4.1). Turned
- * by one crumb at a time, one cycle gives the N positions of a seed set (seed/seeds.h). */
+/* Uniform cycles: cyclic sequences of crumbs (base-4 digits, 0 .. 3) in which every pattern of m crumbs appears
+ * floor(N/4^m) or ceil(N/4^m) times, for every m (Recursive Procedural Tonal Art Maps, §4.1). The N rotations of a
+ * cycle are the positions of a seed set (seed/seeds.h). */
 #ifndef HATCH_SEED_CYCLE_H
 #define HATCH_SEED_CYCLE_H
 
@@ -12,27 +12,28 @@
 #define HATCH_CYCLE_MAX 16777216u
 
 enum hatch_cycle_method {
-    HATCH_CYCLE_ANY,      /* any N, in linear time; euler where that can be */
-    HATCH_CYCLE_EULER,    /* N = 4^K: an Eulerian circuit of the de Bruijn graph, each as likely */
-    HATCH_CYCLE_BACKTRACK /* N = 4^K: the paper's Algorithm 1: ends at once or never, the latter the
-                             oftener the more seeds */
+    HATCH_CYCLE_ANY,      /* any N, in linear time; the same as EULER for powers of four */
+    HATCH_CYCLE_EULER,    /* N = 4^K: a uniformly random Eulerian circuit of the de Bruijn graph */
+    HATCH_CYCLE_BACKTRACK /* N = 4^K: Algorithm 1 of the paper. Either ends at once or practically never; the latter is
+                             the more frequent, the larger N */
 };
 
 struct hatch_cycle_options {
     enum hatch_cycle_method method;
-    uint32_t count; /* N, HATCH_CYCLE_MIN .. HATCH_CYCLE_MAX */
-    uint64_t seed;
-    uint64_t stream;    /* cycles of one seed and several streams have nothing to do with each other */
-    uint64_t steps_max; /* backtrack: crumbs that may be tried; others ignore it */
+    uint32_t count;     /* N, HATCH_CYCLE_MIN .. HATCH_CYCLE_MAX */
+    uint64_t seed;      /* random seed */
+    uint64_t stream;    /* cycles of one random seed and different streams are independent */
+    uint64_t steps_max; /* BACKTRACK: number of crumbs to try; ignored by the others */
 };
 
-/* Makes a cycle; crumbs: count entries. *steps (may be NULL) receives how many crumbs backtracking
- * tried, 0 for the others. HATCH_USAGE where the method cannot make that N; HATCH_LIMIT when
- * steps_max or the memory does not suffice. */
+/* Makes a cycle.
+ *   crumbs  out: count entries
+ *   steps   out: number of crumbs that BACKTRACK tried, 0 for the others; may be NULL
+ * HATCH_USAGE if the method cannot make that N; HATCH_LIMIT when steps_max or memory does not suffice. */
 enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, struct hatch_arena *scratch,
                                    uint8_t *crumbs, uint64_t *steps, struct hatch_err *err) HATCH_MUST_USE;
 
-/* K where count is 4^K, else -1. */
+/* Returns K if count is 4^K, else -1. */
 int hatch_cycle_order(uint32_t count);
 
 #endif

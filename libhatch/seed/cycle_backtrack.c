@@ -1,21 +1,20 @@
-/* Algorithm 1 of the paper: crumbs are appended as long as the pattern that they end is still
- * available; at a dead end the last one is taken back. Its line 14 runs one step too far as printed (the
- * last of those patterns is the first snippet, which was spent at the start): the wrapped patterns
- * are K - 1. */
+/* Algorithm 1 of the paper: appends crumbs while the pattern that they complete is unused; at a dead end removes the
+ * last one. Line 14 as printed goes one step too far, because the last of those patterns is the first snippet, which is
+ * used from the start: K - 1 patterns wrap around. */
 #include "seed/cycle_parts.h"
 
 #include <string.h>
 
 struct search {
     uint8_t *crumbs;
-    uint8_t *spent; /* per pattern of K crumbs */
+    uint8_t *used;  /* per pattern of K crumbs */
     uint8_t *begin; /* per crumb: the value tried first */
-    uint8_t *tried; /* per crumb: how many values have been tried */
+    uint8_t *tried; /* per crumb: number of values tried */
     uint32_t count;
     int order; /* K */
 };
 
-/* The pattern of K crumbs that ends with crumb number `end`, going round. */
+/* The pattern of K crumbs that ends with crumb `end`, cyclically. */
 static uint32_t pattern_at(const struct search *search, uint32_t end)
 {
     uint32_t pattern = 0;
@@ -24,27 +23,27 @@ static uint32_t pattern_at(const struct search *search, uint32_t end)
     return pattern;
 }
 
-/* Whether the patterns that wrap around are those that are left. */
+/* Returns whether the patterns that wrap around are unused; if so, marks them as used. */
 static bool closes(struct search *search)
 {
-    uint32_t wrapped = (uint32_t)search->order - 1, taken = 0;
-    while (taken < wrapped && !search->spent[pattern_at(search, taken)])
-        search->spent[pattern_at(search, taken++)] = 1;
-    bool closed = taken == wrapped;
-    while (!closed && taken-- > 0)
-        search->spent[pattern_at(search, taken)] = 0;
+    uint32_t wrapped = (uint32_t)search->order - 1, end = 0;
+    while (end < wrapped && !search->used[pattern_at(search, end)])
+        search->used[pattern_at(search, end++)] = 1;
+    bool closed = end == wrapped;
+    while (!closed && end-- > 0)
+        search->used[pattern_at(search, end)] = 0;
     return closed;
 }
 
-/* Tries the values left for crumb number at; whether one could be appended. */
+/* Appends the next possible value of crumb `at`; false if there is none. */
 static bool append(struct search *search, uint32_t at, uint64_t *steps)
 {
     for (; search->tried[at] < 4; search->tried[at]++) {
         search->crumbs[at] = (uint8_t)((search->begin[at] + search->tried[at]) % 4);
         uint32_t pattern = pattern_at(search, at);
-        if (search->spent[pattern])
+        if (search->used[pattern])
             continue;
-        search->spent[pattern] = 1;
+        search->used[pattern] = 1;
         search->tried[at]++;
         ++*steps;
         return true;
@@ -52,15 +51,15 @@ static bool append(struct search *search, uint32_t at, uint64_t *steps)
     return false;
 }
 
-static enum hatch_status run(struct search *search, uint64_t steps_max, struct cycle_dice *dice, uint64_t *steps,
+static enum hatch_status run(struct search *search, uint64_t steps_max, struct hatch_cycle_rng *rng, uint64_t *steps,
                              struct hatch_err *err)
 {
     uint32_t first = (uint32_t)search->order, at = first;
-    search->spent[pattern_at(search, first - 1)] = 1;
+    search->used[pattern_at(search, first - 1)] = 1;
     bool forward = true;
     while (at < search->count || !closes(search)) {
         if (at < search->count && forward) {
-            search->begin[at] = (uint8_t)cycle_roll(dice, 4);
+            search->begin[at] = (uint8_t)hatch_cycle_random(rng, 4);
             search->tried[at] = 0;
         }
         forward = at < search->count && append(search, at, steps);
@@ -68,33 +67,33 @@ static enum hatch_status run(struct search *search, uint64_t steps_max, struct c
             at++;
         } else {
             if (at-- == first)
-                return hatch_fail(err, HATCH_LIMIT, "there is no such cycle");
-            search->spent[pattern_at(search, at)] = 0;
+                return hatch_fail(err, HATCH_LIMIT, "no cycle found");
+            search->used[pattern_at(search, at)] = 0;
         }
         if (*steps > steps_max)
-            return hatch_fail(err, HATCH_LIMIT,
-                              "backtracking tried %llu crumbs and found no cycle of %u: raise its "
-                              "limit or take another method",
-                              (unsigned long long)steps_max, search->count);
+            return hatch_fail(
+                err, HATCH_LIMIT,
+                "backtracking tried %llu crumbs and found no cycle of %u: raise the limit or take another method",
+                (unsigned long long)steps_max, search->count);
     }
     return HATCH_OK;
 }
 
-enum hatch_status hatch_cycle_backtrack(uint32_t count, uint64_t steps_max, struct cycle_dice *dice,
+enum hatch_status hatch_cycle_backtrack(uint32_t count, uint64_t steps_max, struct hatch_cycle_rng *rng,
                                         struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
                                         struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct search search = {.count = count, .order = hatch_cycle_order(count)};
     search.crumbs = HATCH_NEW(scratch, uint8_t, count, err);
-    search.spent = search.crumbs ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
-    search.begin = search.spent ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
+    search.used = search.crumbs ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
+    search.begin = search.used ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
     search.tried = search.begin ? HATCH_NEW(scratch, uint8_t, count, err) : NULL;
     enum hatch_status status = HATCH_LIMIT;
     if (search.tried) {
         for (int k = 0; k < search.order; k++)
-            search.crumbs[k] = (uint8_t)cycle_roll(dice, 4);
-        status = run(&search, steps_max, dice, steps, err);
+            search.crumbs[k] = (uint8_t)hatch_cycle_random(rng, 4);
+        status = run(&search, steps_max, rng, steps, err);
     }
     if (status == HATCH_OK)
         memcpy(crumbs, search.crumbs, count);

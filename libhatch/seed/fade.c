@@ -7,15 +7,15 @@ double hatch_fade_share(enum hatch_fade_law law, double m)
     return law == HATCH_FADE_PAPER ? 1 - m : (pow(4, 1 - m) - 1) / 3;
 }
 
-/* The inverse of EVEN's share. */
+/* The inverse of the share of EVEN. */
 double hatch_fade_death(double rank)
 {
     return 1 - log2(1 + 3 * rank) / 2;
 }
 
-/* Weights fall from 1 to 0 over a stretch of ranks as wide as overlap / (1 - overlap), which moves from
- * below rank 0 to above rank 1 while x goes from 0 to 1. The mean over ranks is a quadratic at both
- * ends, where the stretch is cut off, and linear between; this is its inverse. */
+/* Weights fall from 1 to 0 over an interval of ranks of width overlap / (1 - overlap), which moves from below rank 0
+ * to above rank 1 while the front goes from 0 to 1. The mean weight over ranks is quadratic in the front at both ends,
+ * where the interval is cut off, and linear between; this is its inverse. */
 double hatch_fade_front(double f, double overlap)
 {
     double p = fmax(overlap, HATCH_FADE_OVERLAP_MIN), q = 1 - p;

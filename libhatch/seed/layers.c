@@ -12,8 +12,8 @@ static int shown(struct hatch_text word)
     return (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX);
 }
 
-static enum hatch_status take_number(struct hatch_text word, const char *key, double low, double high, double *value,
-                                     struct hatch_err *err)
+static enum hatch_status parse_number(struct hatch_text word, const char *key, double low, double high, double *value,
+                                      struct hatch_err *err)
 {
     double number;
     if (!hatch_text_number(word, &number))
@@ -24,8 +24,8 @@ static enum hatch_status take_number(struct hatch_text word, const char *key, do
     return HATCH_OK;
 }
 
-/* LO..HI */
-static enum hatch_status take_tone(struct hatch_text word, struct hatch_layer_line *line, struct hatch_err *err)
+/* Parses "LOW..HIGH". */
+static enum hatch_status parse_tone(struct hatch_text word, struct hatch_layer_line *line, struct hatch_err *err)
 {
     struct hatch_text low = word, high = {word.at, 0};
     for (size_t i = 0; i + 1 < word.length && !high.length; i++)
@@ -35,17 +35,17 @@ static enum hatch_status take_tone(struct hatch_text word, struct hatch_layer_li
         }
     if (!high.length)
         return hatch_fail(err, HATCH_BAD_INPUT, "tone: '%.*s', want FROM..TO, like 0.2..0.6", shown(word), word.at);
-    HATCH_TRY(take_number(low, "tone", 0, 1, &line->low, err));
-    HATCH_TRY(take_number(high, "tone", 0, 1, &line->high, err));
+    HATCH_TRY(parse_number(low, "tone", 0, 1, &line->low, err));
+    HATCH_TRY(parse_number(high, "tone", 0, 1, &line->high, err));
     if (!(line->low < line->high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "tone: from %g to %g is no stretch", line->low, line->high);
+        return hatch_fail(err, HATCH_BAD_INPUT, "tone: from %g to %g is empty", line->low, line->high);
     line->tone_given = true;
     return HATCH_OK;
 }
 
-/* The rest of the line, because a file's name may hold spaces. */
-static enum hatch_status take_stroke(struct hatch_text *rest, struct hatch_arena *arena, struct hatch_layer_line *line,
-                                     struct hatch_err *err)
+/* Parses the rest of the line, because file names may hold spaces. */
+static enum hatch_status parse_stroke(struct hatch_text *rest, struct hatch_arena *arena, struct hatch_layer_line *line,
+                                      struct hatch_err *err)
 {
     struct hatch_text name = *rest;
     while (name.length && (name.at[0] == ' ' || name.at[0] == '\t')) {
@@ -55,17 +55,17 @@ static enum hatch_status take_stroke(struct hatch_text *rest, struct hatch_arena
     while (name.length && (name.at[name.length - 1] == ' ' || name.at[name.length - 1] == '\t'))
         name.length--;
     if (!name.length || memchr(name.at, '\0', name.length))
-        return hatch_fail(err, HATCH_BAD_INPUT, "stroke: want a brush or a file's name");
+        return hatch_fail(err, HATCH_BAD_INPUT, "stroke: want the name of a brush or a file");
     line->stroke = hatch_arena_text(arena, name.at, name.length, err);
     rest->length = 0;
     return line->stroke ? HATCH_OK : HATCH_LIMIT;
 }
 
-/* The keys with one plain number. */
+/* Keys with one number. */
 static const struct {
     const char *name;
     double low, high;
-    size_t at;
+    size_t offset; /* in struct hatch_layer_line */
 } number_keys[] = {
     {"length", 0.5, 4096, offsetof(struct hatch_layer_line, length_px)},
     {"width", 0.5, 4096, offsetof(struct hatch_layer_line, width_px)},
@@ -74,28 +74,28 @@ static const struct {
 };
 enum { NUMBER_KEYS = sizeof number_keys / sizeof *number_keys };
 
-static enum hatch_status take_key(struct hatch_text key, struct hatch_text *rest, struct hatch_arena *arena,
-                                  struct hatch_layer_line *line, struct hatch_err *err)
+static enum hatch_status parse_key(struct hatch_text key, struct hatch_text *rest, struct hatch_arena *arena,
+                                   struct hatch_layer_line *line, struct hatch_err *err)
 {
     struct hatch_text word;
     if (hatch_text_is(key, "stroke"))
-        return take_stroke(rest, arena, line, err);
+        return parse_stroke(rest, arena, line, err);
     size_t i = 0;
     while (i < NUMBER_KEYS && !hatch_text_is(key, number_keys[i].name))
         i++;
     bool tone = hatch_text_is(key, "tone"), turn = hatch_text_is(key, "turn");
     if (i == NUMBER_KEYS && !tone && !turn)
         return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown(key), key.at);
-    double *number = i < NUMBER_KEYS ? (double *)(void *)((char *)line + number_keys[i].at) : NULL;
+    double *number = i < NUMBER_KEYS ? (double *)(void *)((char *)line + number_keys[i].offset) : NULL;
     if ((tone && line->tone_given) || (turn && line->turn_given) || (number && *number > 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: stands there twice", shown(key), key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s is repeated", shown(key), key.at);
     if (!hatch_text_word(rest, &word))
         return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: a value is missing", shown(key), key.at);
     if (tone)
-        return take_tone(word, line, err);
+        return parse_tone(word, line, err);
     if (number)
-        return take_number(word, number_keys[i].name, number_keys[i].low, number_keys[i].high, number, err);
-    HATCH_TRY(take_number(word, "turn", -360, 360, &line->turn_rad, err));
+        return parse_number(word, number_keys[i].name, number_keys[i].low, number_keys[i].high, number, err);
+    HATCH_TRY(parse_number(word, "turn", -360, 360, &line->turn_rad, err));
     line->turn_rad *= RADIANS;
     line->turn_given = true;
     return HATCH_OK;
@@ -119,14 +119,14 @@ enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena 
                 return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number, HATCH_RPTAM_LAYERS_MAX);
             found.count += !begun;
             begun = true;
-            enum hatch_status status = take_key(key, &line, arena, &found.lines[found.count - 1], err);
+            enum hatch_status status = parse_key(key, &line, arena, &found.lines[found.count - 1], err);
             if (status == HATCH_BAD_INPUT)
                 return hatch_fail_at(err, "line %u: ", number);
             HATCH_TRY(status);
         }
     }
     if (!found.count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no layer in it");
+        return hatch_fail(err, HATCH_BAD_INPUT, "the file has no layer");
     *layers = found;
     return HATCH_OK;
 }

@@ -1,17 +1,17 @@
-/* layers(5): the layers of strokes of a recursive procedural tonal art map as text, a layer a line. */
+/* Reads layers(5): the layers of strokes of a recursive procedural tonal art map as text, one layer per line. */
 #ifndef HATCH_SEED_LAYERS_H
 #define HATCH_SEED_LAYERS_H
 
 #include "base/bytes.h"
 #include "seed/rptam.h"
 
-/* What a line says; what it leaves out is somebody else's choice. */
+/* The values of a line; keys that it does not give are left to the caller. */
 struct hatch_layer_line {
     bool tone_given, turn_given;
-    double low, high;                         /* of the way from paper to the darkest, 0 <= low < high <= 1 */
-    double turn_rad;                          /* of strokes to u */
-    double length_px, width_px, ink, tile_px; /* over 0, or 0: not given */
-    const char *stroke;                       /* a file's name or a brush's, zero-terminated; NULL: not given */
+    double low, high;                         /* as in struct hatch_rptam_layer_style; with tone_given */
+    double turn_rad;                          /* direction of strokes, from u to v; with turn_given */
+    double length_px, width_px, ink, tile_px; /* over 0; 0: not given */
+    const char *stroke;                       /* name of a file or a brush, zero-terminated; NULL: not given */
 };
 
 struct hatch_layers {
@@ -19,9 +19,10 @@ struct hatch_layers {
     struct hatch_layer_line *lines;
 };
 
-/* Empty lines, and what stands behind a #, do not count. HATCH_BAD_INPUT with the line's number for an unknown or
- * repeated key and a value that is missing, none, or out of its range; and where there is no layer.
- * HATCH_LIMIT for more than HATCH_RPTAM_LAYERS_MAX. */
+/* Reads a file. Empty lines, and text after a #, are ignored.
+ *   layers  out, in arena; unchanged on failure
+ * HATCH_BAD_INPUT with the line for an unknown or repeated key and for a missing value or one out of range, and for a
+ * file without layers; HATCH_LIMIT for more than HATCH_RPTAM_LAYERS_MAX layers. */
 enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_layers *layers,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

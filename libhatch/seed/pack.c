@@ -46,8 +46,8 @@ static void make_lives(const struct hatch_rptam_layer *layer, bool weighted, str
 static void put_seed(const struct hatch_rptam_layer *layer, const struct hatch_rptam_lives *lives,
                      const struct hatch_coverage_copy *copy, uint32_t to[4])
 {
-    const float at[2] = {(float)(layer->at[copy->seed][0] + copy->tile_u),
-                         (float)(layer->at[copy->seed][1] + copy->tile_v)};
+    const float at[2] = {(float)(layer->positions[copy->seed][0] + copy->tile_u),
+                         (float)(layer->positions[copy->seed][1] + copy->tile_v)};
     const struct hatch_rptam_lives *own =
         &lives[16 * copy->seed + 4 * ((uint32_t)copy->tile_v & 3) + ((uint32_t)copy->tile_u & 3)];
     memcpy(to, at, sizeof at);
@@ -111,7 +111,7 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
     packed->block.layers[index] = (struct hatch_rptam_layer_block){
         .turn = {(float)layer->cosine, (float)layer->sine, (float)(style->tile_px * style->tile_px), (float)style->ink},
         .tone = {(float)(1 / stretch), (float)(-style->low / stretch), (float)style->low,
-                 all ? 0 : HATCH_RPTAM_SIZES - 1},
+                 all ? 0 : HATCH_RPTAM_COVERAGE_SIZES - 1},
         .stroke = {(float)((image->width - 2) / style->length_px), (float)((image->height - 2) / style->width_px),
                    (float)image->width - 1, (float)image->height - 1},
         .at = {(int32_t)packed->list_count, (int32_t)(all ? all->side : layer->coverage[0].side),
@@ -124,7 +124,7 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
     make_lives(layer, weighted, packed->lives);
     if (all)
         pack_lists(layer, all, packed);
-    for (uint32_t i = 0; !all && i < HATCH_RPTAM_SIZES; i++)
+    for (uint32_t i = 0; !all && i < HATCH_RPTAM_COVERAGE_SIZES; i++)
         pack_lists(layer, &layer->coverage[i], packed);
 }
 
@@ -139,7 +139,7 @@ static void pack_style(const struct hatch_rptam *rptam, struct hatch_rptam_block
         .fade = {(float)(weighted ? -1 / p : 1 / p), (float)((weighted ? 0 : -q / p) + slope * hatch_life_value(0)),
                  (float)(slope / HATCH_LIFE_STAYS), weighted ? (float)(1 / p) : 0},
         .law = {weighted, style->law == HATCH_FADE_PAPER, 0,
-                rptam->darkest > 0 ? (float)(HATCH_RPTAM_STEPS / rptam->darkest) : 0},
+                rptam->darkest > 0 ? (float)(HATCH_RPTAM_TONE_STEPS / rptam->darkest) : 0},
         .counts = {(int32_t)rptam->layer_count}};
 }
 
@@ -151,7 +151,7 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_coverage *coverage = all ? &all[i] : rptam->layers[i].coverage;
         const struct hatch_image *stroke = &rptam->layers[i].stroke;
-        for (uint32_t k = 0; k < (all ? 1 : HATCH_RPTAM_SIZES); k++) {
+        for (uint32_t k = 0; k < (all ? 1 : HATCH_RPTAM_COVERAGE_SIZES); k++) {
             size_t texels = (size_t)coverage[k].side * coverage[k].side;
             lists += texels;
             seeds += coverage[k].first[texels];
@@ -171,9 +171,9 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
         pack_layer(rptam, i, all ? &all[i] : NULL, packed);
-    for (uint32_t i = 0; i < HATCH_RPTAM_STEPS; i++) {
-        packed->ways[2 * i] = (float)rptam->way[i];
-        packed->ways[2 * i + 1] = (float)(rptam->way[i + 1] - rptam->way[i]);
+    for (uint32_t i = 0; i < HATCH_RPTAM_TONE_STEPS; i++) {
+        packed->ways[2 * i] = (float)rptam->progress[i];
+        packed->ways[2 * i + 1] = (float)(rptam->progress[i + 1] - rptam->progress[i]);
     }
     return HATCH_OK;
 }
@@ -191,7 +191,7 @@ static enum hatch_status list_all(const struct hatch_rptam *rptam, struct hatch_
         const struct hatch_coverage_stroke largest = {2 * (style->length_px + 1) / style->tile_px,
                                                       2 * (style->width_px + 1) / style->tile_px, layer->cosine,
                                                       layer->sine};
-        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &largest, 1, scratch, &(*all)[i], err));
+        HATCH_TRY(hatch_coverage_make(layer->points, layer->count, &largest, 1, scratch, &(*all)[i], err));
     }
     return HATCH_OK;
 }

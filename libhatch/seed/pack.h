@@ -28,12 +28,12 @@ struct hatch_rptam_block {
  * there once for each list that it is in, so that one read finds it. */
 struct hatch_rptam_packed {
     struct hatch_rptam_block block;
-    uint32_t *seeds;                   /* 4 each: u and v as the bits of floats, lives, lives in the next level */
-    int32_t *lists;                    /* 2 each */
-    uint8_t *strokes;                  /* 4 a texel: alpha there, to the right, below, and both */
-    uint16_t *numbers;                 /* of seeds in their set; NULL: all strokes of a layer look alike */
-    float ways[2 * HATCH_RPTAM_STEPS]; /* way to a tone, and the rise to the next */
-    struct hatch_rptam_lives *lives;   /* of one layer's seeds: 16 each, by the tile */
+    uint32_t *seeds;                        /* 4 each: u and v as the bits of floats, lives, lives in the next level */
+    int32_t *lists;                         /* 2 each */
+    uint8_t *strokes;                       /* 4 a texel: alpha there, to the right, below, and both */
+    uint16_t *numbers;                      /* of seeds in their set; NULL: all strokes of a layer look alike */
+    float ways[2 * HATCH_RPTAM_TONE_STEPS]; /* way to a tone, and the rise to the next */
+    struct hatch_rptam_lives *lives;        /* of one layer's seeds: 16 each, by the tile */
     size_t seed_count, list_count, stroke_count;
 };
 

@@ -16,13 +16,13 @@ static double bilinear(const struct hatch_image *image, double x, double y)
            low * ((1 - right) * (double)lower[0] + right * (double)lower[1]);
 }
 
-/* Alpha at a place in pixels from the stroke's middle, along and across. */
-static double stroke_alpha(const struct hatch_rptam_layer *layer, uint32_t look, double along_px, double across_px)
+/* Alpha of a stroke at a position in pixels from its middle. */
+static double stroke_alpha(const struct hatch_rptam_layer *layer, uint32_t variant, double along_px, double across_px)
 {
     struct hatch_image image = layer->stroke;
-    image.pixels += (size_t)(look & (layer->images - 1)) * image.width * image.height;
+    image.pixels += (size_t)(variant & (layer->images - 1)) * image.width * image.height;
     double x = 1 + (along_px / layer->style.length_px + 0.5) * (image.width - 2);
-    double y = 1 + ((look & 8u ? -across_px : across_px) / layer->style.width_px + 0.5) * (image.height - 2);
+    double y = 1 + ((variant & 8u ? -across_px : across_px) / layer->style.width_px + 0.5) * (image.height - 2);
     return bilinear(&image, x, y);
 }
 
@@ -31,7 +31,7 @@ static int odd(double tile)
     return tile - 2 * floor(tile / 2) != 0;
 }
 
-/* The weight of a seed's stroke in a tile. */
+/* The weight of the stroke of a seed point in a tile. */
 static double weight_of(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u, double tile_v)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
@@ -46,12 +46,13 @@ static double weight_of(const struct hatch_rptam_pattern *pattern, uint32_t seed
     return life == HATCH_LIFE_STAYS ? 1 : hatch_fade_weight(&pattern->fade, hatch_life_value(life), pattern->fade.next);
 }
 
-/* The paper that a seed's stroke in a tile leaves at (du, dv) tiles from its middle. */
-static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u, double tile_v, double du,
-                      double dv)
+/* The transmittance of the stroke of a seed point in a tile.
+ *   du, dv  position, tiles from its middle */
+static double stroke_transmittance(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u,
+                                   double tile_v, double du, double dv)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
-    /* Beyond a stroke of full size and the softness of its border there is no need to ask how large it is. */
+    /* Outside a stroke of full size and its soft border the weight does not matter. */
     double across = (layer->cosine * dv - layer->sine * du) * pattern->tile_px;
     if (fabs(across) > layer->style.width_px / 2 + 1)
         return 1;
@@ -61,7 +62,7 @@ static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, 
     double weight = weight_of(pattern, seed, tile_u, tile_v);
     if (!(weight > 0))
         return 1;
-    uint32_t look = layer->style.varied ? hatch_rptam_look(seed, pattern->level, layer->count) : 0;
+    uint32_t variant = layer->style.varied ? hatch_rptam_variant(seed, pattern->level, layer->count) : 0;
     if (pattern->shrinks && weight < 1) {
         double length = fmax(sqrt(weight), fmin(1, HATCH_RPTAM_THIN_PX / layer->style.length_px));
         double width = fmax(sqrt(weight), fmin(1, HATCH_RPTAM_THIN_PX / layer->style.width_px));
@@ -69,99 +70,101 @@ static double left_by(const struct hatch_rptam_pattern *pattern, uint32_t seed, 
         across /= width;
         weight /= length * width;
     }
-    return 1 - layer->style.ink * stroke_alpha(layer, look, along, across) * weight;
+    return 1 - layer->style.ink * stroke_alpha(layer, variant, along, across) * weight;
 }
 
-/* Every copy of every seed that could reach so far. */
-static double left_by_all(const struct hatch_rptam_pattern *pattern, double u, double v)
+/* Tests the strokes of every seed point in all tiles within reach. */
+static double transmittance_of_all(const struct hatch_rptam_pattern *pattern, double u, double v)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
-    double paper = 1;
+    double transmittance = 1;
     double reach = hypot(layer->style.length_px + 1, layer->style.width_px + 1) / 2 / pattern->tile_px;
     for (uint32_t seed = 0; seed < layer->count; seed++) {
-        double du = u - layer->at[seed][0], dv = v - layer->at[seed][1];
+        double du = u - layer->positions[seed][0], dv = v - layer->positions[seed][1];
         for (double tile_v = ceil(dv - reach); tile_v <= dv + reach; tile_v++)
             for (double tile_u = ceil(du - reach); tile_u <= du + reach; tile_u++)
-                paper *= left_by(pattern, seed, tile_u, tile_v, du - tile_u, dv - tile_v);
+                transmittance *= stroke_transmittance(pattern, seed, tile_u, tile_v, du - tile_u, dv - tile_v);
     }
-    return paper;
+    return transmittance;
 }
 
-static uint32_t texel_at(double share, uint32_t side)
+static uint32_t texel_at(double fraction, uint32_t side)
 {
-    uint32_t texel = (uint32_t)(share * side);
-    return texel < side ? texel : side - 1; /* a hair below 0 is rounded up to 1 */
+    uint32_t texel = (uint32_t)(fraction * side);
+    return texel < side ? texel : side - 1; /* the fraction of a tiny negative number rounds to 1 */
 }
 
-static double left_by_listed(const struct hatch_rptam_pattern *pattern, double u, double v)
+static double transmittance_of_listed(const struct hatch_rptam_pattern *pattern, double u, double v)
 {
     const struct hatch_coverage *lists = pattern->lists;
-    const double(*at)[2] = (const double(*)[2])pattern->layer->at;
-    double base_u = floor(u), base_v = floor(v), paper = 1;
+    const double(*positions)[2] = (const double(*)[2])pattern->layer->positions;
+    double base_u = floor(u), base_v = floor(v), transmittance = 1;
     uint32_t column = texel_at(u - base_u, lists->side), row = texel_at(v - base_v, lists->side);
     const uint32_t *list = lists->first + (size_t)row * lists->side + column;
     for (uint32_t i = list[0]; i < list[1]; i++) {
         const struct hatch_coverage_copy *copy = &lists->copies[i];
         double tile_u = base_u + copy->tile_u, tile_v = base_v + copy->tile_v;
-        paper *= left_by(pattern, copy->seed, tile_u, tile_v, u - at[copy->seed][0] - tile_u,
-                         v - at[copy->seed][1] - tile_v);
+        transmittance *=
+            stroke_transmittance(pattern, copy->seed, tile_u, tile_v, u - positions[copy->seed][0] - tile_u,
+                                 v - positions[copy->seed][1] - tile_v);
     }
-    return paper;
+    return transmittance;
 }
 
-void hatch_rptam_pattern(const struct hatch_rptam *rptam, uint32_t layer_index, double depth, double amount, bool all,
-                         struct hatch_rptam_pattern *pattern)
+void hatch_rptam_pattern_make(const struct hatch_rptam *rptam, uint32_t layer_index, double depth, double amount,
+                              bool all, struct hatch_rptam_pattern *pattern)
 {
     const struct hatch_rptam_layer *layer = &rptam->layers[layer_index];
     const struct hatch_rptam_style *style = &rptam->style;
-    *pattern = (struct hatch_rptam_pattern){.nothing = !(amount >= HATCH_RPTAM_AMOUNT_MIN)};
-    if (pattern->nothing)
+    *pattern = (struct hatch_rptam_pattern){.empty = !(amount >= HATCH_RPTAM_AMOUNT_MIN)};
+    if (pattern->empty)
         return;
-    double far = depth - log2(amount) / 2, level = floor(far), smaller = floor(2 * (1 - depth + level));
+    double outer = depth - log2(amount) / 2, level = floor(outer);
+    double list_size = floor(2 * (1 - depth + level));
     *pattern = (struct hatch_rptam_pattern){
         .layer = layer,
-        .lists = all ? NULL : &layer->coverage[(uint32_t)fmin(fmax(smaller, 0), HATCH_RPTAM_SIZES - 1)],
+        .lists = all ? NULL : &layer->coverage[(uint32_t)fmin(fmax(list_size, 0), HATCH_RPTAM_COVERAGE_SIZES - 1)],
         .weighted = style->law == HATCH_FADE_WEIGHTED,
         .shrinks = style->fade_size,
-        .fade = hatch_fade_at(style->law, far - level, style->overlap),
+        .fade = hatch_fade_at(style->law, outer - level, style->overlap),
         .level = (int)level,
         .scale = exp2(-level),
         .tile_px = layer->style.tile_px * exp2(level - depth)};
 }
 
-double hatch_rptam_left(const struct hatch_rptam_pattern *pattern, const double uv[2])
+double hatch_rptam_transmittance(const struct hatch_rptam_pattern *pattern, const double uv[2])
 {
-    if (pattern->nothing)
+    if (pattern->empty)
         return 1;
     double u = uv[0] * pattern->scale, v = uv[1] * pattern->scale;
-    return pattern->lists ? left_by_listed(pattern, u, v) : left_by_all(pattern, u, v);
+    return pattern->lists ? transmittance_of_listed(pattern, u, v) : transmittance_of_all(pattern, u, v);
 }
 
 double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, const double uv[2], double depth,
                              double amount, bool all)
 {
     struct hatch_rptam_pattern pattern;
-    hatch_rptam_pattern(rptam, layer, depth, amount, all, &pattern);
-    return 1 - hatch_rptam_left(&pattern, uv);
+    hatch_rptam_pattern_make(rptam, layer, depth, amount, all, &pattern);
+    return 1 - hatch_rptam_transmittance(&pattern, uv);
 }
 
 double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth, const double *amounts,
                        bool all)
 {
-    double paper = 1;
+    double transmittance = 1;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
-        paper *= 1 - hatch_rptam_layer_ink(rptam, i, uv, depth, amounts[i], all);
-    return 1 - paper;
+        transmittance *= 1 - hatch_rptam_layer_ink(rptam, i, uv, depth, amounts[i], all);
+    return 1 - transmittance;
 }
 
 void hatch_rptam_amounts(const struct hatch_rptam *rptam, double darkness, double *amounts)
 {
-    double at = rptam->darkest > 0 ? darkness / rptam->darkest * HATCH_RPTAM_STEPS : 0;
-    at = fmin(fmax(at, 0), HATCH_RPTAM_STEPS);
-    uint32_t step = (uint32_t)fmin(at, HATCH_RPTAM_STEPS - 1);
-    double way = rptam->way[step] + (at - step) * (rptam->way[step + 1] - rptam->way[step]);
+    double at = rptam->darkest > 0 ? darkness / rptam->darkest * HATCH_RPTAM_TONE_STEPS : 0;
+    at = fmin(fmax(at, 0), HATCH_RPTAM_TONE_STEPS);
+    uint32_t step = (uint32_t)fmin(at, HATCH_RPTAM_TONE_STEPS - 1);
+    double progress = rptam->progress[step] + (at - step) * (rptam->progress[step + 1] - rptam->progress[step]);
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
-        amounts[i] = fmin(fmax((way - style->low) / (style->high - style->low), 0), 1);
+        amounts[i] = fmin(fmax((progress - style->low) / (style->high - style->low), 0), 1);
     }
 }

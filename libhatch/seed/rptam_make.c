@@ -1,4 +1,4 @@
-/* Makes the model: lists, and the table of tones. */
+/* Makes the model: coverage lists and the table of tones. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -6,12 +6,12 @@
 #include "seed/rptam.h"
 
 #define SIDE_MIN 16u
-#define SIDE_MAX 256u     /* texels along a tile, of the lists */
-#define GROWTH 1.0001     /* of listed strokes, against rounding on the GPU */
-#define TONE_POINTS 4181u /* for the table of tones, and what spreads them: Fibonacci numbers */
-#define TONE_STRIDE 2584u
-#define TONE_TILES 4.0 /* along the square that they are spread over, for amounts down to 1/16 */
-#define TONE_PARTS 5u  /* of each layer's stretch */
+#define SIDE_MAX 256u     /* texels along the tile, of coverage lists */
+#define MARGIN 1.0001     /* factor of the size of listed strokes, against rounding on the GPU */
+#define TONE_POINTS 4181u /* sample points for the table of tones: a Fibonacci lattice */
+#define TONE_STRIDE 2584u /* of the lattice, the Fibonacci number before */
+#define TONE_TILES 4.0    /* side of the lattice, for amounts down to 1/16 */
+#define TONE_PARTS 5u     /* amounts to measure per layer */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
@@ -19,7 +19,7 @@ static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct
            !(a->length_px > b->length_px) && !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
 }
 
-/* Texels about as wide as the thinnest strokes that the lists are for. */
+/* Texels along the tile, about as wide as the thinnest strokes. */
 static uint32_t side_for(double width)
 {
     uint32_t side = SIDE_MIN;
@@ -31,12 +31,12 @@ static uint32_t side_for(double width)
 static enum hatch_status list_strokes(struct hatch_arena *arena, struct hatch_rptam_layer *layer, struct hatch_err *err)
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
-    for (uint32_t i = 0; i < HATCH_RPTAM_SIZES; i++) {
-        double scale = exp2(1 - i / 2.0) * GROWTH / style->tile_px;
+    for (uint32_t i = 0; i < HATCH_RPTAM_COVERAGE_SIZES; i++) {
+        double scale = exp2(1 - i / 2.0) * MARGIN / style->tile_px;
         const struct hatch_coverage_stroke stroke = {(style->length_px + 1) * scale, (style->width_px + 1) * scale,
                                                      layer->cosine, layer->sine};
         uint32_t side = side_for((style->width_px + 1) / style->tile_px);
-        HATCH_TRY(hatch_coverage_make(layer->places, layer->count, &stroke, side, arena, &layer->coverage[i], err));
+        HATCH_TRY(hatch_coverage_make(layer->points, layer->count, &stroke, side, arena, &layer->coverage[i], err));
     }
     return HATCH_OK;
 }
@@ -49,42 +49,42 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
     struct hatch_rptam_layer made = {
         .style = *own, .count = set->count, .cosine = cos(own->angle_rad), .sine = sin(own->angle_rad)};
     if (set->count > HATCH_RPTAM_SEEDS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seeds: %u are the most", index + 1, set->count,
+        return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seed points, want %u at most", index + 1, set->count,
                           HATCH_RPTAM_SEEDS_MAX);
-    if (!(fmax(own->length_px, own->width_px) <= HATCH_RPTAM_REACH * own->tile_px))
+    if (!(fmax(own->length_px, own->width_px) <= HATCH_RPTAM_STROKE_TILES_MAX * own->tile_px))
         return hatch_fail(err, HATCH_LIMIT,
-                          "layer %u: strokes of %g by %g pixels in a tile of %g: %g tiles are the most", index + 1,
-                          own->length_px, own->width_px, own->tile_px, HATCH_RPTAM_REACH);
-    made.places = HATCH_NEW(arena, struct hatch_seed_place, set->count, err);
-    made.at = made.places ? hatch_arena_array(arena, set->count, sizeof *made.at, err) : NULL;
-    made.life = made.at ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
+                          "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
+                          own->length_px, own->width_px, own->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
+    made.points = HATCH_NEW(arena, struct hatch_seed_point, set->count, err);
+    made.positions = made.points ? hatch_arena_array(arena, set->count, sizeof *made.positions, err) : NULL;
+    made.life = made.positions ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
     if (!made.life)
         return HATCH_LIMIT;
-    hatch_seed_places(set, made.places);
+    hatch_seed_points(set, made.points);
     for (uint32_t i = 0; i < set->count; i++) {
-        made.at[i][0] = (double)made.places[i].u * 0x1p-64;
-        made.at[i][1] = (double)made.places[i].v * 0x1p-64;
+        made.positions[i][0] = (double)made.points[i].u * 0x1p-64;
+        made.positions[i][1] = (double)made.points[i].v * 0x1p-64;
     }
-    HATCH_TRY(hatch_life_make(set, made.places, style->law, scratch, made.life, err));
+    HATCH_TRY(hatch_life_make(set, made.points, style->law, scratch, made.life, err));
     for (uint32_t i = 0; i < rptam->layer_count && !made.stroke.pixels; i++)
         if (is_same_stroke(&rptam->layers[i].style, own)) {
             made.stroke = rptam->layers[i].stroke;
             made.images = rptam->layers[i].images;
         }
     if (!made.stroke.pixels)
-        HATCH_TRY(hatch_rptam_stroke(own, arena, scratch, &made.stroke, &made.images, err));
+        HATCH_TRY(hatch_rptam_stroke_images(own, arena, scratch, &made.stroke, &made.images, err));
     HATCH_TRY(list_strokes(arena, &made, err));
-    uint32_t at = rptam->layer_count++; /* behind those whose stretches begin no later */
+    uint32_t at = rptam->layer_count++; /* inserted by low, after equal ones */
     for (; at > 0 && rptam->layers[at - 1].style.low > own->low; at--)
         rptam->layers[at] = rptam->layers[at - 1];
     rptam->layers[at] = made;
     return HATCH_OK;
 }
 
-/* The mean ink at each of rising places on the way. */
+/* Mean darkness over progress, which rises. */
 struct curve {
     uint32_t count;
-    double *way, *darkness;
+    double *progress, *darkness;
 };
 
 static int compare(const void *a, const void *b)
@@ -93,44 +93,47 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* paper[i] *= what a layer leaves at point i. */
-static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double amount, double *paper)
+/* Multiplies the transmittance at each sample point by that of a layer. */
+static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double amount, double *transmittance)
 {
     struct hatch_rptam_pattern pattern;
-    hatch_rptam_pattern(rptam, layer, 0, amount, false, &pattern);
+    hatch_rptam_pattern_make(rptam, layer, 0, amount, false, &pattern);
     double tiles = TONE_TILES * exp2(fmax(pattern.level - 1, 0));
     for (uint32_t i = 0; i < TONE_POINTS; i++) {
-        /* Down the rows slowly, so that the lists of a row are near by for many points. */
+        /* v rises slowly, so that many points use the coverage lists of one row. */
         const double uv[2] = {tiles * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS, tiles * (i + 0.5) / TONE_POINTS};
-        paper[i] *= hatch_rptam_left(&pattern, uv);
+        transmittance[i] *= hatch_rptam_transmittance(&pattern, uv);
     }
 }
 
-/* Darkness at one place of the way. full: what the layers leave whose stretches have ended, as `ended` says; both
- * go on from call to call. */
-static double darkness_at(const struct hatch_rptam *rptam, double way, bool *ended, double *full, double *paper)
+/* The mean darkness at a progress, which rises from call to call.
+ *   complete       in and out: layers whose range has ended
+ *   base           in and out: their transmittance per sample point
+ *   transmittance  scratch: per sample point */
+static double darkness_at(const struct hatch_rptam *rptam, double progress, bool *complete, double *base,
+                          double *transmittance)
 {
     double sum = 0;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
-        if (!ended[i] && way >= rptam->layers[i].style.high) {
-            draw_layer(rptam, i, 1, full);
-            ended[i] = true;
+        if (!complete[i] && progress >= rptam->layers[i].style.high) {
+            draw_layer(rptam, i, 1, base);
+            complete[i] = true;
         }
     for (uint32_t i = 0; i < TONE_POINTS; i++)
-        paper[i] = full[i];
+        transmittance[i] = base[i];
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
-        if (!ended[i] && way > style->low)
-            draw_layer(rptam, i, (way - style->low) / (style->high - style->low), paper);
+        if (!complete[i] && progress > style->low)
+            draw_layer(rptam, i, (progress - style->low) / (style->high - style->low), transmittance);
     }
     for (uint32_t i = 0; i < TONE_POINTS; i++)
-        sum += 1 - paper[i];
+        sum += 1 - transmittance[i];
     return sum / TONE_POINTS;
 }
 
-/* How much of a layer to measure: rising amounts from 0 on, to which 1 comes. Even ones; but where strokes lie many
- * times over one another, so that a part of them is all black, twice as many, and the first where they are a
- * third of what covers a place. Returns their number. */
+/* Chooses the amounts of a layer to measure, from 0 on, 1 excluded, and returns their number. They are evenly spaced;
+ * but for strokes that overlap many times, of which some make the tile black, there are twice as many, and the first
+ * one after 0 is where strokes cover a point a third of a time on average. */
 static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[2 * TONE_PARTS])
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
@@ -145,41 +148,42 @@ static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double
 static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch, struct curve *curve,
                                  struct hatch_err *err)
 {
-    uint32_t most = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
-    bool ended[HATCH_RPTAM_LAYERS_MAX] = {false};
-    curve->way = HATCH_NEW(scratch, double, most, err);
-    curve->darkness = curve->way ? HATCH_NEW(scratch, double, most, err) : NULL;
-    double *full = curve->darkness ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    double *paper = full ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    if (!paper)
+    uint32_t capacity = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
+    bool complete[HATCH_RPTAM_LAYERS_MAX] = {false};
+    curve->progress = HATCH_NEW(scratch, double, capacity, err);
+    curve->darkness = curve->progress ? HATCH_NEW(scratch, double, capacity, err) : NULL;
+    double *base = curve->darkness ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
+    double *transmittance = base ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
+    if (!transmittance)
         return HATCH_LIMIT;
-    curve->count = 1; /* at 0 */
+    curve->count = 1; /* at progress 0 */
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
         double amounts[2 * TONE_PARTS];
         uint32_t parts = amounts_to_measure(&rptam->layers[i], amounts);
         for (uint32_t k = 0; k < parts; k++)
-            curve->way[curve->count++] = style->low + amounts[k] * (style->high - style->low);
-        curve->way[curve->count++] = style->high;
+            curve->progress[curve->count++] = style->low + amounts[k] * (style->high - style->low);
+        curve->progress[curve->count++] = style->high;
     }
-    qsort(curve->way, curve->count, sizeof *curve->way, compare);
+    qsort(curve->progress, curve->count, sizeof *curve->progress, compare);
     for (uint32_t i = 0; i < TONE_POINTS; i++)
-        full[i] = 1;
+        base[i] = 1;
     for (uint32_t i = 0; i < curve->count; i++) {
-        bool again = i && !(curve->way[i] > curve->way[i - 1]);
-        double darkness = again ? 0 : darkness_at(rptam, curve->way[i], ended, full, paper);
+        bool repeated = i && !(curve->progress[i] > curve->progress[i - 1]);
+        double darkness = repeated ? 0 : darkness_at(rptam, curve->progress[i], complete, base, transmittance);
         curve->darkness[i] = i ? fmax(darkness, curve->darkness[i - 1]) : darkness;
     }
     return HATCH_OK;
 }
 
-/* How often strokes cover a place that are so dark together, if they lie by chance: in proportion to their number. */
-static double covers_of(double darkness)
+/* The mean number of strokes over a point that yields a darkness if strokes are placed at random; it is proportional
+ * to their number. */
+static double mean_covers(double darkness)
 {
     return -log(fmax(1 - darkness, 1e-9));
 }
 
-/* Turns the curve round: the way to tones at equal steps. */
+/* Inverts the curve: progress at equal steps of darkness. */
 static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rptam *rptam, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -190,15 +194,15 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
         return status;
     }
     rptam->darkest = curve.darkness[curve.count - 1];
-    for (uint32_t step = 0, k = 0; step <= HATCH_RPTAM_STEPS; step++) {
-        double wanted = rptam->darkest * step / HATCH_RPTAM_STEPS;
-        while (k + 2 < curve.count && curve.darkness[k + 1] < wanted)
+    for (uint32_t step = 0, k = 0; step <= HATCH_RPTAM_TONE_STEPS; step++) {
+        double target = rptam->darkest * step / HATCH_RPTAM_TONE_STEPS;
+        while (k + 2 < curve.count && curve.darkness[k + 1] < target)
             k++;
         if (k + 1 == curve.count)
             break; /* no layer */
-        double from = covers_of(curve.darkness[k]), rise = covers_of(curve.darkness[k + 1]) - from;
-        double part = rise > 0 ? (covers_of(wanted) - from) / rise : 0;
-        rptam->way[step] = curve.way[k] + part * (curve.way[k + 1] - curve.way[k]);
+        double from = mean_covers(curve.darkness[k]), rise = mean_covers(curve.darkness[k + 1]) - from;
+        double part = rise > 0 ? (mean_covers(target) - from) / rise : 0;
+        rptam->progress[step] = curve.progress[k] + part * (curve.progress[k + 1] - curve.progress[k]);
     }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
@@ -211,7 +215,7 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds, const struct
     struct hatch_rptam made = {.style = *style};
     assert(style->layer_count <= HATCH_RPTAM_LAYERS_MAX);
     if (seeds->layer_count < style->layer_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed set%s for %u layers: each needs its own", seeds->layer_count,
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u seed set%s for %u layers: each layer needs one", seeds->layer_count,
                           seeds->layer_count == 1 ? "" : "s", style->layer_count);
     for (uint32_t i = 0; i < style->layer_count; i++)
         HATCH_TRY(make_layer(&seeds->layers[i], i, style, arena, scratch, &made, err));

@@ -1,12 +1,12 @@
-/* Images of strokes at the size that is drawn. */
+/* Images of strokes at their size on screen. */
 #include <assert.h>
 #include <math.h>
 
 #include "base/random.h"
 #include "seed/rptam.h"
 
-#define STROKE_TEXELS 2048.0  /* along an image of a stroke, at most */
-#define TEXELS_MOST 1048576.0 /* of all images of a stroke, if there are several */
+#define SIDE_MAX 2048.0      /* texels along an image of a stroke */
+#define TEXELS_MAX 1048576.0 /* of all images of a stroke, if there are several */
 
 /* The mean of an image over a box. */
 static double mean_over(const struct hatch_image *image, double left, double right, double top, double bottom)
@@ -19,9 +19,9 @@ static double mean_over(const struct hatch_image *image, double left, double rig
     return sum / ((right - left) * (bottom - top));
 }
 
-/* Alpha without grain, row by row without a border. */
-static double *size_envelope(const struct hatch_image *from, uint32_t width, uint32_t height, struct hatch_arena *arena,
-                             struct hatch_err *err)
+/* Resamples alpha, without grain and border. */
+static double *resample(const struct hatch_image *from, uint32_t width, uint32_t height, struct hatch_arena *arena,
+                        struct hatch_err *err)
 {
     double *means = HATCH_NEW(arena, double, (size_t)width *height, err);
     for (uint32_t y = 0; means && y < height; y++)
@@ -32,31 +32,32 @@ static double *size_envelope(const struct hatch_image *from, uint32_t width, uin
     return means;
 }
 
-/* What the grain leaves at a place in pixels from the corner of a stroke's image. */
+/* The factor of the grain at a position in pixels from the corner of a stroke's image.
+ *   image  number of the image, which selects an offset */
 static double grain_at(const struct hatch_image *grain, uint32_t image, double x_px, double y_px)
 {
     if (!grain)
         return 1;
-    uint64_t begin = image ? hatch_random_u64(1, 0, image) : 0;
-    uint32_t x = ((uint32_t)x_px + (uint32_t)(begin & 0xffffu)) % grain->width;
-    uint32_t y = ((uint32_t)y_px + (uint32_t)(begin >> 16 & 0xffffu)) % grain->height;
+    uint64_t offset = image ? hatch_random_u64(1, 0, image) : 0;
+    uint32_t x = ((uint32_t)x_px + (uint32_t)(offset & 0xffffu)) % grain->width;
+    uint32_t y = ((uint32_t)y_px + (uint32_t)(offset >> 16 & 0xffffu)) % grain->height;
     return (double)grain->pixels[(size_t)y * grain->width + x];
 }
 
-enum hatch_status hatch_rptam_stroke(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct hatch_image *stroke, uint32_t *images,
-                                     struct hatch_err *err)
+enum hatch_status hatch_rptam_stroke_images(const struct hatch_rptam_layer_style *style, struct hatch_arena *arena,
+                                            struct hatch_arena *scratch, struct hatch_image *stroke, uint32_t *images,
+                                            struct hatch_err *err)
 {
-    uint32_t width = (uint32_t)fmin(ceil(2 * style->length_px), STROKE_TEXELS);
-    uint32_t height = (uint32_t)fmin(ceil(2 * style->width_px), STROKE_TEXELS);
-    uint32_t count = style->varied && style->grain ? HATCH_RPTAM_GRAINS : 1;
+    uint32_t width = (uint32_t)fmin(ceil(2 * style->length_px), SIDE_MAX);
+    uint32_t height = (uint32_t)fmin(ceil(2 * style->width_px), SIDE_MAX);
+    uint32_t count = style->varied && style->grain ? HATCH_RPTAM_GRAIN_OFFSETS : 1;
     struct hatch_image made;
     assert(style->stroke->channel_count == 1);
-    while (count > 1 && (double)count * width * height > TEXELS_MOST)
+    while (count > 1 && (double)count * width * height > TEXELS_MAX)
         count /= 2;
     HATCH_TRY(hatch_image_make(arena, width + 2, (height + 2) * count, "A", &made, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    const double *means = size_envelope(style->stroke, width, height, scratch, err);
+    const double *means = resample(style->stroke, width, height, scratch, err);
     if (!means)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < count; i++)

@@ -2,20 +2,20 @@
 
 #include "base/text.h"
 
-void hatch_seed_places(const struct hatch_seed_set *set, struct hatch_seed_place *places)
+void hatch_seed_points(const struct hatch_seed_set *set, struct hatch_seed_point *points)
 {
-    /* The last seed's bits one by one; each seed before it has one crumb more in front. */
-    struct hatch_seed_place place = {0, 0};
+    /* The last point bit by bit; each point before it has one more crumb in front. */
+    struct hatch_seed_point point = {0, 0};
     for (uint64_t k = 0; k < 64; k++) {
         uint8_t crumb = set->crumbs[(set->count - 1u + k) % set->count];
-        place.u = place.u << 1 | (crumb & 1u);
-        place.v = place.v << 1 | crumb >> 1;
+        point.u = point.u << 1 | (crumb & 1u);
+        point.v = point.v << 1 | crumb >> 1;
     }
-    places[set->count - 1] = place;
+    points[set->count - 1] = point;
     for (uint32_t i = set->count - 1; i-- > 0;) {
-        place.u = place.u >> 1 | (uint64_t)(set->crumbs[i] & 1u) << 63;
-        place.v = place.v >> 1 | (uint64_t)(set->crumbs[i] >> 1) << 63;
-        places[i] = place;
+        point.u = point.u >> 1 | (uint64_t)(set->crumbs[i] & 1u) << 63;
+        point.v = point.v >> 1 | (uint64_t)(set->crumbs[i] >> 1) << 63;
+        points[i] = point;
     }
 }
 
@@ -23,7 +23,7 @@ static enum hatch_status read_layer(struct hatch_text line, uint32_t number, str
                                     struct hatch_seed_set *set, struct hatch_err *err)
 {
     if (line.length < HATCH_CYCLE_MIN || line.length > HATCH_CYCLE_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu crumbs, want %u to %u", number, line.length,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu digits, want %u to %u", number, line.length,
                           HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
     set->count = (uint32_t)line.length;
     set->crumbs = HATCH_NEW(arena, uint8_t, line.length, err);
@@ -31,8 +31,7 @@ static enum hatch_status read_layer(struct hatch_text line, uint32_t number, str
         return HATCH_LIMIT;
     for (size_t i = 0; i < line.length; i++) {
         if (line.at[i] < '0' || line.at[i] > '3')
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u, column %zu: not a crumb, which is 0, 1, 2 or 3", number,
-                              i + 1);
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u, column %zu: want 0, 1, 2 or 3", number, i + 1);
         set->crumbs[i] = (uint8_t)(line.at[i] - '0');
     }
     return HATCH_OK;
@@ -50,14 +49,14 @@ enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *
         if (line.length == 0 || line.at[0] == '#')
             continue;
         if (line.at + line.length == (const char *)file.data + file.size)
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u does not end: the file is cut", number);
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u has no end: the file is truncated", number);
         if (found.layer_count == HATCH_SEED_LAYERS_MAX)
             return hatch_fail(err, HATCH_LIMIT, "line %u: more than %u layers", number, HATCH_SEED_LAYERS_MAX);
         HATCH_TRY(read_layer(line, number, arena, &found.layers[found.layer_count], err));
         found.layer_count++;
     }
     if (!found.layer_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no seed set in it");
+        return hatch_fail(err, HATCH_BAD_INPUT, "the file has no seed set");
     *seeds = found;
     return HATCH_OK;
 }

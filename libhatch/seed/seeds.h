@@ -1,9 +1,9 @@
-/* Seed sets: where the strokes of a recursive procedural tonal art map stand in its unit tile, one
- * set per layer (Recursive Procedural Tonal Art Maps, §4).
+/* Seed sets: the seed points of a recursive procedural tonal art map, the positions of its strokes in the unit tile,
+ * one set per layer (Recursive Procedural Tonal Art Maps, §4).
  *
- * Seed i is the uniform cycle turned left by i crumbs, read as a periodic quaternary fraction: with
- * crumb = 2 v + u, the bits of u and of v. So zooming by two into a quarter, s -> fraction of 2 s, takes
- * seed i to seed i + 1. */
+ * Seed point i is the uniform cycle rotated left by i crumbs, read as a periodic base-4 fraction: with
+ * crumb = 2 v + u, the bits of u and of v. Zooming by two into a quarter of the tile, s -> fraction of 2 s, therefore
+ * takes seed point i to seed point i + 1. */
 #ifndef HATCH_SEED_SEEDS_H
 #define HATCH_SEED_SEEDS_H
 
@@ -14,29 +14,32 @@
 
 struct hatch_seed_set {
     uint32_t count;  /* N, HATCH_CYCLE_MIN .. HATCH_CYCLE_MAX */
-    uint8_t *crumbs; /* count: 0 .. 3 */
+    uint8_t *crumbs; /* count entries, 0 .. 3 */
 };
 
 struct hatch_seeds {
-    uint32_t layer_count; /* 1 .. HATCH_SEED_LAYERS_MAX */
-    struct hatch_seed_set *layers;
+    uint32_t layer_count;          /* 1 .. HATCH_SEED_LAYERS_MAX */
+    struct hatch_seed_set *layers; /* layer_count entries */
 };
 
-/* A position in the tile: 64 bits after the point, so that differences wrap as the tile does. */
-struct hatch_seed_place {
+/* Position of a seed point in the tile, in units of 2^-64, so that differences wrap with the tile. */
+struct hatch_seed_point {
     uint64_t u, v;
 };
 
-/* The places of all seeds of a set: places[i] is seed i. places: set->count entries. */
-void hatch_seed_places(const struct hatch_seed_set *set, struct hatch_seed_place *places);
+/* Computes the seed points of a set.
+ *   points  out: set->count entries */
+void hatch_seed_points(const struct hatch_seed_set *set, struct hatch_seed_point *points);
 
-/* seeds(5): one line per layer with its cycle as digits; lines that begin with # are comments.
- * HATCH_BAD_INPUT with the line's number for any other byte, a cycle that is too short or whose line does
- * not end (then the file is cut), no layer. */
+/* Reads seeds(5): one line per layer with its cycle as digits; lines that begin with # are comments.
+ *   seeds  out, in arena; unchanged on failure
+ * HATCH_BAD_INPUT with the line for any other byte, a cycle that is too short or too long, a last line without end
+ * (the file is truncated), or no layer; HATCH_LIMIT for more than HATCH_SEED_LAYERS_MAX layers. */
 enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_seeds *seeds,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* comment: one line that goes first, without its #; NULL for none. */
+/* Appends seeds(5) to file.
+ *   comment  first line, without #; NULL: none */
 enum hatch_status hatch_seeds_write(const struct hatch_seeds *seeds, const char *comment, struct hatch_buffer *file,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

@@ -9,31 +9,31 @@ double hatch_spread_bound(uint32_t count)
     return sqrt(2.0 / (sqrt(3.0) * count));
 }
 
-/* Differences of places wrap as the tile does: as signed numbers they are the shorter way. */
-static double squared_distance(const struct hatch_seed_place *a, const struct hatch_seed_place *b)
+/* Differences wrap with the tile; as signed numbers they are the shorter of both ways around. */
+static double squared_distance(const struct hatch_seed_point *a, const struct hatch_seed_point *b)
 {
     double u = (double)(int64_t)(a->u - b->u) * 0x1p-64;
     double v = (double)(int64_t)(a->v - b->v) * 0x1p-64;
     return u * u + v * v;
 }
 
-/* Places by cell of a grid of 2^bits by 2^bits; a cell is no narrower than the largest distance that is
- * possible, so that the nearest place lies in one of nine. */
+/* Points by cell of a grid of 2^bits by 2^bits. A cell is at least as wide as the largest possible smallest distance,
+ * so that the nearest point is in one of nine cells. */
 struct cells {
     int bits;
-    uint32_t *first; /* 4^bits + 1 */
-    uint32_t *index;
+    uint32_t *first; /* per cell, first entry in index; 4^bits + 1 entries */
+    uint32_t *index; /* points, ordered by cell */
 };
 
-static uint32_t cell_of(const struct cells *cells, const struct hatch_seed_place *place)
+static uint32_t cell_of(const struct cells *cells, const struct hatch_seed_point *point)
 {
     if (!cells->bits)
         return 0;
     int shift = 64 - cells->bits;
-    return (uint32_t)(place->v >> shift << cells->bits | place->u >> shift);
+    return (uint32_t)(point->v >> shift << cells->bits | point->u >> shift);
 }
 
-static enum hatch_status sort_into_cells(const struct hatch_seed_place *places, uint32_t count,
+static enum hatch_status sort_into_cells(const struct hatch_seed_point *points, uint32_t count,
                                          struct hatch_arena *scratch, struct cells *cells, struct hatch_err *err)
 {
     cells->bits = 0;
@@ -44,38 +44,38 @@ static enum hatch_status sort_into_cells(const struct hatch_seed_place *places, 
     cells->index = cells->first ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
     if (!cells->index)
         return HATCH_LIMIT;
-    uint32_t *next = cells->first + 1; /* shifted by one, it becomes `first` while it is filled */
+    uint32_t *next = cells->first + 1; /* shifted by one; filling index turns it into first */
     for (uint32_t i = 0; i < count; i++)
-        next[cell_of(cells, &places[i]) + 1]++;
+        next[cell_of(cells, &points[i]) + 1]++;
     for (size_t c = 0; c < cell_count; c++)
         next[c + 1] += next[c];
     for (uint32_t i = 0; i < count; i++)
-        cells->index[next[cell_of(cells, &places[i])]++] = i;
+        cells->index[next[cell_of(cells, &points[i])]++] = i;
     return HATCH_OK;
 }
 
-static double nearest_in(const struct cells *cells, const struct hatch_seed_place *places, uint32_t place, double best)
+static double nearest_in(const struct cells *cells, const struct hatch_seed_point *points, uint32_t point, double best)
 {
-    uint32_t cell = cell_of(cells, &places[place]), mask = ((uint32_t)1 << cells->bits) - 1;
+    uint32_t cell = cell_of(cells, &points[point]), mask = ((uint32_t)1 << cells->bits) - 1;
     uint32_t u = cell & mask, v = cell >> cells->bits;
     for (uint32_t near = 0; near < 9; near++) {
         uint32_t at = ((v + near / 3 - 1) & mask) << cells->bits | ((u + near % 3 - 1) & mask);
         for (uint32_t i = cells->first[at]; i < cells->first[at + 1]; i++)
-            if (cells->index[i] < place)
-                best = fmin(best, squared_distance(&places[place], &places[cells->index[i]]));
+            if (cells->index[i] < point)
+                best = fmin(best, squared_distance(&points[point], &points[cells->index[i]]));
     }
     return best;
 }
 
-enum hatch_status hatch_spread_distance(const struct hatch_seed_place *places, uint32_t count,
+enum hatch_status hatch_spread_distance(const struct hatch_seed_point *points, uint32_t count,
                                         struct hatch_arena *scratch, double *distance, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct cells cells;
     double best = 1;
-    enum hatch_status status = sort_into_cells(places, count, scratch, &cells, err);
+    enum hatch_status status = sort_into_cells(points, count, scratch, &cells, err);
     for (uint32_t i = 0; status == HATCH_OK && i < count && best > 0; i++)
-        best = nearest_in(&cells, places, i, best);
+        best = nearest_in(&cells, points, i, best);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *distance = sqrt(best);
@@ -84,48 +84,49 @@ enum hatch_status hatch_spread_distance(const struct hatch_seed_place *places, u
 
 static int compare_u(const void *a, const void *b)
 {
-    const struct hatch_seed_place *p = a, *q = b;
+    const struct hatch_seed_point *p = a, *q = b;
     if (p->u != q->u)
         return p->u < q->u ? -1 : 1;
     return p->v < q->v ? -1 : p->v > q->v;
 }
 
-/* Boxes [0, u) x [0, v) whose corners lie on the grid of the places' coordinates, without and with the
- * places on their upper borders: one of these is worst. levels: the v of the places so far, rising. */
-static double worst_box(const uint64_t *levels, uint32_t filled, uint32_t count, double open_u, double closed_u)
+/* The largest difference over boxes with upper corners on the grid of the points' coordinates, where the extreme over
+ * all boxes is: closed boxes up to u, which hold too many points, and open boxes up to next_u, which hold too few.
+ *   sorted_v  v of the filled points up to u, rising */
+static double worst_box(const uint64_t *sorted_v, uint32_t filled, uint32_t count, double u, double next_u)
 {
     double worst = 0;
     for (uint32_t i = 0; i <= filled; i++) {
-        double below = i < filled ? (double)levels[i] * 0x1p-64 : 1.0;
+        double below = i < filled ? (double)sorted_v[i] * 0x1p-64 : 1.0;
         double share = (double)i / count;
-        worst = fmax(worst, closed_u * below - share);
+        worst = fmax(worst, next_u * below - share);
         if (i < filled)
-            worst = fmax(worst, (double)(i + 1) / count - open_u * below);
+            worst = fmax(worst, (double)(i + 1) / count - u * below);
     }
     return worst;
 }
 
-enum hatch_status hatch_spread_discrepancy(const struct hatch_seed_place *places, uint32_t count,
+enum hatch_status hatch_spread_discrepancy(const struct hatch_seed_point *points, uint32_t count,
                                            struct hatch_arena *scratch, double *discrepancy, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_seed_place *sorted = HATCH_NEW(scratch, struct hatch_seed_place, count, err);
-    uint64_t *levels = sorted ? HATCH_NEW(scratch, uint64_t, count, err) : NULL;
-    if (!levels) {
+    struct hatch_seed_point *sorted = HATCH_NEW(scratch, struct hatch_seed_point, count, err);
+    uint64_t *sorted_v = sorted ? HATCH_NEW(scratch, uint64_t, count, err) : NULL;
+    if (!sorted_v) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    memcpy(sorted, places, sizeof *sorted * count);
+    memcpy(sorted, points, sizeof *sorted * count);
     qsort(sorted, count, sizeof *sorted, compare_u);
     double worst = (double)sorted[0].u * 0x1p-64;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t at = i;
-        for (; at > 0 && levels[at - 1] > sorted[i].v; at--)
-            levels[at] = levels[at - 1];
-        levels[at] = sorted[i].v;
+        for (; at > 0 && sorted_v[at - 1] > sorted[i].v; at--)
+            sorted_v[at] = sorted_v[at - 1];
+        sorted_v[at] = sorted[i].v;
         double u = (double)sorted[i].u * 0x1p-64;
         double next = i + 1 < count ? (double)sorted[i + 1].u * 0x1p-64 : 1.0;
-        worst = fmax(worst, worst_box(levels, i + 1, count, u, next));
+        worst = fmax(worst, worst_box(sorted_v, i + 1, count, u, next));
     }
     hatch_arena_rewind(scratch, mark);
     *discrepancy = worst;

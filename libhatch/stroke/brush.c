@@ -22,16 +22,17 @@ static float smooth_step(float from, float to, float x)
     return t * t * (3 - 2 * t);
 }
 
-/* How thick the stroke is (0..1 of its width) and how hard it presses (0..1) at s, 0..1 along it. */
 struct pressure {
-    float thickness, alpha;
+    float thickness; /* share of the full width, 0 .. 1 */
+    float alpha;     /* 0 .. 1 */
 };
 
+/* The pressure at s, 0 .. 1 along the stroke. */
 static struct pressure pressure_at(enum hatch_brush_kind kind, float s)
 {
     float from_end = s < 0.5f ? s : 1 - s;
     switch (kind) {
-    case HATCH_BRUSH_INK: /* a pen lands softly and leaves in a point */
+    case HATCH_BRUSH_INK: /* starts blunt and ends in a point */
         return (struct pressure){0.25f + 0.75f * smooth_step(0, s < 0.5f ? 0.10f : 0.30f, from_end), 1};
     case HATCH_BRUSH_PENCIL:
         return (struct pressure){0.6f + 0.4f * smooth_step(0, 0.25f, from_end),
@@ -51,7 +52,7 @@ static struct pressure pressure_at(enum hatch_brush_kind kind, float s)
     }
 }
 
-/* How wide the fall-off at the edge is, as a share of the half width. */
+/* The width of the fall-off at the edge, as a share of half the stroke's width. */
 static float edge_softness(enum hatch_brush_kind kind)
 {
     switch (kind) {
@@ -79,7 +80,8 @@ static void draw_envelope(struct hatch_brush *brush)
     }
 }
 
-/* Toroidal value noise at one cell size (a divisor of HATCH_GRAIN_SIZE), 0..1. */
+/* Toroidal value noise, 0 .. 1.
+ *   cell  pixels, a divisor of HATCH_GRAIN_SIZE */
 static float value_noise(uint32_t x, uint32_t y, uint32_t cell, uint64_t stream)
 {
     uint32_t cells = HATCH_GRAIN_SIZE / cell;
@@ -96,7 +98,7 @@ static float value_noise(uint32_t x, uint32_t y, uint32_t cell, uint64_t stream)
     return top + (bottom - top) * v;
 }
 
-/* Paper tooth: where the noise is below the threshold little pigment stays. */
+/* Tooth of the paper: less ink where noise is below a threshold. */
 static void draw_grain(struct hatch_brush *brush)
 {
     struct {
@@ -120,7 +122,7 @@ static void draw_grain(struct hatch_brush *brush)
         }
 }
 
-/* The running sums across the stroke, from which any box filter across is two look-ups. */
+/* Computes running sums across the stroke; the difference of two is a box filter. */
 static enum hatch_status accumulate(struct hatch_arena *arena, struct hatch_brush *brush, struct hatch_err *err)
 {
     uint32_t rows = brush->height + 1;
@@ -162,11 +164,11 @@ static float ink_at(const struct hatch_image *image, size_t pixel, int alpha)
     const float *p = image->pixels + pixel * image->channel_count;
     float paper = image->channel_count >= 3 ? hatch_color_luminance(p) : p[0];
     float ink = alpha >= 0 ? p[alpha] : 1 - paper;
-    return ink > 0 ? (ink < 1 ? ink : 1) : 0; /* NaN is no ink */
+    return ink > 0 ? (ink < 1 ? ink : 1) : 0; /* NaN becomes 0 */
 }
 
-/* The A channel when it says something: an alpha of one value everywhere does not. */
-static int telling_alpha(const struct hatch_image *image, size_t pixels)
+/* The index of the A channel if its values vary, else -1. */
+static int varying_alpha(const struct hatch_image *image, size_t pixels)
 {
     int alpha = hatch_image_channel(image, "A");
     if (alpha < 0)
@@ -185,14 +187,14 @@ enum hatch_status hatch_brush_from_image(const struct hatch_image *image, struct
     made.alpha = HATCH_NEW(arena, float, pixels, err);
     if (!made.alpha)
         return HATCH_LIMIT;
-    int alpha = telling_alpha(image, pixels);
+    int alpha = varying_alpha(image, pixels);
     float darkest = 0;
     for (size_t i = 0; i < pixels; i++) {
         made.alpha[i] = ink_at(image, i, alpha);
         darkest = made.alpha[i] > darkest ? made.alpha[i] : darkest;
     }
     if (!(darkest > 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "stroke image without ink: every pixel is white");
+        return hatch_fail(err, HATCH_BAD_INPUT, "the stroke image has no ink: every pixel is white");
     HATCH_TRY(accumulate(arena, &made, err));
     *brush = made;
     return HATCH_OK;

@@ -6,8 +6,8 @@
 #include "stroke/frame.h"
 #include "stroke/path.h"
 
-/* Bounds the pixels of a stroke, those that it has twice counted twice. */
-static double pixels_of(double length, uint32_t size_px, double width_px)
+/* Upper bound of the number of pixels of a stroke; pixels that it covers twice count twice. */
+static double pixel_bound(double length, uint32_t size_px, double width_px)
 {
     double reach = length * size_px + width_px + 4, across = width_px + 4;
     return reach * across * 2 + reach * 4 + 64;
@@ -17,12 +17,12 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
                                        struct hatch_footprint *footprint, struct hatch_err *err)
 {
     struct hatch_footprint made = {0};
-    double whole = pixels_of((double)length, size_px, (double)width_px);
-    /* Only paths are longer than lines may be, and they have no pixel twice. */
-    double straight = pixels_of(fmin((double)length, HATCH_LINE_LENGTH_MAX), size_px, (double)width_px);
+    double whole = pixel_bound((double)length, size_px, (double)width_px);
+    /* Strokes over HATCH_LINE_LENGTH_MAX have paths, whose footprints have no pixel twice. */
+    double straight = pixel_bound(fmin((double)length, HATCH_LINE_LENGTH_MAX), size_px, (double)width_px);
     double pixels = fmax(straight, fmin(whole, (double)size_px * size_px));
     if (!(whole < INFINITY) || !(pixels < UINT32_MAX / 2))
-        return hatch_fail(err, HATCH_LIMIT, "stroke of %g pixels is too large", pixels);
+        return hatch_fail(err, HATCH_LIMIT, "a stroke of %g pixels is too large", pixels);
     made.capacity = (uint32_t)pixels;
     made.at = HATCH_NEW(arena, uint32_t, made.capacity, err);
     made.alpha = HATCH_NEW(arena, float, made.capacity, err);
@@ -34,8 +34,8 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
     return HATCH_OK;
 }
 
-static void put(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float along, float across,
-                struct hatch_footprint *out)
+static void add_pixel(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float along,
+                      float across, struct hatch_footprint *out)
 {
     float alpha = hatch_frame_alpha(f, brush, along, across);
     if (!(alpha > 0))
@@ -47,9 +47,10 @@ static void put(const struct hatch_frame *f, const struct hatch_brush *brush, ui
     out->along[out->count++] = t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* Along an arc and across it: polar coordinates around the middle of its circle. */
-static void put_on_arc(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx, float dy,
-                       struct hatch_footprint *out)
+/* Adds a pixel of an arc, whose positions along and across are polar coordinates.
+ *   dx, dy  from the middle of the arc */
+static void add_arc_pixel(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx, float dy,
+                          struct hatch_footprint *out)
 {
     float reach = fabsf(f->radius), side = f->radius < 0 ? -1.0f : 1.0f;
     float along = dx * f->cosine + dy * f->sine;
@@ -57,14 +58,14 @@ static void put_on_arc(const struct hatch_frame *f, const struct hatch_brush *br
     float distance = sqrtf(along * along + inward * inward);
     if (fabsf(reach - distance) >= f->half_width + 0.5f)
         return;
-    put(f, brush, at, reach * (float)atan2((double)along, (double)inward), (reach - distance) * side, out);
+    add_pixel(f, brush, at, reach * (float)atan2((double)along, (double)inward), (reach - distance) * side, out);
 }
 
 static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *f, uint32_t size_px, int32_t y,
                      float reach_x, struct hatch_footprint *out)
 {
     float dy = (float)y + 0.5f - f->centre_y;
-    float low = -reach_x, high = reach_x; /* dx from the centre */
+    float low = -reach_x, high = reach_x; /* of dx */
     if (f->radius == 0) {
         hatch_frame_clip(f->cosine, f->sine * dy, f->half_length + 0.5f, &low, &high);
         hatch_frame_clip(-f->sine, f->cosine * dy, f->half_width + 0.5f, &low, &high);
@@ -77,13 +78,13 @@ static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *
     for (int32_t x = from; x <= to; x++, column = column + 1 == size_px ? 0 : column + 1) {
         float dx = (float)x + 0.5f - f->centre_x;
         if (f->radius != 0)
-            put_on_arc(f, brush, row + column, dx, dy, out);
+            add_arc_pixel(f, brush, row + column, dx, dy, out);
         else
-            put(f, brush, row + column, dx * f->cosine + dy * f->sine, dy * f->cosine - dx * f->sine, out);
+            add_pixel(f, brush, row + column, dx * f->cosine + dy * f->sine, dy * f->cosine - dx * f->sine, out);
     }
 }
 
-/* A stroke that meets itself around the torus has pixels twice: one entry stays, the darkest. */
+/* Merges entries of one pixel, which a stroke that overlaps itself around the torus has, into the darkest. */
 static void keep_darkest(struct hatch_footprint *out)
 {
     uint32_t kept = 0;
@@ -107,7 +108,7 @@ static void keep_darkest(struct hatch_footprint *out)
 void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_brush *brush, uint32_t size_px,
                           float length_scale, float width_scale, struct hatch_footprint *footprint)
 {
-    struct hatch_frame f = hatch_frame_of(stroke, brush, size_px, length_scale, width_scale);
+    struct hatch_frame f = hatch_frame_make(stroke, brush, size_px, length_scale, width_scale);
     footprint->count = 0;
     if (!(f.half_width > 0))
         return;
@@ -117,7 +118,7 @@ void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_
     }
     float reach_x = f.half_length * fabsf(f.cosine) + f.half_width * fabsf(f.sine) + 1;
     float reach_y = f.half_length * fabsf(f.sine) + f.half_width * fabsf(f.cosine) + 1;
-    if (f.radius != 0) /* an arc stays as near to its middle as a line that turns does */
+    if (f.radius != 0) /* an arc lies within half its length of its middle */
         reach_x = reach_y = f.half_length + f.half_width + 1;
     int32_t from = (int32_t)floorf(f.centre_y - reach_y), to = (int32_t)ceilf(f.centre_y + reach_y);
     for (int32_t y = from; y <= to; y++)
@@ -126,7 +127,7 @@ void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_
         keep_darkest(footprint);
 }
 
-void hatch_footprint_remove(struct hatch_footprint *now, const struct hatch_footprint *before)
+void hatch_footprint_subtract(struct hatch_footprint *now, const struct hatch_footprint *before)
 {
     for (uint32_t i = 0; i < before->count; i++)
         now->entry_of[before->at[i]] = i + 1;
@@ -134,8 +135,8 @@ void hatch_footprint_remove(struct hatch_footprint *now, const struct hatch_foot
         uint32_t entry = now->entry_of[now->at[i]];
         if (!entry)
             continue;
-        float left = 1 - before->alpha[entry - 1];
-        float added = left > 0 ? 1 - (1 - now->alpha[i]) / left : 0;
+        float transmittance = 1 - before->alpha[entry - 1];
+        float added = transmittance > 0 ? 1 - (1 - now->alpha[i]) / transmittance : 0;
         now->alpha[i] = added > 0 ? added : 0;
     }
     for (uint32_t i = 0; i < before->count; i++)

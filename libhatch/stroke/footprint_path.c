@@ -1,5 +1,5 @@
-/* Footprints of drawn paths: each pixel goes to the piece of the line that is nearest to it, which says
- * how far along the line and across it the pixel lies; from there on it is as if the line were straight. */
+/* Footprints of drawn paths: each pixel belongs to the nearest piece of the line, which gives its position along and
+ * across; then the path is treated like a straight line. */
 #include <assert.h>
 #include <math.h>
 #include <stdbool.h>
@@ -8,26 +8,28 @@
 #include "stroke/frame.h"
 #include "stroke/path.h"
 
-/* Pieces shorter than that are joined before they are drawn: on coarse levels most are. */
+/* Shorter pieces are joined before they are drawn; on coarse levels most are shorter. */
 #define PIECE_PX 0.25f
 
 struct piece {
-    float x, y; /* its start, px from the stroke's middle */
-    float cosine, sine, length;
-    float start;   /* along the whole line, from its middle */
-    float stretch; /* of the whole line: what joined pieces cut off is made up for */
+    float x, y;         /* start, px from the stroke's middle */
+    float cosine, sine; /* direction */
+    float length;       /* px */
+    float start;        /* px along the whole line, from its middle */
+    float stretch;      /* length of the line over that of its joined pieces, which cut corners */
     bool first, last;
 };
 
-/* Bounds the pixels that the piece can be nearest to and still cover. */
-static float reach_of(const struct hatch_frame *f)
+/* Largest distance of a covered pixel's centre from the line, px, with a margin. */
+static float reach_px(const struct hatch_frame *f)
 {
     return f->half_width + 0.75f;
 }
 
-/* Enters the pixel, or moves it to this piece when the piece is nearer. Until all pieces are through,
- * `alpha` holds how far across the pixel lies. */
-static void claim(const struct hatch_frame *f, uint32_t at, float along, float across, struct hatch_footprint *out)
+/* Adds the pixel, or assigns it to this piece if that is nearer. Until all pieces are drawn, out->along and
+ * out->alpha hold the positions along and across, in px. */
+static void assign_pixel(const struct hatch_frame *f, uint32_t at, float along, float across,
+                         struct hatch_footprint *out)
 {
     uint32_t *entry = &out->entry_of[at];
     if (*entry == 0) {
@@ -36,19 +38,20 @@ static void claim(const struct hatch_frame *f, uint32_t at, float along, float a
         *entry = ++out->count;
     } else {
         uint32_t i = *entry - 1;
-        float beyond = fabsf(along) - f->core, was = fabsf(out->along[i]) - f->core;
+        float beyond = fabsf(along) - f->core, beyond_before = fabsf(out->along[i]) - f->core;
         float square = across * across + (beyond > 0 ? beyond * beyond : 0);
-        if (square >= out->alpha[i] * out->alpha[i] + (was > 0 ? was * was : 0))
+        if (square >= out->alpha[i] * out->alpha[i] + (beyond_before > 0 ? beyond_before * beyond_before : 0))
             return;
     }
     out->along[*entry - 1] = along;
     out->alpha[*entry - 1] = across;
 }
 
-/* A pixel at (dx, dy) from the piece's start. Where the nearest point is a corner inside the line, the
- * distance to it counts as across. */
-static void meet(const struct hatch_frame *f, const struct piece *piece, uint32_t at, float dx, float dy,
-                 struct hatch_footprint *out)
+/* Assigns a pixel to the piece if it covers it. If the nearest point is an inner corner of the line, the distance to
+ * the corner counts as across.
+ *   dx, dy  px from the start of the piece */
+static void test_pixel(const struct hatch_frame *f, const struct piece *piece, uint32_t at, float dx, float dy,
+                       struct hatch_footprint *out)
 {
     float along = dx * piece->cosine + dy * piece->sine;
     float across = dy * piece->cosine - dx * piece->sine;
@@ -61,13 +64,13 @@ static void meet(const struct hatch_frame *f, const struct piece *piece, uint32_
     }
     float outside = fmaxf(-along, along - piece->length);
     if (fabsf(across) < f->half_width + 0.5f && (beyond != 0 || outside < f->half_width + 0.5f))
-        claim(f, at, piece->start + (along - beyond) * piece->stretch, across, out);
+        assign_pixel(f, at, piece->start + (along - beyond) * piece->stretch, across, out);
 }
 
 static void draw_piece(const struct hatch_frame *f, const struct piece *piece, uint32_t size_px,
                        struct hatch_footprint *out)
 {
-    float reach = reach_of(f), half = piece->length / 2 + reach;
+    float reach = reach_px(f), half = piece->length / 2 + reach;
     float left = f->centre_x + piece->x, top = f->centre_y + piece->y;
     float run_x = piece->length * piece->cosine, run_y = piece->length * piece->sine;
     int32_t from_y = (int32_t)floorf(top + fminf(0, run_y) - reach - 0.5f);
@@ -82,12 +85,12 @@ static void draw_piece(const struct hatch_frame *f, const struct piece *piece, u
         int32_t from = (int32_t)floorf(left + low - 0.5f), to = (int32_t)ceilf(left + high - 0.5f);
         uint32_t row = hatch_frame_wrap(y, size_px) * size_px, column = hatch_frame_wrap(from, size_px);
         for (int32_t x = from; x <= to; x++, column = column + 1 == size_px ? 0 : column + 1)
-            meet(f, piece, row + column, (float)x + 0.5f - left, dy, out);
+            test_pixel(f, piece, row + column, (float)x + 0.5f - left, dy, out);
     }
 }
 
-/* Moves the piece on to the next that is long enough; false when there is none. *next: the point it runs
- * to, 0 before the first. */
+/* Advances to the next piece of at least PIECE_PX, or the rest of the line; false at the end.
+ *   next  in and out: end point of the piece; 0 before the first */
 static bool next_piece(const struct hatch_path *path, float size, uint32_t *next, struct piece *piece)
 {
     piece->first = *next == 0;
@@ -115,7 +118,7 @@ static void draw_pieces(const struct hatch_stroke *stroke, const struct hatch_fr
         drawn += piece.length;
     piece.start = -whole / 2;
     piece.stretch = drawn > 0 ? whole / drawn : 1;
-    if (!(drawn > 0)) { /* a ring that is a dot at this size */
+    if (!(drawn > 0)) { /* a closed line that is a dot at this size */
         piece = (struct piece){.x = piece.x, .y = piece.y, .cosine = 1, .stretch = 1, .first = true, .last = true};
         draw_piece(f, &piece, size_px, out);
     }

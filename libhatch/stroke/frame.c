@@ -6,8 +6,8 @@
 
 #define CAP_SAMPLES 8u
 
-struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struct hatch_brush *brush, uint32_t size_px,
-                                  float length_scale, float width_scale)
+struct hatch_frame hatch_frame_make(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
+                                    uint32_t size_px, float length_scale, float width_scale)
 {
     struct hatch_frame f;
     f.centre_x = stroke->x * (float)size_px;
@@ -17,7 +17,7 @@ struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struc
     f.half_width = stroke->width_px * width_scale * 0.5f;
     f.half_length = stroke->length * (float)size_px * length_scale * 0.5f;
     f.radius = stroke->bend_rad != 0 && !stroke->path ? stroke->length * (float)size_px / stroke->bend_rad : 0;
-    /* A drawn line's ends are put to it; a stroke's length is all that is seen of it. */
+    /* Caps extend a path beyond its end points; the length of other strokes includes them. */
     f.core = f.half_length - (stroke->path ? 0 : f.half_width);
     f.core = f.core > 0 ? f.core : 0;
     if (f.half_length < f.half_width)
@@ -27,15 +27,15 @@ struct hatch_frame hatch_frame_of(const struct hatch_stroke *stroke, const struc
     f.columns = (float)brush->width;
     f.columns_per_px = f.columns * f.per_length;
     f.opacity = stroke->tone;
-    f.tone = stroke->tone * 2 * f.half_width;
-    uint64_t place = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
-    f.grain_x = (uint32_t)(place % HATCH_GRAIN_SIZE);
-    f.grain_y = (uint32_t)(place / HATCH_GRAIN_SIZE % HATCH_GRAIN_SIZE);
+    f.alpha_per_width = stroke->tone * 2 * f.half_width;
+    uint64_t offset = brush->grain ? hatch_random_u64(stroke->texture_seed, 7, 0) : 0;
+    f.grain_x = (uint32_t)(offset % HATCH_GRAIN_SIZE);
+    f.grain_y = (uint32_t)(offset / HATCH_GRAIN_SIZE % HATCH_GRAIN_SIZE);
     return f;
 }
 
-/* The sum of alpha from the stroke's edge to `across` (0..1 of the width), by linear interpolation:
- * exact for a brush image whose pixels are boxes. */
+/* The integral of alpha from the edge of the stroke to `across`, 0 .. 1 of the width; exact for brush pixels that are
+ * boxes. */
 static float cumulative_at(const float *column, uint32_t height, float across)
 {
     if (across <= 0)
@@ -49,42 +49,41 @@ static float cumulative_at(const float *column, uint32_t height, float across)
 
 static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float across)
 {
-    /* Half-pixel steps would blur the tooth away: nearest is what a rough paper looks like. */
+    /* Nearest, not linear: interpolation would blur the grain. */
     uint32_t x = (uint32_t)(int32_t)floorf(along + f->half_length) + f->grain_x;
     uint32_t y = (uint32_t)(int32_t)floorf(across + f->half_width) + f->grain_y;
     return brush->grain[y % HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE + x % HATCH_GRAIN_SIZE];
 }
 
-/* What one column of the brush covers between two places across. */
-static float covered_by(const struct hatch_brush *brush, uint32_t x, float from, float to)
+/* The integral of alpha of one column of the brush between two positions across. */
+static float column_coverage(const struct hatch_brush *brush, uint32_t x, float from, float to)
 {
     const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
     return cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
 }
 
-/* The same, times the coverage along. Where pixels are smaller than columns the column under the pixel's
- * centre is taken, else the mean of all that lie in the pixel: taking one of many would lose or double
- * the ink of a stroke drawn small. */
-static float covered_around(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float from,
+/* The brush's alpha over a pixel, times the coverage along. If brush columns are smaller than pixels, averages those
+ * within the pixel, because a single one would lose or double ink; else uses the column at the centre of the pixel. */
+static float pixel_coverage(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float from,
                             float to)
 {
-    float place = (along * f->per_length + 0.5f) * f->columns;
+    float position = (along * f->per_length + 0.5f) * f->columns;
     if (f->columns_per_px <= 1) {
         float inside = f->half_length - fabsf(along) + 0.5f;
-        uint32_t x = place <= 0 ? 0 : place < f->columns ? (uint32_t)place : brush->width - 1;
-        return covered_by(brush, x, from, to) * (inside < 1 ? inside : 1);
+        uint32_t x = position <= 0 ? 0 : position < f->columns ? (uint32_t)position : brush->width - 1;
+        return column_coverage(brush, x, from, to) * (inside < 1 ? inside : 1);
     }
-    float low = place - 0.5f * f->columns_per_px, high = place + 0.5f * f->columns_per_px, sum = 0;
+    float low = position - 0.5f * f->columns_per_px, high = position + 0.5f * f->columns_per_px, sum = 0;
     low = low > 0 ? low : 0;
     high = high < f->columns ? high : f->columns;
     for (uint32_t x = (uint32_t)low; (float)x < high; x++) {
         float left = low > (float)x ? low : (float)x, right = high < (float)x + 1 ? high : (float)x + 1;
-        sum += (right - left) * covered_by(brush, x, from, to);
+        sum += (right - left) * column_coverage(brush, x, from, to);
     }
     return sum / f->columns_per_px;
 }
 
-/* How much of a pixel's side lies within half_width of the line. */
+/* The share of a pixel's extent across that lies within half_width of the line. */
 static float chord(float across, float half_width)
 {
     float low = across - 0.5f > -half_width ? across - 0.5f : -half_width;
@@ -92,9 +91,9 @@ static float chord(float across, float half_width)
     return high > low ? high - low : 0;
 }
 
-/* A line with half discs at its ends. Where the pixel sees an end it is cut into slices, so that the
- * coverages sum to the area, however thin the line. */
-static float covered_by_round(const struct hatch_frame *f, float along, float across)
+/* The coverage of a line with half discs at its ends. Pixels at an end are cut into slices, so that the coverages sum
+ * to the area even for thin lines. */
+static float round_coverage(const struct hatch_frame *f, float along, float across)
 {
     along = fabsf(along);
     if (along + 0.5f <= f->core)
@@ -111,15 +110,14 @@ static float covered_by_round(const struct hatch_frame *f, float along, float ac
     return sum / (float)CAP_SAMPLES;
 }
 
-/* Coverage × envelope × grain, box-filtered over a pixel. */
 float hatch_frame_alpha(const struct hatch_frame *f, const struct hatch_brush *brush, float along, float across)
 {
     if (brush->kind == HATCH_BRUSH_ROUND)
-        return covered_by_round(f, along, across) * f->opacity;
+        return round_coverage(f, along, across) * f->opacity;
     if (fabsf(along) >= f->half_length + 0.5f)
         return 0;
     float from = (across - 0.5f) * f->per_width + 0.5f, to = (across + 0.5f) * f->per_width + 0.5f;
-    float alpha = covered_around(brush, f, along, from, to) * f->tone;
+    float alpha = pixel_coverage(brush, f, along, from, to) * f->alpha_per_width;
     if (brush->grain && alpha > 0)
         alpha *= grain_at(brush, f, along, across);
     return alpha > 1 ? 1 : alpha;

@@ -9,7 +9,7 @@
 static enum hatch_status grow(struct hatch_path_builder *b, struct hatch_err *err)
 {
     if (b->count == HATCH_PATH_POINTS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a line of more than %u points", HATCH_PATH_POINTS_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "a line has more than %u points", HATCH_PATH_POINTS_MAX);
     uint32_t capacity = b->capacity ? 2 * b->capacity : 64;
     double *larger = HATCH_NEW(b->arena, double, 2 * (size_t)capacity, err);
     if (!larger)
@@ -21,7 +21,7 @@ static enum hatch_status grow(struct hatch_path_builder *b, struct hatch_err *er
     return HATCH_OK;
 }
 
-enum hatch_status hatch_path_line(struct hatch_path_builder *b, double x, double y, struct hatch_err *err)
+enum hatch_status hatch_path_add_line(struct hatch_path_builder *b, double x, double y, struct hatch_err *err)
 {
     if (!isfinite(x) || !isfinite(y))
         return hatch_fail(err, HATCH_BAD_INPUT, "a point is not finite");
@@ -35,34 +35,34 @@ enum hatch_status hatch_path_line(struct hatch_path_builder *b, double x, double
     return HATCH_OK;
 }
 
-/* Into how many equal steps of its parameter the curve must be cut. A chord of a step h is off by at most
- * h²/8 of the second derivative, which for a cubic is largest at an end. */
-static double pieces_of(const double *from, const double *control, double tolerance)
+/* The number of equal parameter steps that keep within the tolerance. The chord of a step h is off by at most h² / 8
+ * times the second derivative, which is largest at an end of a cubic. */
+static double count_pieces(const double *from, const double *control, double tolerance)
 {
     double first = hypot(from[0] - 2 * control[0] + control[2], from[1] - 2 * control[1] + control[3]);
     double second = hypot(control[0] - 2 * control[2] + control[4], control[1] - 2 * control[3] + control[5]);
     double bend = 6 * fmax(first, second);
     double pieces = ceil(sqrt(bend / (8 * tolerance)));
-    return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN: one, whose end is refused */
+    return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN: one, whose end point is rejected */
 }
 
-enum hatch_status hatch_path_cubic(struct hatch_path_builder *b, const double control[6], struct hatch_err *err)
+enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *b, const double control[6], struct hatch_err *err)
 {
     assert(b->count > 0 && b->tolerance > 0);
     double from[2] = {b->xy[2 * b->count - 2], b->xy[2 * b->count - 1]};
-    uint32_t pieces = (uint32_t)pieces_of(from, control, b->tolerance);
+    uint32_t pieces = (uint32_t)count_pieces(from, control, b->tolerance);
     for (uint32_t i = 1; i < pieces; i++) {
         double t = (double)i / pieces, s = 1 - t;
         double w0 = s * s * s, w1 = 3 * s * s * t, w2 = 3 * s * t * t, w3 = t * t * t;
         double x = w0 * from[0] + w1 * control[0] + w2 * control[2] + w3 * control[4];
         double y = w0 * from[1] + w1 * control[1] + w2 * control[3] + w3 * control[5];
-        HATCH_TRY(hatch_path_line(b, x, y, err));
+        HATCH_TRY(hatch_path_add_line(b, x, y, err));
     }
-    return hatch_path_line(b, control[4], control[5], err);
+    return hatch_path_add_line(b, control[4], control[5], err);
 }
 
-/* The middle of its extent, so that it lies as near as can be to all of its points. */
-static void middle_of(const struct hatch_path_builder *b, double *middle, double *reach)
+/* The centre of the bounding box, and half of its larger side. */
+static void find_middle(const struct hatch_path_builder *b, double *middle, double *reach)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (uint32_t i = 0; i < b->count; i++)
@@ -75,7 +75,7 @@ static void middle_of(const struct hatch_path_builder *b, double *middle, double
     *reach = fmax(high[0] - middle[0], high[1] - middle[1]);
 }
 
-static enum hatch_status points_of(const struct hatch_path_builder *b, const double *middle, struct hatch_arena *arena,
+static enum hatch_status make_path(const struct hatch_path_builder *b, const double *middle, struct hatch_arena *arena,
                                    const struct hatch_path **path, struct hatch_err *err)
 {
     struct hatch_path *made = HATCH_NEW(arena, struct hatch_path, 1, err);
@@ -111,13 +111,14 @@ enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct h
     assert(b->count > 0);
     double middle[2], reach;
     const struct hatch_path *path;
-    middle_of(b, middle, &reach);
+    find_middle(b, middle, &reach);
     if (!(reach <= HATCH_PATH_REACH_MAX) || !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a line that reaches over %g tiles", HATCH_PATH_REACH_MAX);
-    HATCH_TRY(points_of(b, middle, arena, &path, err));
+    HATCH_TRY(make_path(b, middle, arena, &path, err));
     float length = path ? hatch_path_length(path) : 0;
     if (!(length <= HATCH_PATH_LENGTH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a line of %g tiles", (double)length);
+        return hatch_fail(err, HATCH_BAD_INPUT, "a line is %g tiles long, want %g at most", (double)length,
+                          (double)HATCH_PATH_LENGTH_MAX);
     const double *end = b->xy + 2 * (size_t)b->count - 2;
     stroke->x = hatch_stroke_wrap(middle[0]);
     stroke->y = hatch_stroke_wrap(middle[1]);

@@ -1,51 +1,52 @@
-/* The line of a drawn stroke that is neither straight nor an arc: a polyline so fine that nobody sees its
- * corners, and the curves that it is made from. */
+/* Paths of drawn strokes that are neither straight nor arcs: polylines fine enough to look smooth, and a builder that
+ * makes them from lines and curves. */
 #ifndef HATCH_STROKE_PATH_H
 #define HATCH_STROKE_PATH_H
 
 #include "base/arena.h"
 #include "stroke/stroke.h"
 
-/* How far, in tiles, a point may lie from the stroke's middle. */
-#define HATCH_PATH_REACH_MAX 64.0
+#define HATCH_PATH_REACH_MAX 64.0      /* tiles: largest distance of a point from the middle, per axis */
 #define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles */
-#define HATCH_LINE_LENGTH_MAX 16.0     /* of strokes without a path */
+#define HATCH_LINE_LENGTH_MAX 16.0     /* tiles: of strokes without a path */
 #define HATCH_PATH_POINTS_MAX 1048576u
 
-/* Immutable, owned by an arena. A round brush puts its half discs to the ends, others end with the line.
- * xy: x and y of each point in drawing order, fractions of the tile from the stroke's x and y, not wrapped.
- * count: 2 .. HATCH_PATH_POINTS_MAX. */
+/* Immutable, in an arena. A round brush has its caps centred on the end points; other brushes end there. */
 struct hatch_path {
-    uint32_t count;
-    const float *xy;
+    uint32_t count;  /* 2 .. HATCH_PATH_POINTS_MAX */
+    const float *xy; /* points in drawing order, tiles from the stroke's x and y, not wrapped */
 };
 
-/* Of the polyline, in tiles. */
+/* Returns the length of the polyline, in tiles. */
 float hatch_path_length(const struct hatch_path *path);
 
-/* A line in the making: points in the unit of `tolerance`, which is how far the polyline may lie from
- * the curve. Start from {.arena = a, .tolerance = t}. The buffer doubles in arena. */
+/* A line in the making. Initialise with {.arena = a, .tolerance = t}; the points double in arena. */
 struct hatch_path_builder {
     struct hatch_arena *arena;
-    double tolerance;
-    double *xy;
-    uint32_t count, capacity;
+    double tolerance;         /* largest distance of the polyline from a curve, in the unit of the points, over 0 */
+    double *xy;               /* two numbers per point */
+    uint32_t count, capacity; /* points */
 };
 
-/* Each adds to the line from its last point on; hatch_path_line is also how a line begins. Points equal to
- * the one before are left out. HATCH_LIMIT beyond HATCH_PATH_POINTS_MAX points; HATCH_BAD_INPUT for a
- * point that is not finite. */
-enum hatch_status hatch_path_line(struct hatch_path_builder *builder, double x, double y,
-                                  struct hatch_err *err) HATCH_MUST_USE;
+/* Adds a point, connected to the one before by a line; the first call begins the path. A point equal to the one
+ * before is left out.
+ * HATCH_BAD_INPUT for a point that is not finite; HATCH_LIMIT for more than HATCH_PATH_POINTS_MAX points. */
+enum hatch_status hatch_path_add_line(struct hatch_path_builder *builder, double x, double y,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* control: x1 y1 x2 y2 x y, of a cubic Bézier curve. */
-enum hatch_status hatch_path_cubic(struct hatch_path_builder *builder, const double control[6],
-                                   struct hatch_err *err) HATCH_MUST_USE;
+/* Adds a cubic Bézier curve from the last point.
+ *   control  x1 y1 x2 y2 x y
+ * Statuses as for hatch_path_add_line. */
+enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *builder, const double control[6],
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Turns the line into a stroke's geometry: x, y (the middle of its extent, wrapped into the tile), length
- * (of the line), angle_rad (of its chord) and path, which is NULL for a line of one point: a dot. Other
- * fields stay. Points are fractions of the tile here. Nothing is changed on failure. HATCH_BAD_INPUT for a
- * line that reaches further than HATCH_PATH_REACH_MAX or is longer than HATCH_PATH_LENGTH_MAX. */
+/* Sets the geometry of a stroke from a builder whose points are fractions of the tile: x, y (centre of the bounding
+ * box, wrapped into the tile), length (of the line), angle_rad (of the chord), bend_rad 0 and path, which is NULL for
+ * a line of one point, a dot.
+ *   builder  with at least one point
+ *   arena    receives the path
+ *   stroke   out: other members keep their values; unchanged on failure
+ * HATCH_BAD_INPUT for a line that passes HATCH_PATH_REACH_MAX or HATCH_PATH_LENGTH_MAX. */
 enum hatch_status hatch_path_finish(const struct hatch_path_builder *builder, struct hatch_arena *arena,
                                     struct hatch_stroke *stroke, struct hatch_err *err) HATCH_MUST_USE;
 

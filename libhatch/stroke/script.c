@@ -32,12 +32,12 @@ static const struct {
     [BEND] = {"bend", -(double)HATCH_STROKE_BEND_MAX, (double)HATCH_STROKE_BEND_MAX},
 };
 
-/* Which of the columns that few scripts need this one does. */
+/* Columns that are printed only when a stroke needs them. */
 struct extras {
     bool bend, enters, path;
 };
 
-static struct extras extras_of(const struct hatch_stroke *strokes, uint32_t count)
+static struct extras find_extras(const struct hatch_stroke *strokes, uint32_t count)
 {
     struct extras extras = {false, false, false};
     for (uint32_t i = 0; i < count; i++) {
@@ -77,7 +77,7 @@ static enum hatch_status print_extras(const struct hatch_stroke *s, const struct
 enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_t count, uint32_t size_px,
                                      const char *comment, struct hatch_buffer *text, struct hatch_err *err)
 {
-    struct extras extras = extras_of(strokes, count);
+    struct extras extras = find_extras(strokes, count);
     if (comment)
         HATCH_TRY(hatch_buffer_print(text, err, "# %s\n", comment));
     HATCH_TRY(print_header(&extras, text, err));
@@ -92,9 +92,8 @@ enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_
     return HATCH_OK;
 }
 
-/* Which key each column of the header line holds; -1 for one that is not known. */
 struct header {
-    int key_of[64];
+    int key_of[64]; /* key of each column; -1: unknown */
     uint32_t columns;
 };
 
@@ -111,7 +110,7 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
             if (hatch_text_is(field, keys[k].name))
                 key = k;
         if (key >= 0 && seen[key])
-            return hatch_fail(err, HATCH_BAD_INPUT, "header: column '%s' stands twice", keys[key].name);
+            return hatch_fail(err, HATCH_BAD_INPUT, "header: column '%s' is repeated", keys[key].name);
         if (key >= 0)
             seen[key] = true;
         header->key_of[header->columns++] = key;
@@ -122,7 +121,7 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
     return HATCH_OK;
 }
 
-/* One line below the header: its numbers, and the fields that are none. */
+/* The fields of a line below the header. */
 struct row {
     double numbers[NUMBERS];
     struct hatch_text enters, path;
@@ -141,7 +140,7 @@ static enum hatch_status parse_number(struct hatch_text field, int key, double *
     return HATCH_OK;
 }
 
-/* A path's points say how long it is; what its column says is for readers that do not know them. */
+/* The length of a path follows from its points; its length column is for programs that do not read paths. */
 static enum hatch_status check_length(const struct row *row, struct hatch_err *err)
 {
     double length = row->numbers[LENGTH], longest = HATCH_LINE_LENGTH_MAX;
@@ -169,7 +168,7 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     return HATCH_OK;
 }
 
-/* Takes what stands before the next `separator`, or all, off *rest. */
+/* Removes the text before the next separator, or all, from *rest and returns it. */
 static struct hatch_text take_until(struct hatch_text *rest, char separator)
 {
     const char *end = rest->length ? memchr(rest->at, separator, rest->length) : NULL;
@@ -186,11 +185,11 @@ static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_strok
         double column;
         HATCH_TRY(parse_number(take_until(&rest, ','), COLUMN, &column, err));
         if (column < stroke->column + (levels ? stroke->delay[levels - 1] : 0.0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "enters: a coarser level has it before a finer one");
+            return hatch_fail(err, HATCH_BAD_INPUT, "enters: a coarser level holds the stroke before a finer one");
         stroke->delay[levels] = (uint8_t)(column - stroke->column);
     }
     if (rest.length || (levels && (levels != stroke->level + 1 || stroke->delay[0])))
-        return hatch_fail(err, HATCH_BAD_INPUT, "enters: does not agree with column %u and level %u", stroke->column,
+        return hatch_fail(err, HATCH_BAD_INPUT, "enters: disagrees with column %u and level %u", stroke->column,
                           stroke->level);
     return HATCH_OK;
 }
@@ -229,7 +228,7 @@ static struct hatch_stroke stroke_of(const double *v, uint32_t size_px)
                                  .y = hatch_stroke_wrap(v[Y]),
                                  .length = (float)v[LENGTH],
                                  .angle_rad = (float)v[ANGLE],
-                                 .bend_rad = (float)v[BEND] + 0.0f, /* no -0: a column of zeros is not printed */
+                                 .bend_rad = (float)v[BEND] + 0.0f, /* turns -0 into 0 */
                                  .width_px = (float)(v[WIDTH] * size_px),
                                  .tone = (float)v[TONE],
                                  .rgb = {(float)v[RED], (float)v[GREEN], (float)v[BLUE]},

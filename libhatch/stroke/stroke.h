@@ -1,5 +1,5 @@
-/* A stroke: a line, an arc or a drawn path on the unit torus (the tile), drawn at one pixel width on every
- * level of a tonal art map (Praun et al. 2001, §3). */
+/* Strokes: lines, arcs or drawn paths on the unit torus (the tile), drawn with one pixel width on every level of a
+ * tonal art map (Praun et al. 2001, §3). */
 #ifndef HATCH_STROKE_STROKE_H
 #define HATCH_STROKE_STROKE_H
 
@@ -9,42 +9,42 @@
 #include "base/arena.h"
 
 #define HATCH_STROKE_LEVELS_MAX 8u
-#define HATCH_STROKE_BEND_MAX 6.25f /* nearly a full turn */
+#define HATCH_STROKE_BEND_MAX 6.25f /* radians; nearly a full turn */
 
 struct hatch_path;
 
 struct hatch_stroke {
-    float x, y;            /* its middle, fractions of the tile, [0, 1); y downwards */
-    float length;          /* along it, fraction of the tile, >= 0; 0 is a dot */
-    float angle_rad;       /* from +x towards +y, in its middle; of a path, of its chord */
-    float bend_rad;        /* how far it turns from start to end, towards +y where it runs along +x; 0 is straight;
-                              -HATCH_STROKE_BEND_MAX .. HATCH_STROKE_BEND_MAX, with path NULL */
-    float width_px;        /* > 0 */
-    float tone;            /* 0 .. 1: how dark the ink is; scales the brush's alpha */
-    float rgb[3];          /* linear colour of the ink, 0 .. 1; black is the default */
+    float x, y;            /* middle, fractions of the tile, [0, 1); y downwards */
+    float length;          /* arc length, fraction of the tile, 0 upwards; 0 is a dot */
+    float angle_rad;       /* direction in the middle, from +x towards +y; of a path: of its chord */
+    float bend_rad;        /* turn from start to end, positive from +x towards +y, -HATCH_STROKE_BEND_MAX ..
+                              HATCH_STROKE_BEND_MAX; 0: straight, or with a path */
+    float width_px;        /* over 0 */
+    float tone;            /* opacity of the ink, 0 .. 1; scales the brush's alpha */
+    float rgb[3];          /* colour of the ink, linear, 0 .. 1; default black */
     uint32_t id;           /* 1 upwards, in drawing order */
-    uint32_t column;       /* first tone column that holds it, 0 the lightest */
-    uint32_t level;        /* coarsest level that holds it, counted from the finest (0) upwards */
-    uint32_t texture_seed; /* varies the brush's grain from stroke to stroke */
-    uint8_t delay[HATCH_STROKE_LEVELS_MAX]; /* columns by which a level holds it later than `column`; does not
-                                               fall with the level; 0 beyond `level` */
-    const struct hatch_path *path;          /* around (x, y), or NULL; not owned */
+    uint32_t column;       /* first column that holds it */
+    uint32_t level;        /* coarsest level that holds it */
+    uint32_t texture_seed; /* random seed of the brush's grain */
+    uint8_t delay[HATCH_STROKE_LEVELS_MAX]; /* per level: columns between `column` and the first one that holds it on
+                                               that level; non-decreasing; 0 beyond `level` */
+    const struct hatch_path *path;          /* around (x, y), not owned; NULL: a line or an arc */
 };
 
-/* The same place of the tile, in [0, 1), as the fraction x of its side, which may lie outside. */
+/* Wraps a coordinate, in tiles, to [0, 1). */
 static inline float hatch_stroke_wrap(double x)
 {
     float wrapped = (float)(x - floor(x));
     return wrapped < 1 ? wrapped : 0;
 }
 
-/* A growing list in an arena, in drawing order. */
+/* A growing list in an arena, in drawing order; initialise with {0}. */
 struct hatch_stroke_list {
     struct hatch_stroke *items;
     uint32_t count, capacity;
 };
 
-/* Adds a copy of the stroke; the list begins as {0} and doubles in arena. Its path is not copied. */
+/* Appends a copy of the stroke; its path is kept by reference. The list doubles in arena. */
 enum hatch_status hatch_stroke_list_add(struct hatch_stroke_list *list, struct hatch_arena *arena,
                                         const struct hatch_stroke *stroke, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -27,18 +27,18 @@ static float get_float(const uint8_t *words, uint64_t word)
     return value;
 }
 
-static uint64_t texels_of(uint32_t size_px, uint32_t level)
+static uint64_t texel_count(uint32_t size_px, uint32_t level)
 {
     uint64_t size = hatch_mip_size(size_px, level);
     return size * size;
 }
 
-/* The word at which an index begins, or behind the last one: where the runs do. */
+/* The word at which the index of a level begins; for level_count, the word at which the runs begin. */
 static uint64_t index_word(uint32_t size_px, uint32_t columns, uint32_t level_count, uint32_t level)
 {
     uint64_t word = HATCH_EXACT_HEAD + (uint64_t)level_count + columns;
     for (uint32_t l = 0; l < level; l++)
-        word += texels_of(size_px, l) + 1;
+        word += texel_count(size_px, l) + 1;
     return word;
 }
 
@@ -58,7 +58,7 @@ static void fill(const struct hatch_tam *tam, const struct hatch_runs *runs, uin
     for (uint32_t level = 0; level < levels; level++) {
         uint64_t word = index_word(tam->size_px, tam->tones, levels, level);
         put(words, HATCH_EXACT_HEAD + level, (uint32_t)word);
-        for (uint64_t i = 0; i <= texels_of(tam->size_px, level); i++)
+        for (uint64_t i = 0; i <= texel_count(tam->size_px, level); i++)
             put(words, word + i, runs->first[level][i]);
     }
     uint8_t *at = words + first_run * 4;
@@ -106,7 +106,7 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
     return status;
 }
 
-/* That all indices rise, and end where the runs do. */
+/* Checks that indices do not fall and stay within the runs. */
 static enum hatch_status check_indices(const struct hatch_exact *exact, const uint8_t *words, struct hatch_err *err)
 {
     uint32_t before = 0;
@@ -115,7 +115,7 @@ static enum hatch_status check_indices(const struct hatch_exact *exact, const ui
         if (get(words, HATCH_EXACT_HEAD + level) != word)
             return hatch_fail(err, HATCH_BAD_INPUT, "level %u: the index is not at word %llu", level,
                               (unsigned long long)word);
-        for (uint64_t i = 0; i <= texels_of(exact->size_px, level); i++) {
+        for (uint64_t i = 0; i <= texel_count(exact->size_px, level); i++) {
             uint32_t first = get(words, word + i);
             if (first < before || first > exact->run_count)
                 return hatch_fail(err, HATCH_BAD_INPUT, "level %u: texel %llu: run %u, want %u to %u", level,
@@ -133,7 +133,7 @@ enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, str
     uint64_t count = (uint64_t)texels->width * texels->height;
     if (texels->code != HATCH_TEXELS_R32UI || texels->width != HATCH_EXACT_WIDTH || texels->depth || texels->layers ||
         get(words, WORD_VERSION) != HATCH_EXACT_VERSION)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no exact runs: see tamthresh(5)");
+        return hatch_fail(err, HATCH_BAD_INPUT, "not exact runs as described in tamthresh(5)");
     struct hatch_exact made = {.texels = *texels,
                                .size_px = get(words, WORD_SIZE),
                                .level_count = get(words, WORD_LEVELS),
@@ -159,7 +159,9 @@ float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column)
     return get_float(exact->texels.texels[0], HATCH_EXACT_HEAD + (uint64_t)exact->level_count + column);
 }
 
-/* The darkness in force at both columns, blended. */
+/* The darkness of a texel between column and the next.
+ *   entry  word of the texel in the index
+ *   share  weight of the next column */
 static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int column, float share)
 {
     const uint8_t *words = exact->texels.texels[0];
@@ -173,7 +175,8 @@ static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int co
     return below + share * (above - below);
 }
 
-/* The last column of at most that tone, -1 where there is none; share: of the one after it. */
+/* Returns the last column of at most that tone, -1 if there is none.
+ *   share  out: weight of the column after it */
 static int find_column(const struct hatch_exact *exact, float tone, float *share)
 {
     uint32_t above = 0;

@@ -1,29 +1,30 @@
-/* Tonal art maps as runs: each texel's whole row along tone, run-length encoded ("The current
- * implementation of volume TAMs utilizes a large amount of texture memory ... it may be possible to
- * greatly reduce", Webb, Praun, Finkelstein & Hoppe 2002, §6). tamthresh(5) is the file.
+/* Exact runs: tonal art maps with the darkness of each texel over tone run-length encoded. This is the compression
+ * that Webb, Praun, Finkelstein & Hoppe 2002, §6, propose for volumes ("it may be possible to greatly reduce" their
+ * memory). tamthresh(5) describes the file.
  *
- * One buffer of 32-bit words, little-endian, to be uploaded as a storage buffer, a buffer texture or an
- * R32UI texture of HATCH_EXACT_WIDTH texels a row (word i at (i % width, i / width)):
+ * One buffer of 32-bit words, little-endian, uploaded as a storage buffer, a buffer texture or an R32UI texture
+ * of HATCH_EXACT_WIDTH texels a row (word i at (i % width, i / width)):
  *
  *     0                HATCH_EXACT_VERSION
- *     1                size of the finest level, in texels each way
- *     2                levels in all
- *     3                levels that hold strokes
- *     4                columns
+ *     1                width and height of the finest level, in texels
+ *     2                number of levels
+ *     3                number of drawn levels
+ *     4                number of columns
  *     5                word at which the runs begin
- *     6                runs
+ *     6                number of runs
  *     7                0
- *     8 ..             for each level the word at which its index begins
- *     then             for each column its tone, a float
- *     then the indices: of each level, texel by texel from the top row on, the number of its first run;
- *                      the next word is that of the run behind its last
- *     then the runs:   16 bits each, two to a word, the low half first: column + 256 × darkness.
- *                      From that column on the texel has that darkness, 0 .. 255; before the first run
- *                      it is paper. Runs of a texel rise in column and, the map being nested, in darkness.
+ *     8 ..             per level, the word at which its index begins
+ *     then             per column, its tone, a float
+ *     then the indices: per level, for each texel from the top row on, the number of its first run; a last entry
+ *                      holds the end of the last texel's runs
+ *     then the runs:   16 bits each, two per word, the low half first: column + 256 * darkness. The texel has
+ *                      darkness 0 .. 255 from that column on; before its first run it is paper. Columns and,
+ *                      because the map is nested, darknesses rise over the runs of a texel.
  *
- * A texel's darkness at tone t: with c the last column of tone at most t, and c + 1, blend the darkness
- * in force at both by where t lies between their tones (below the first column: paper at tone 0 and the
- * first). A shader does this for four texels (of two levels), then blends: no step is ever interpolated.
+ * The darkness of a texel at tone t: let c be the last column of tone t or less. Interpolate the darknesses at
+ * columns c and c + 1 by the position of t between their tones; below the first column, between paper at tone 0
+ * and the first column. A shader evaluates four texels (of one or two levels) and filters the results, so no step
+ * is ever interpolated.
  */
 #ifndef HATCH_TAM_EXACT_H
 #define HATCH_TAM_EXACT_H
@@ -34,30 +35,41 @@
 
 #define HATCH_EXACT_VERSION 1u
 #define HATCH_EXACT_WIDTH 1024u
-#define HATCH_EXACT_HEAD 8u
+#define HATCH_EXACT_HEAD 8u /* words before the indices' positions */
 
 struct hatch_exact {
     struct hatch_texels texels; /* HATCH_TEXELS_R32UI, HATCH_EXACT_WIDTH wide, one level */
-    uint32_t size_px, level_count, levels, columns;
+    uint32_t size_px;           /* of the finest level */
+    uint32_t level_count;
+    uint32_t levels; /* number of drawn levels */
+    uint32_t columns;
     uint32_t run_count;
 };
 
-/* Each value within half a step of 8 bits of the map's. HATCH_BAD_INPUT for a coloured map, and where
- * a texel gets lighter (hatch_tam_check_nesting); HATCH_LIMIT at 2^32 runs. */
+/* Encodes a map; darkness is rounded to 8 bits.
+ *   pool   NULL: one thread
+ *   exact  out; its texels are in arena
+ * HATCH_BAD_INPUT for a map in colour and where a texel gets lighter (hatch_tam_check_nesting); HATCH_LIMIT for
+ * 2^32 runs or more, or when memory does not suffice. */
 enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_exact *exact,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Takes a file's texture over (nothing is copied) and checks every offset in it, so that sampling cannot
- * leave it. HATCH_BAD_INPUT where it is none. */
+/* Interprets a file's texture as exact runs. Checks every offset in it, so that sampling stays within it.
+ *   texels  its levels are kept by reference
+ *   exact   out; unchanged on failure
+ * HATCH_BAD_INPUT. */
 enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, struct hatch_exact *exact,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
-/* The tone of a column, 0 .. columns - 1. */
+/* Returns the tone of a column, 0 .. columns - 1. */
 float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column);
 
-/* The reflectance, 0 .. 1, at (u, v), repeating, tone and level of detail lod (0 is the finest):
- * evaluated at each texel, then bilinear within a level, linear between two. */
+/* Returns the reflectance, 0 .. 1: evaluates each texel, then filters bilinearly within a level and linearly
+ * between two.
+ *   u, v  texture coordinates, repeating
+ *   tone  0 paper .. 1 ink
+ *   lod   level of detail: 0 is the finest level, fractions lie between levels */
 float hatch_exact_sample(const struct hatch_exact *exact, float u, float v, float tone, float lod);
 
 #endif

@@ -4,18 +4,18 @@
 
 #define FULL 255u
 
-static uint8_t code_of(float reflectance, bool ink_is_one)
+static uint8_t encode_texel(float reflectance, bool ink_is_one)
 {
     return hatch_unorm8(ink_is_one ? 1 - reflectance : reflectance);
 }
 
-/* Channel c of a level to every stride-th byte from out on. */
+/* Writes channel c of a level to every stride-th byte of out. */
 static void pack_channel(const struct hatch_image *image, uint32_t c, bool ink_is_one, uint8_t *out, size_t stride)
 {
     size_t texels = (size_t)image->width * image->height;
     const float *in = image->pixels + c;
     for (size_t i = 0; i < texels; i++, in += image->channel_count, out += stride)
-        *out = code_of(*in, ink_is_one);
+        *out = encode_texel(*in, ink_is_one);
 }
 
 static void fill(size_t texels, uint8_t value, uint8_t *out, size_t stride)
@@ -35,11 +35,11 @@ enum hatch_status hatch_tam_pack_rgb(const struct hatch_tam *tam, uint32_t index
     assert(index < hatch_tam_rgb_count(tam));
     if (tam->color)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "the map is coloured: three of its tones do not fit red, green and blue");
+                          "the map is coloured, want grey: each channel of the texture holds one tone");
     struct hatch_texels made = {
         .width = tam->size_px, .height = tam->size_px, .channels = 4, .level_count = tam->columns[0].level_count};
     HATCH_TRY(hatch_texels_make(arena, &made, err));
-    uint8_t paper = code_of(1, ink_is_one);
+    uint8_t paper = encode_texel(1, ink_is_one);
     for (uint32_t level = 0; level < made.level_count; level++) {
         size_t texels = hatch_texels_level_size(&made, level) / made.channels;
         for (uint32_t c = 0; c < HATCH_PACK_TONES_PER_TEXTURE; c++) {

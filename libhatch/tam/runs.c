@@ -4,22 +4,22 @@
 
 #include "image/texels.h"
 
-#define ROWS_A_TASK 16u
-#define PIECE 256u
+#define ROWS_PER_TASK 16u
+#define PIECE 256u /* texels, so that the inner loops stay in registers and the first cache */
 
-/* A row's work, and what it found. codes: darkness over columns and texels, NULL where nobody asks. */
+/* Work on one level; a task is ROWS_PER_TASK rows. */
 struct job {
     const struct hatch_tam *tam;
     uint32_t level, size, channel;
-    uint8_t *darkest; /* size² texels: the largest so far */
-    uint8_t *codes;   /* size rows of columns x size */
-    uint32_t *count;  /* size²: runs of each texel, then the number of its next one */
-    uint32_t *fault;  /* size rows: first column that gets lighter, and at which texel; 0: none does */
+    uint8_t *darkest; /* size² texels: largest darkness of the columns so far */
+    uint8_t *codes;   /* size rows of columns x size darknesses; NULL: not stored */
+    uint32_t *count;  /* size²: number of runs of each texel, then the index of its next one */
+    uint32_t *fault;  /* size rows: first column in which a texel gets lighter; 0: none */
     struct hatch_run *runs;
 };
 
-/* The darkness of a row's texels into codes, one after another. */
-static void codes_of(const float *pixels, size_t stride, size_t count, uint8_t *restrict codes)
+/* Encodes the darkness of count texels in 8 bits. The contiguous case has its own loop to be vectorised. */
+static void encode_darkness(const float *pixels, size_t stride, size_t count, uint8_t *restrict codes)
 {
     if (stride == 1)
         for (size_t x = 0; x < count; x++)
@@ -29,8 +29,8 @@ static void codes_of(const float *pixels, size_t stride, size_t count, uint8_t *
             codes[x] = (uint8_t)(255 - hatch_unorm8(pixels[x * stride]));
 }
 
-/* Raises darkest to codes; whether any code was below it by more than one. */
-static bool raise(const uint8_t *restrict codes, size_t count, uint8_t *restrict darkest)
+/* Raises darkest to codes; returns whether any code was more than one step lighter. */
+static bool raise_darkest(const uint8_t *restrict codes, size_t count, uint8_t *restrict darkest)
 {
     uint8_t lighter = 0;
     for (size_t x = 0; x < count; x++) {
@@ -42,27 +42,26 @@ static bool raise(const uint8_t *restrict codes, size_t count, uint8_t *restrict
     return lighter;
 }
 
-/* In pieces, so that what a loop needs stays in registers and the first cache. */
-static bool take_columns(const float *pixels, size_t stride, size_t size, uint8_t *darkest)
+static bool raise_row(const float *pixels, size_t stride, size_t size, uint8_t *darkest)
 {
     uint8_t codes[PIECE];
     bool lighter = false;
     for (size_t x = 0; x < size; x += PIECE) {
         size_t count = size - x < PIECE ? size - x : PIECE;
-        codes_of(pixels + x * stride, stride, count, codes);
-        lighter |= raise(codes, count, darkest + x);
+        encode_darkness(pixels + x * stride, stride, count, codes);
+        lighter |= raise_darkest(codes, count, darkest + x);
     }
     return lighter;
 }
 
-static void take_row(const struct job *job, uint32_t y)
+static void scan_row(const struct job *job, uint32_t y)
 {
     size_t size = job->size;
     uint8_t *darkest = job->darkest + y * size;
     for (uint32_t c = 0; c < job->tam->tones; c++) {
         const struct hatch_image *image = &job->tam->columns[c].levels[job->level];
         const float *pixels = image->pixels + y * size * image->channel_count + job->channel;
-        bool lighter = take_columns(pixels, image->channel_count, size, darkest);
+        bool lighter = raise_row(pixels, image->channel_count, size, darkest);
         if (lighter && !job->fault[y])
             job->fault[y] = c;
         if (job->codes)
@@ -95,14 +94,14 @@ static void fill_row(const struct job *job, uint32_t y)
 
 static void for_rows(void (*row)(const struct job *, uint32_t), const struct job *job, uint32_t task)
 {
-    for (uint32_t y = task * ROWS_A_TASK; y < (task + 1) * ROWS_A_TASK && y < job->size; y++)
+    for (uint32_t y = task * ROWS_PER_TASK; y < (task + 1) * ROWS_PER_TASK && y < job->size; y++)
         row(job, y);
 }
 
-static void take(void *context, uint32_t task)
+static void scan(void *context, uint32_t task)
 {
     const struct job *job = context;
-    for_rows(take_row, job, task);
+    for_rows(scan_row, job, task);
     if (job->codes)
         for_rows(count_row, job, task);
 }
@@ -114,11 +113,11 @@ static void fill(void *context, uint32_t task)
 
 static uint32_t task_count(const struct job *job)
 {
-    return (job->size + ROWS_A_TASK - 1) / ROWS_A_TASK;
+    return (job->size + ROWS_PER_TASK - 1) / ROWS_PER_TASK;
 }
 
-/* The first texel of the row that gets lighter in the column that was found. */
-static enum hatch_status tell_fault(const struct job *job, uint32_t y, struct hatch_err *err)
+/* Reports the first texel of row y that gets lighter. */
+static enum hatch_status report_fault(const struct job *job, uint32_t y, struct hatch_err *err)
 {
     uint32_t column = job->fault[y], x = 0;
     uint8_t before = 0, now = 0;
@@ -137,18 +136,18 @@ static enum hatch_status tell_fault(const struct job *job, uint32_t y, struct ha
                       column, job->level, x, y, 1 - before / 255.0, 1 - now / 255.0);
 }
 
-static enum hatch_status run_level(struct job *job, struct hatch_pool *pool, struct hatch_arena *scratch,
-                                   struct hatch_err *err)
+static enum hatch_status scan_level(struct job *job, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
 {
     size_t texels = (size_t)job->size * job->size;
     job->darkest = HATCH_NEW(scratch, uint8_t, texels, err);
     job->fault = HATCH_NEW(scratch, uint32_t, job->size, err);
     if (!job->darkest || !job->fault)
         return HATCH_LIMIT;
-    hatch_parallel_for(pool, task_count(job), take, job);
+    hatch_parallel_for(pool, task_count(job), scan, job);
     for (uint32_t y = 0; y < job->size; y++)
         if (job->fault[y])
-            return tell_fault(job, y, err);
+            return report_fault(job, y, err);
     return HATCH_OK;
 }
 
@@ -162,29 +161,30 @@ enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct ha
         uint32_t level = i / channels;
         struct job job = {
             .tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level), .channel = i % channels};
-        status = run_level(&job, pool, scratch, err);
+        status = scan_level(&job, pool, scratch, err);
         hatch_arena_rewind(scratch, mark);
     }
     hatch_arena_rewind(scratch, mark);
     return status;
 }
 
-/* Each texel's count becomes the number of its first run. */
+/* Computes the index of each texel's first run from the counts. */
 static enum hatch_status sum_counts(const uint32_t *count, size_t texels, uint64_t *total, uint32_t *first,
                                     struct hatch_err *err)
 {
     for (size_t i = 0; i <= texels; i++) {
         if (*total > UINT32_MAX)
-            return hatch_fail(err, HATCH_LIMIT, "2^32 changes of texels, or more");
+            return hatch_fail(err, HATCH_LIMIT,
+                              "the texels change 2^32 times or more: take a smaller map or fewer tones");
         first[i] = (uint32_t)*total;
         *total += i < texels ? count[i] : 0;
     }
     return HATCH_OK;
 }
 
-static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct job *jobs, struct hatch_runs *made,
-                                     struct hatch_err *err)
+static enum hatch_status encode_levels(const struct hatch_tam *tam, struct hatch_pool *pool, struct hatch_arena *arena,
+                                       struct hatch_arena *scratch, struct job *jobs, struct hatch_runs *made,
+                                       struct hatch_err *err)
 {
     uint64_t total = 0;
     for (uint32_t level = 0; level < made->level_count; level++) {
@@ -196,7 +196,7 @@ static enum hatch_status take_levels(const struct hatch_tam *tam, struct hatch_p
         made->first[level] = HATCH_NEW(arena, uint32_t, texels + 1, err);
         if (!job->codes || !job->count || !made->first[level])
             return HATCH_LIMIT;
-        HATCH_TRY(run_level(job, pool, scratch, err));
+        HATCH_TRY(scan_level(job, pool, scratch, err));
         HATCH_TRY(sum_counts(job->count, texels, &total, made->first[level], err));
         memcpy(job->count, made->first[level], texels * sizeof *job->count);
     }
@@ -215,11 +215,11 @@ enum hatch_status hatch_runs_make(const struct hatch_tam *tam, struct hatch_pool
                                   struct hatch_arena *scratch, struct hatch_runs *runs, struct hatch_err *err)
 {
     if (tam->color)
-        return hatch_fail(err, HATCH_BAD_INPUT, "the map is coloured: steps of darkness tell of grey alone");
+        return hatch_fail(err, HATCH_BAD_INPUT, "the map is coloured, want grey");
     struct job jobs[HATCH_MIP_LEVELS_MAX];
     struct hatch_runs made = {.level_count = tam->columns[0].level_count};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = take_levels(tam, pool, arena, scratch, jobs, &made, err);
+    enum hatch_status status = encode_levels(tam, pool, arena, scratch, jobs, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *runs = made;

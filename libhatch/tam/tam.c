@@ -3,15 +3,15 @@
 #include <stdio.h>
 #include <string.h>
 
-void hatch_tam_label_column(const struct hatch_tam_label *label, uint32_t tone, float target,
+void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t tone, float target,
                             struct hatch_mipmap *column)
 {
     snprintf(column->name, sizeof column->name, "tone.%03u", tone);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TONE, (double)target, HATCH_ATTRIBUTE_FLOAT);
-    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, label->levels, HATCH_ATTRIBUTE_INT);
-    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)label->growth, HATCH_ATTRIBUTE_FLOAT);
-    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, label->seed);
-    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, label->style);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, metadata->levels, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)metadata->growth, HATCH_ATTRIBUTE_FLOAT);
+    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, metadata->seed);
+    hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, metadata->style);
 }
 
 static bool same_channels(const struct hatch_image *a, const struct hatch_image *b)
@@ -42,20 +42,20 @@ static enum hatch_status check_shape(const struct hatch_mipmap *part, const stru
     if (!grey && !rgb)
         return hatch_fail(err, HATCH_BAD_INPUT, "no channel Y, and no channels R, G and B");
     if (!same_channels(finest, &first->levels[0]))
-        return hatch_fail(err, HATCH_BAD_INPUT, "other channels than %s", first->name);
+        return hatch_fail(err, HATCH_BAD_INPUT, "channels differ from those of %s", first->name);
     return HATCH_OK;
 }
 
-/* Without a way out in its middle, so that compilers make vector code of it: maps are large. */
+/* Has no early exit, so that compilers vectorise it: maps are large. */
 static bool all_finite(const float *numbers, size_t count)
 {
-    uint32_t others = 0;
+    uint32_t non_finite = 0;
     for (size_t i = 0; i < count; i++) {
         uint32_t bits;
         memcpy(&bits, &numbers[i], sizeof bits);
-        others |= (bits & 0x7f800000u) == 0x7f800000u;
+        non_finite |= (bits & 0x7f800000u) == 0x7f800000u;
     }
-    return !others;
+    return !non_finite;
 }
 
 static enum hatch_status check_pixels(const struct hatch_mipmap *part, struct hatch_err *err)
@@ -81,7 +81,7 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
         return hatch_fail(err, HATCH_BAD_INPUT, "tone %g is lighter than the column before it, %g", target->number,
                           (double)tam->target[tone - 1]);
     if (levels && levels->type != HATCH_ATTRIBUTE_INT)
-        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " is no whole number");
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " is not a whole number");
     if (levels && !(levels->number >= 1 && levels->number <= part->level_count))
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %g, want 1 to %u", levels->number,
                           part->level_count);

@@ -1,6 +1,6 @@
 /* Tonal art maps (Praun, Hoppe, Webb & Finkelstein, "Real-Time Hatching", SIGGRAPH 2001, §3): a grid
- * of tones × mip levels whose strokes nest: every stroke of an image is also in all darker images of
- * its size and in all finer images of its tone. */
+ * of images over tones and mip levels whose strokes nest: every stroke of an image is also in all
+ * darker images of its level and in all finer images of its tone. */
 #ifndef HATCH_TAM_TAM_H
 #define HATCH_TAM_TAM_H
 
@@ -10,53 +10,61 @@
 #include "image/image.h"
 
 #define HATCH_TAM_TONES_MAX 256u
-#define HATCH_TAM_SIZE_MIN 64u
-#define HATCH_TAM_SIZE_MAX 4096u
+#define HATCH_TAM_SIZE_MIN 64u   /* pixels, finest level */
+#define HATCH_TAM_SIZE_MAX 4096u /* pixels, finest level */
 
-/* columns[tone], lightest first, each a full mip chain of size_px² images down to 1×1, level 0 the
- * finest. The channel is Y, or R, G and B: reflectance, 1 = paper, 0 = ink; then id and t where the
- * map holds them. */
+/* The channels of every image: Y, or R, G and B: reflectance, 1 = paper, 0 = ink; then id and t where
+ * ids is set. */
 struct hatch_tam {
-    uint32_t size_px;
-    uint32_t tones;
-    uint32_t levels; /* levels that hold strokes; coarser ones are box-filtered */
+    uint32_t size_px; /* width and height of the finest level */
+    uint32_t tones;   /* number of columns, 1 .. HATCH_TAM_TONES_MAX */
+    uint32_t levels;  /* number of drawn levels; the coarser ones are box-filtered */
     bool color;
     bool ids;
-    float target[HATCH_TAM_TONES_MAX]; /* darkness that each column aims at, rising, 0 .. 1 */
-    struct hatch_mipmap *columns;
+    float target[HATCH_TAM_TONES_MAX]; /* target tone of each column, 0 .. 1, rising */
+    struct hatch_mipmap *columns;      /* one per tone, lightest first, each a full mip chain down to 1x1 */
 };
 
-/* The attributes of the file format tam(5). */
+/* Attributes of the file format, tam(5). */
 #define HATCH_TAM_ATTR_TONE "hatch:tone"
 #define HATCH_TAM_ATTR_LEVELS "hatch:levels"
-#define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, seeds 64 */
+#define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, random seeds 64 */
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 
-/* Checks that the parts of a file are a tonal art map and takes them over (nothing is copied):
- * names tone.000 upwards without gaps, equal square sizes, powers of two not required, full chains,
- * rising targets, finite pixels. HATCH_BAD_INPUT names the part. */
+/* Interprets the parts of a file as a tonal art map. Checks that they are named tone.000, tone.001 and so on,
+ * have equal square sizes (powers of two or not), full mip chains, rising targets and finite pixels.
+ *   parts  count parts in file order; kept by reference
+ *   tam    out; unchanged on failure
+ * HATCH_BAD_INPUT with the name of the part. */
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Whether no pixel gets lighter with tone, in any colour, by more than a step when rounded to 8 bits:
- * HATCH_BAD_INPUT names the first that does. pool: NULL is one thread. */
+/* Checks that no pixel gets lighter from one column to the next, in any channel of colour, by more than one step
+ * of 8 bits.
+ *   pool  NULL: one thread
+ * HATCH_BAD_INPUT with the first pixel that gets lighter. */
 enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
                                           struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* What a texture unit returns of a column at (u, v), repeating, and a level of detail (0 is the finest, may
- * be between levels), the mean of R, G and B where there are three. column: -1 is paper. */
+/* Samples the reflectance of a column as a texture unit does, trilinearly; the mean of R, G and B in colour.
+ *   column  0 .. tones - 1; -1 is paper
+ *   u, v    texture coordinates, repeating
+ *   lod     level of detail: 0 is the finest level, fractions lie between levels */
 float hatch_tam_sample(const struct hatch_tam *tam, int column, float u, float v, float lod);
 
-/* What is known of a map beside its pixels. Texts are not copied. */
-struct hatch_tam_label {
-    uint32_t levels;
-    const char *seed, *style;
-    float growth;
+/* Metadata of a map, written to each column. Texts are kept by reference. */
+struct hatch_tam_metadata {
+    uint32_t levels;   /* number of drawn levels */
+    const char *seed;  /* random seed, decimal */
+    const char *style; /* name of the style */
+    float growth;      /* of struct hatch_fill_options */
 };
 
-/* Gives one column the name and the attributes that the format wants. */
-void hatch_tam_label_column(const struct hatch_tam_label *label, uint32_t tone, float target,
+/* Sets the name and the attributes of a column, as tam(5) requires.
+ *   tone    index of the column
+ *   target  target tone of the column */
+void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t tone, float target,
                             struct hatch_mipmap *column);
 
 #endif

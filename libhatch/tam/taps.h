@@ -1,5 +1,5 @@
-/* Where a texture unit looks: the four texels around a place, and the two levels around a level of
- * detail. Private to tam. */
+/* Texture filtering: the four texels around a position with their bilinear weights, and the two levels around a
+ * level of detail. Private to tam. */
 #ifndef HATCH_TAM_TAPS_H
 #define HATCH_TAM_TAPS_H
 
@@ -9,18 +9,20 @@
 
 struct hatch_taps {
     size_t texel[4];
-    float weight[4];
+    float weight[4]; /* sum to 1 */
 };
 
-static inline void hatch_tap_axis(float at, uint32_t size, uint32_t index[2], float *share)
+/* The two texels around a coordinate, repeating, along one axis.
+ *   share  out: weight of index[1] */
+static inline void hatch_tap_axis(float coordinate, uint32_t size, uint32_t index[2], float *share)
 {
-    float place = (at - floorf(at)) * (float)size - 0.5f, below = floorf(place);
-    *share = place - below;
+    float position = (coordinate - floorf(coordinate)) * (float)size - 0.5f, below = floorf(position);
+    *share = position - below;
     index[0] = (uint32_t)((int64_t)below + size) % size;
     index[1] = (index[0] + 1) % size;
 }
 
-/* The taps at (u, v), repeating, of a plane of that size. */
+/* The taps at (u, v), repeating, of an image of width x height texels. */
 static inline struct hatch_taps hatch_taps_at(float u, float v, uint32_t width, uint32_t height)
 {
     uint32_t x[2], y[2];
@@ -35,12 +37,13 @@ static inline struct hatch_taps hatch_taps_at(float u, float v, uint32_t width, 
     return taps;
 }
 
-/* The finer of the two levels around lod; share: how much of the coarser one. */
+/* Returns the finer of the two levels around lod.
+ *   share  out: weight of the coarser one, 0 .. 1 */
 static inline uint32_t hatch_tap_levels(float lod, uint32_t level_count, float *share)
 {
-    float last = (float)(level_count - 1), held = lod > 0 ? (lod < last ? lod : last) : 0;
-    uint32_t level = (uint32_t)held;
-    *share = held - (float)level;
+    float last = (float)(level_count - 1), clamped = lod > 0 ? (lod < last ? lod : last) : 0;
+    uint32_t level = (uint32_t)clamped;
+    *share = clamped - (float)level;
     return level;
 }
 

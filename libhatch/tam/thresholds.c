@@ -7,67 +7,67 @@
 #include "tam/steps.h"
 
 #define FULL 255u
-#define STROKES_MEET 4u /* at most these steps of a texel in one bin are strokes */
+#define CROSSING_STROKES_MAX 4u /* more steps of a texel in one bin are a shade of grey, not strokes */
 
-/* One level's work; a task is a row. */
+/* Work on one level; a task is a row. */
 struct job {
     const struct hatch_tam *tam;
     const struct hatch_threshold_options *options;
     const struct hatch_runs *runs;
     const struct hatch_texels *texels;
-    const uint8_t *code;   /* x of each column */
-    const uint32_t *first; /* codes at which the bins begin */
+    const uint8_t *code;   /* of hatch_step_codes */
+    const uint32_t *first; /* of hatch_bin_codes */
     uint32_t level, size;
-    uint8_t *settled; /* eight a texel */
+    uint8_t *filled_x; /* x for bins without a step, eight per texel */
     struct sums {
-        uint64_t steps, merged, error, error_max; /* error: of 255² */
+        uint64_t steps, merged, error, error_max; /* errors in units of 1 / 255² */
     } * rows;
 };
 
-/* Bin b's x (value 0) or height (value 1) of a texel. */
-static uint8_t *place_of(const struct job *job, uint32_t level, size_t texel, uint32_t bin, uint32_t value)
+/* The x (value 0) or the height (value 1) of a bin in a texel. */
+static uint8_t *value_of(const struct job *job, uint32_t level, size_t texel, uint32_t bin, uint32_t value)
 {
     uint32_t size = hatch_mip_size(job->texels->width, level), layer = value * 2 + bin / 4;
     return job->texels->texels[level] + (((size_t)layer * size * size + texel) * 4 + bin % 4);
 }
 
-/* The area between the stair of count steps and the one step that stands for them. */
+/* The area between a step function of count steps and the single step that replaces them. */
 static uint64_t area_between(const struct hatch_step *steps, uint32_t count, uint32_t x, uint32_t height)
 {
     uint64_t area = 0;
     uint32_t sum = 0;
     for (uint32_t i = 0; i + 1 < count; i++) {
         sum += steps[i].height;
-        uint32_t one = steps[i].x >= x ? height : 0;
-        area += (uint64_t)(one > sum ? one - sum : sum - one) * (steps[i + 1].x - steps[i].x);
+        uint32_t single = steps[i].x >= x ? height : 0;
+        area += (uint64_t)(single > sum ? single - sum : sum - single) * (steps[i + 1].x - steps[i].x);
     }
     return area;
 }
 
-/* One of the steps, with a chance in proportion to its height. Where a few strokes meet, all texels that they
- * share draw the same lot, on every level: a lot for each texel would make a stroke come in dots. More steps
- * than that are a tone, not strokes, and a lot for each texel keeps its bands rough. */
-static uint32_t pick(const struct job *job, const struct hatch_step *steps, uint32_t count, uint32_t height,
-                     uint32_t bin, size_t texel)
+/* The x of a random step, with a probability in proportion to its height. Where a few strokes cross, all texels of
+ * the crossing use the same random number, on every level; a number per texel would let a stroke appear in dots.
+ * More steps are a shade of grey, and a number per texel dithers it. */
+static uint32_t pick_x(const struct job *job, const struct hatch_step *steps, uint32_t count, uint32_t height,
+                       uint32_t bin, size_t texel)
 {
-    uint64_t stream = bin, lot = 0, i = 0;
-    if (count > STROKES_MEET) {
+    uint64_t stream = bin, key = 0, i = 0;
+    if (count > CROSSING_STROKES_MAX) {
         stream = (uint64_t)job->level << 8 | bin;
-        lot = texel;
+        key = texel;
     } else {
         for (uint32_t step = 0; step < count; step++)
-            lot = lot << 8 | steps[step].x;
+            key = key << 8 | steps[step].x;
     }
-    uint64_t share = hatch_random_u64(job->options->seed, stream, lot) >> 32, at = share * height >> 32;
-    for (; at >= steps[i].height; i++)
-        at -= steps[i].height;
+    uint64_t share = hatch_random_u64(job->options->seed, stream, key) >> 32, rest = share * height >> 32;
+    for (; rest >= steps[i].height; i++)
+        rest -= steps[i].height;
     return steps[i].x;
 }
 
 static void merge_texel(const struct job *job, size_t texel, struct sums *sums)
 {
     struct hatch_step steps[HATCH_TAM_TONES_MAX];
-    uint32_t count = hatch_steps_of(job->runs, job->code, job->level, texel, steps), from = 0;
+    uint32_t count = hatch_steps_of_texel(job->runs, job->code, job->level, texel, steps), from = 0;
     uint64_t error = 0;
     for (uint32_t bin = 0; bin < job->options->bins; bin++) {
         uint32_t to = from, height = 0;
@@ -75,9 +75,9 @@ static void merge_texel(const struct job *job, size_t texel, struct sums *sums)
             height += steps[to].height;
         if (to == from)
             continue;
-        uint32_t x = to == from + 1 ? steps[from].x : pick(job, steps + from, to - from, height, bin, texel);
-        *place_of(job, job->level, texel, bin, 0) = (uint8_t)x;
-        *place_of(job, job->level, texel, bin, 1) = (uint8_t)height;
+        uint32_t x = to == from + 1 ? steps[from].x : pick_x(job, steps + from, to - from, height, bin, texel);
+        *value_of(job, job->level, texel, bin, 0) = (uint8_t)x;
+        *value_of(job, job->level, texel, bin, 1) = (uint8_t)height;
         sums->merged += to > from + 1 ? to - from : 0;
         error += area_between(steps + from, to - from, x, height);
         from = to;
@@ -94,21 +94,22 @@ static void merge_row(void *context, uint32_t y)
         merge_texel(job, (size_t)y * job->size + x, &job->rows[y]);
 }
 
-/* The mean x of a texel's neighbours that have a step, weighted by their heights, those at a corner half,
- * for the four bins of a layer. heights: 0 where none has. */
-static void mean_around(const struct job *job, uint32_t x, uint32_t y, uint32_t layer, uint32_t mean[4],
-                        uint32_t heights[4])
+/* The mean x of the steps of a texel's neighbours, for the four bins of a layer, weighted by their heights; diagonal
+ * neighbours count half.
+ *   heights  out: sum of the weights; 0 where no neighbour has a step */
+static void mean_of_neighbours(const struct job *job, uint32_t x, uint32_t y, uint32_t layer, uint32_t mean[4],
+                               uint32_t heights[4])
 {
     static const uint32_t weights[] = {1, 2, 1, 2, 0, 2, 1, 2, 1};
     uint32_t size = job->size, sums[4] = {0};
-    const uint8_t *steps = place_of(job, job->level, 0, layer * 4, 0);
-    const uint8_t *tall = place_of(job, job->level, 0, layer * 4, 1);
+    const uint8_t *step_x = value_of(job, job->level, 0, layer * 4, 0);
+    const uint8_t *step_height = value_of(job, job->level, 0, layer * 4, 1);
     memset(heights, 0, 4 * sizeof *heights);
     for (uint32_t i = 0; i < 9; i++) {
         size_t at = (size_t)((y + size - 1 + i / 3) % size) * size + (x + size - 1 + i % 3) % size;
         for (uint32_t bin = 0; bin < 4; bin++) {
-            uint32_t height = weights[i] * tall[at * 4 + bin];
-            sums[bin] += height * steps[at * 4 + bin];
+            uint32_t height = weights[i] * step_height[at * 4 + bin];
+            sums[bin] += height * step_x[at * 4 + bin];
             heights[bin] += height;
         }
     }
@@ -116,8 +117,8 @@ static void mean_around(const struct job *job, uint32_t x, uint32_t y, uint32_t 
         mean[bin] = heights[bin] ? (sums[bin] + heights[bin] / 2) / heights[bin] : 0;
 }
 
-/* The x of the coarser level, which has settled; of the last level the middle of the bin. */
-static uint32_t x_above(const struct job *job, uint32_t x, uint32_t y, uint32_t bin)
+/* The x of the coarser level, which is complete; on the coarsest level the middle of the bin. */
+static uint32_t coarser_x(const struct job *job, uint32_t x, uint32_t y, uint32_t bin)
 {
     if (job->level + 1 == job->texels->level_count) {
         uint32_t used = bin < job->options->bins ? bin : job->options->bins - 1;
@@ -125,39 +126,39 @@ static uint32_t x_above(const struct job *job, uint32_t x, uint32_t y, uint32_t 
     }
     uint32_t coarser = hatch_mip_size(job->texels->width, job->level + 1);
     uint32_t across = x / 2 < coarser ? x / 2 : coarser - 1, down = y / 2 < coarser ? y / 2 : coarser - 1;
-    return *place_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
+    return *value_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
 }
 
-/* Finds an x for what has no step. Kept aside until all rows are done, which read their neighbours'. */
-static void settle_row(void *context, uint32_t y)
+/* Computes an x for bins without a step; stored apart, because neighbouring rows still read the texture. */
+static void fill_row(void *context, uint32_t y)
 {
     const struct job *job = context;
     for (uint32_t x = 0; x < job->size; x++)
         for (uint32_t layer = 0; layer < 2; layer++) {
             uint32_t mean[4], heights[4];
             size_t texel = (size_t)y * job->size + x;
-            const uint8_t *own = place_of(job, job->level, texel, layer * 4, 1);
-            if (own[0] && own[1] && own[2] && own[3])
+            const uint8_t *heights_here = value_of(job, job->level, texel, layer * 4, 1);
+            if (heights_here[0] && heights_here[1] && heights_here[2] && heights_here[3])
                 continue;
-            mean_around(job, x, y, layer, mean, heights);
+            mean_of_neighbours(job, x, y, layer, mean, heights);
             for (uint32_t bin = 0; bin < 4; bin++)
-                job->settled[texel * 8 + layer * 4 + bin] =
-                    (uint8_t)(heights[bin] ? mean[bin] : x_above(job, x, y, layer * 4 + bin));
+                job->filled_x[texel * 8 + layer * 4 + bin] =
+                    (uint8_t)(heights[bin] ? mean[bin] : coarser_x(job, x, y, layer * 4 + bin));
         }
 }
 
-static void keep_row(void *context, uint32_t y)
+static void store_filled_row(void *context, uint32_t y)
 {
     const struct job *job = context;
     size_t end = ((size_t)y + 1) * job->size;
     for (size_t texel = (size_t)y * job->size; texel < end; texel++)
         for (uint32_t bin = 0; bin < HATCH_THRESHOLD_BINS; bin++)
-            if (!*place_of(job, job->level, texel, bin, 1))
-                *place_of(job, job->level, texel, bin, 0) = job->settled[texel * 8 + bin];
+            if (!*value_of(job, job->level, texel, bin, 1))
+                *value_of(job, job->level, texel, bin, 0) = job->filled_x[texel * 8 + bin];
 }
 
-/* A picture's first channel, box filtered to size² texels; NULL is 1 everywhere. */
-static uint8_t mean_of(const struct hatch_image *image, uint32_t x, uint32_t y, uint32_t size)
+/* One of size² texels of a picture's first channel, box-filtered; NULL is 1 everywhere. */
+static uint8_t filtered_texel(const struct hatch_image *image, uint32_t x, uint32_t y, uint32_t size)
 {
     if (!image)
         return FULL;
@@ -180,8 +181,8 @@ static void mask_row(void *context, uint32_t y)
     const struct job *job = context;
     for (uint32_t x = 0; x < job->size; x++) {
         size_t texel = (size_t)y * job->size + x;
-        *place_of(job, job->level, texel, 7, 0) = mean_of(job->options->modulation, x, y, job->size);
-        *place_of(job, job->level, texel, 7, 1) = mean_of(job->options->mask, x, y, job->size);
+        *value_of(job, job->level, texel, 7, 0) = filtered_texel(job->options->modulation, x, y, job->size);
+        *value_of(job, job->level, texel, 7, 1) = filtered_texel(job->options->mask, x, y, job->size);
     }
 }
 
@@ -189,16 +190,16 @@ static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, s
                                      struct sums *sums, struct hatch_err *err)
 {
     job->rows = HATCH_NEW(scratch, struct sums, job->tam->size_px, err);
-    job->settled = HATCH_NEW_UNSET(scratch, uint8_t, (size_t)job->tam->size_px * job->tam->size_px * 8, err);
-    if (!job->rows || !job->settled)
+    job->filled_x = HATCH_NEW_UNSET(scratch, uint8_t, (size_t)job->tam->size_px * job->tam->size_px * 8, err);
+    if (!job->rows || !job->filled_x)
         return HATCH_LIMIT;
     for (uint32_t level = job->texels->level_count; level-- > 0;) {
         job->level = level;
         job->size = hatch_mip_size(job->texels->width, level);
         memset(job->rows, 0, job->size * sizeof *job->rows);
         hatch_parallel_for(pool, job->size, merge_row, job);
-        hatch_parallel_for(pool, job->size, settle_row, job);
-        hatch_parallel_for(pool, job->size, keep_row, job);
+        hatch_parallel_for(pool, job->size, fill_row, job);
+        hatch_parallel_for(pool, job->size, store_filled_row, job);
         hatch_parallel_for(pool, job->size, mask_row, job);
         for (uint32_t y = 0; level < job->tam->levels && y < job->size; y++) {
             const struct sums *row = &job->rows[y];
@@ -224,12 +225,12 @@ static void sum_figures(const struct hatch_tam *tam, const struct sums *sums, st
     figures->error_max = (double)sums->error_max / (FULL * FULL);
 }
 
-/* Takes the map's runs, fits the borders where none are given, and makes all levels of them. */
 static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
                               struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_thresholds *made, struct sums *sums, struct hatch_err *err)
+                              struct hatch_thresholds *made, struct hatch_err *err)
 {
     struct hatch_runs runs;
+    struct sums sums = {0};
     uint8_t code[HATCH_TAM_TONES_MAX];
     uint32_t first[HATCH_THRESHOLD_BINS + 1];
     HATCH_TRY(hatch_runs_make(tam, pool, scratch, arena, &runs, err));
@@ -241,16 +242,16 @@ static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_th
     hatch_bin_codes(made->border, options->bins, first);
     struct job job = {
         .tam = tam, .options = options, .runs = &runs, .texels = &made->texels, .code = code, .first = first};
-    return make_levels(&job, pool, scratch, sums, err);
+    HATCH_TRY(make_levels(&job, pool, scratch, &sums, err));
+    sum_figures(tam, &sums, &made->figures);
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
                                         struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                        struct hatch_thresholds *thresholds, struct hatch_threshold_figures *figures,
-                                        struct hatch_err *err)
+                                        struct hatch_thresholds *thresholds, struct hatch_err *err)
 {
     assert(options->bins >= 1 && options->bins <= HATCH_THRESHOLD_BINS);
-    struct sums sums = {0};
     struct hatch_thresholds made = {.levels = tam->levels, .bins = options->bins};
     made.texels = (struct hatch_texels){.width = tam->size_px,
                                         .height = tam->size_px,
@@ -259,11 +260,9 @@ enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struc
                                         .level_count = tam->columns[0].level_count};
     HATCH_TRY(hatch_texels_make(arena, &made.texels, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = make(tam, options, pool, arena, scratch, &made, &sums, err);
+    enum hatch_status status = make(tam, options, pool, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
-    if (status != HATCH_OK)
-        return status;
-    *thresholds = made;
-    sum_figures(tam, &sums, figures);
-    return HATCH_OK;
+    if (status == HATCH_OK)
+        *thresholds = made;
+    return status;
 }

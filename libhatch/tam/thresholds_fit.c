@@ -5,15 +5,13 @@
 #include "tam/thresholds.h"
 
 #define CODES 256u
-#define PAIRS_MAX 4000000u /* that are looked at: more texels than hold so many are skipped evenly */
-#define SCALE 64u
+#define PAIRS_MAX 4000000u /* pairs of steps to sum over; of more, evenly spaced texels are used */
+#define COST_SCALE 64u     /* fixed point, so that sums do not depend on their order */
 
-/* sums[a][b], a <= b: what it costs that steps at a and b share a bin. Whole numbers, whose sum does not
- * depend on its order. */
 struct costs {
-    uint64_t sums[CODES][CODES];
-    uint64_t least[HATCH_THRESHOLD_BINS + 1][CODES + 1];
-    uint32_t from[HATCH_THRESHOLD_BINS + 1][CODES + 1];
+    uint64_t sums[CODES][CODES]; /* [a][b], a <= b: cost of steps at a and b in one bin; later that of a bin a .. b */
+    uint64_t least[HATCH_THRESHOLD_BINS + 1][CODES + 1]; /* [n][end]: least cost of n bins for the codes below end */
+    uint32_t from[HATCH_THRESHOLD_BINS + 1][CODES + 1];  /* [n][end]: first code of the last of these bins */
 };
 
 static void add(struct costs *costs, uint32_t a, uint32_t b, uint64_t cost)
@@ -21,19 +19,20 @@ static void add(struct costs *costs, uint32_t a, uint32_t b, uint64_t cost)
     costs->sums[a < b ? a : b][a < b ? b : a] += cost;
 }
 
-/* Two steps of one texel become one at either, as likely as they are high: the area between the stair
- * and what is left of it is expected to be 2 dy1 dy2 / (dy1 + dy2) times their distance. */
+/* Adds the cost of merging the steps of one texel. Two steps become one at the x of either, with probabilities in
+ * proportion to their heights: the expected area between both functions is 2 dy1 dy2 / (dy1 + dy2) times their
+ * distance. */
 static void add_within(struct costs *costs, const struct hatch_step *steps, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
         for (uint32_t j = i + 1; j < count; j++) {
             uint64_t a = steps[i].height, b = steps[j].height;
-            add(costs, steps[i].x, steps[j].x, (steps[j].x - steps[i].x) * (2 * SCALE * a * b / (a + b)));
+            add(costs, steps[i].x, steps[j].x, (steps[j].x - steps[i].x) * (2 * COST_SCALE * a * b / (a + b)));
         }
 }
 
-/* Steps of neighbours: half-way between them both stand at the mean x; over the way from one to the
- * other the area is (dy1 + dy2) / 6 times their distance in the mean. */
+/* Adds the cost of interpolating between the steps of neighbouring texels: half-way both are at the mean x; averaged
+ * from one texel to the other the area is (dy1 + dy2) / 6 times their distance. */
 static void add_across(struct costs *costs, const struct hatch_step *steps, uint32_t count,
                        const struct hatch_step *others, uint32_t other_count)
 {
@@ -41,7 +40,7 @@ static void add_across(struct costs *costs, const struct hatch_step *steps, uint
         for (uint32_t j = 0; j < other_count; j++) {
             uint32_t a = steps[i].x, b = others[j].x;
             uint64_t heights = steps[i].height + others[j].height;
-            add(costs, a, b, (a < b ? b - a : a - b) * (SCALE * heights / 6));
+            add(costs, a, b, (a < b ? b - a : a - b) * (COST_SCALE * heights / 6));
         }
 }
 
@@ -51,10 +50,10 @@ static void add_texel(struct costs *costs, const struct hatch_runs *runs, const 
     struct hatch_step steps[CODES], others[CODES];
     size_t x = texel % size, y = texel / size;
     const size_t neighbours[] = {y * size + (x + 1) % size, (y + 1) % size * size + x};
-    uint32_t count = hatch_steps_of(runs, code, level, texel, steps);
+    uint32_t count = hatch_steps_of_texel(runs, code, level, texel, steps);
     add_within(costs, steps, count);
     for (int i = 0; i < 2; i++)
-        add_across(costs, steps, count, others, hatch_steps_of(runs, code, level, neighbours[i], others));
+        add_across(costs, steps, count, others, hatch_steps_of_texel(runs, code, level, neighbours[i], others));
 }
 
 static void add_level(struct costs *costs, const struct hatch_tam *tam, const struct hatch_runs *runs,
@@ -67,7 +66,7 @@ static void add_level(struct costs *costs, const struct hatch_tam *tam, const st
         double count = runs->first[level][i + 1] - runs->first[level][i];
         pairs += 2.5 * count * count;
     }
-    /* An odd stride walks through all columns of pixels. */
+    /* An odd stride visits all columns of texels. */
     size_t stride = 1 + 2 * (size_t)(pairs / 2 / PAIRS_MAX);
     for (size_t i = 0; i < texels; i += stride)
         add_texel(costs, runs, code, level, size, i);
@@ -82,9 +81,9 @@ static void sum_up(struct costs *costs)
                 costs->sums[a + 1][b] + costs->sums[a][b - 1] - (length > 2 ? costs->sums[a + 1][b - 1] : 0);
 }
 
-/* The cheapest cut of the codes below end into so many bins, for all of both. The latest cut of equally
- * cheap ones: bins become narrow towards the dark. */
-static void cut(struct costs *costs, uint32_t bins)
+/* Computes the cheapest division of the codes below end into bins, for every number of bins and every end. Among
+ * equally cheap ones the last wins, so bins are narrower towards the dark. */
+static void divide(struct costs *costs, uint32_t bins)
 {
     memset(costs->least, 0xff, sizeof costs->least);
     costs->least[0][0] = 0;
@@ -114,7 +113,7 @@ enum hatch_status hatch_steps_fit(const struct hatch_tam *tam, const struct hatc
     for (uint32_t a = 0; a < CODES; a++)
         costs->sums[a][a] = 0;
     sum_up(costs);
-    cut(costs, bins);
+    divide(costs, bins);
     border[bins] = 1;
     for (uint32_t bin = bins, end = CODES; bin > 0; bin--) {
         end = costs->from[bin][end];

@@ -10,7 +10,7 @@ enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels
     const char *borders = hatch_texels_value(key_values, HATCH_THRESHOLD_KEY_BORDERS);
     if (texels->code != HATCH_TEXELS_PLAIN || texels->layers != HATCH_THRESHOLD_LAYERS || texels->channels != 4 ||
         !levels || !borders)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no threshold textures: see tamthresh(5)");
+        return hatch_fail(err, HATCH_BAD_INPUT, "not threshold textures as described in tamthresh(5)");
     struct hatch_thresholds made = {.texels = *texels, .levels = (uint32_t)strtoul(levels, NULL, 10)};
     if (made.levels < 1 || made.levels > texels->level_count)
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, want 1 to %u", levels, texels->level_count);
@@ -30,7 +30,7 @@ enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels
     return HATCH_OK;
 }
 
-/* Adds the interpolated x and heights of a level, weighted. */
+/* Adds the filtered steps of a level, times weight. */
 static void add_level(const struct hatch_texels *texels, uint32_t level, float u, float v, float weight, float x[8],
                       float height[8])
 {

@@ -6,10 +6,10 @@
 
 #define PIECE 256u
 
-/* Two columns, blended; -1 is paper. */
+/* A blend of two columns; -1 is paper. */
 struct blend {
     int below, above;
-    float share; /* of above */
+    float share; /* weight of above, 0 .. 1 */
 };
 
 struct slice {
@@ -28,7 +28,8 @@ static float tone_of(const struct hatch_tam *tam, int column)
     return column < 0 ? 0 : tam->target[column];
 }
 
-/* The columns around a tone, and how far the nearer one is. */
+/* Returns the columns around a tone.
+ *   distance  out: difference to the tone of the nearer one; 0 beyond the last column */
 static struct blend find_columns(const struct hatch_tam *tam, double tone, double *distance)
 {
     int above = 0, last = (int)tam->tones - 1;
@@ -60,7 +61,8 @@ static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, ui
     return slice;
 }
 
-/* Some texels of one channel: gathered, blended, coded, and spread, each in a plain loop. NULL is paper. */
+/* Blends and encodes up to PIECE texels of one channel, in separate loops so that compilers vectorise them.
+ *   below, above  every stride-th float; NULL: paper */
 static void fill_piece(const float *below, const float *above, float share, size_t stride, size_t count, uint8_t *out,
                        size_t out_stride)
 {
@@ -100,8 +102,8 @@ static void fill_slice(void *context, uint32_t number)
         }
 }
 
-/* A texel of a filtered level is the mean of those under it, which are two each way but where a side of
- * the finer level is odd or 1. */
+/* Box-filters a level from the one before it: the mean of two texels along each axis longer than 1; the last of
+ * an odd number of texels is left out. */
 static void filter_level(const struct hatch_texels *texels, uint32_t level)
 {
     uint32_t from[3], to[3], reach[3], at[3], channels = texels->channels;
@@ -129,7 +131,7 @@ static void filter_level(const struct hatch_texels *texels, uint32_t level)
                 }
 }
 
-/* The slices that come from columns: of an array all, of a volume those of the drawn levels. */
+/* Fills the slices of the first levels from columns: all levels of an array, the drawn ones of a 3D texture. */
 static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t levels,
                                      struct hatch_pool *pool, struct hatch_arena *arena,
                                      struct hatch_volume_figures *figures, struct hatch_err *err)
@@ -145,7 +147,7 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
     }
     if (figures->distance > HATCH_VOLUME_DISTANCE_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "tones up to %.3f from any of the %u columns: too coarse a map for a volume",
+                          "too few columns for a volume: %.3f between a slice and the nearest of %u columns",
                           figures->distance, tam->tones);
     struct job job = {tam, texels, slices};
     hatch_parallel_for(pool, count, fill_slice, &job);

@@ -9,7 +9,7 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
     const char *levels = hatch_texels_value(key_values, HATCH_TAM_ATTR_LEVELS);
     const char *darkest = hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST);
     if (texels->code != HATCH_TEXELS_PLAIN || (!texels->depth && !texels->layers) || !levels || !darkest)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no volume: see tamvol(5)");
+        return hatch_fail(err, HATCH_BAD_INPUT, "not a volume as described in tamvol(5)");
     struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL)};
     if (made.levels < 1 || made.levels > texels->level_count || !(made.darkest >= 0 && made.darkest <= 1))
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, " HATCH_VOLUME_KEY_DARKEST " %s", levels,
@@ -18,15 +18,15 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
     return HATCH_OK;
 }
 
-/* The two slices around a tone, held at the first and the last, bilinear. */
+/* One channel of a level: linear between the two slices around a tone, clamped to the first and the last. */
 static float sample_level(const struct hatch_texels *texels, uint32_t level, uint32_t depth,
                           const struct hatch_taps *taps, float tone, uint32_t channel)
 {
     size_t plane = (size_t)hatch_mip_size(texels->width, level) * hatch_mip_size(texels->height, level);
-    float last = (float)(depth - 1), place = tone * (float)depth - 0.5f, sum = 0;
-    place = place > 0 ? (place < last ? place : last) : 0;
-    uint32_t slice = (uint32_t)place, next = slice + 1 < depth ? slice + 1 : slice;
-    float share = place - (float)slice;
+    float last = (float)(depth - 1), position = tone * (float)depth - 0.5f, sum = 0;
+    position = position > 0 ? (position < last ? position : last) : 0;
+    uint32_t slice = (uint32_t)position, next = slice + 1 < depth ? slice + 1 : slice;
+    float share = position - (float)slice;
     const uint8_t *below = texels->texels[level] + slice * plane * texels->channels + channel;
     const uint8_t *above = texels->texels[level] + next * plane * texels->channels + channel;
     for (int i = 0; i < 4; i++) {
@@ -40,7 +40,7 @@ void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, fl
                          float *value)
 {
     const struct hatch_texels *texels = &volume->texels;
-    float held = tone > 0 ? (tone < 1 ? tone : 1) : 0, share;
+    float clamped = tone > 0 ? (tone < 1 ? tone : 1) : 0, share;
     uint32_t level = hatch_tap_levels(lod, texels->level_count, &share), finest = texels->depth;
     for (uint32_t c = 0; c < texels->channels; c++)
         value[c] = 0;
@@ -49,14 +49,14 @@ void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, fl
         struct hatch_taps taps =
             hatch_taps_at(u, v, hatch_mip_size(texels->width, at), hatch_mip_size(texels->height, at));
         for (uint32_t c = 0; c < texels->channels; c++)
-            value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, held, c);
+            value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, clamped, c);
     }
     float half = 0.5f / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
     half = half < 0.5f ? half : 0.5f;
     for (uint32_t c = 0; corrected && c < texels->channels && c < 3; c++) {
-        if (held < half)
-            value[c] = 1 + (value[c] - 1) * (held / half);
-        if (held > 1 - half && volume->darkest >= 1)
-            value[c] *= (1 - held) / half;
+        if (clamped < half)
+            value[c] = 1 + (value[c] - 1) * (clamped / half);
+        if (clamped > 1 - half && volume->darkest >= 1)
+            value[c] *= (1 - clamped) / half;
     }
 }

@@ -25,7 +25,7 @@ static void check(enum hatch_status status)
 /* Column t of four darkens the first t + 1 quarters of each row. */
 static void make_map(const char *channels)
 {
-    static const struct hatch_tam_label label = {.levels = 2, .growth = 1, .seed = "1", .style = "none"};
+    static const struct hatch_tam_metadata label = {.levels = 2, .growth = 1, .seed = "1", .style = "none"};
     memset(map, 0, sizeof map);
     for (uint32_t t = 0; t < TONES; t++) {
         map[t].level_count = hatch_mip_chain_length(SIZE, SIZE);
@@ -37,7 +37,7 @@ static void make_map(const char *channels)
             for (uint32_t i = 0; i < side * side * level->channel_count; i++)
                 level->pixels[i] = 4 * (i / level->channel_count % side) < (t + 1) * side ? 0 : 1;
         }
-        hatch_tam_label_column(&label, t, 0.25f * (float)(t + 1), &map[t]);
+        hatch_tam_set_metadata(&label, t, 0.25f * (float)(t + 1), &map[t]);
     }
 }
 

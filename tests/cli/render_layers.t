@@ -41,10 +41,10 @@ refuses() {
     [ ! -e picture.png ] || fail "$name: no picture is left"
 }
 refuses "a key that is none" 3 "bad.layers: line 2: no such key 'nib'" --layers "$(printf 'turn 3\nnib 3\n' >bad.layers && echo bad.layers)"
-refuses "no layer" 3 "no layer in it" --layers /dev/null
+refuses "no layer" 3 "the file has no layer" --layers /dev/null
 refuses "less sets than layers" 3 "two.seeds: 2 seed sets for the 4 layers of other.layers" --layers other.layers --seeds two.seeds
 printf 'stroke gone.png\n' >gone.layers
 refuses "a stroke that is not there" 4 "gone.png" --layers gone.layers
 printf 'length 900 tile 100\n' >long.layers
-refuses "strokes over 8 tiles" 5 "layer 1: strokes of 900 by 1.8 pixels in a tile of 100: 8 tiles are the most" --layers long.layers
+refuses "strokes over 8 tiles" 5 "layer 1: strokes of 900 by 1.8 pixels in a tile of 100, want 8 tiles at most" --layers long.layers
 finish

@@ -28,7 +28,7 @@ ok "and which follows from the seed" sh -c '! cmp -s other.exr kept.exr'
 
 try tamgen --replay "$drawing" --size 64 --tones 10 --set 'darkest .9' -o light.exr
 ok "a drawing too light for what is asked is told of" grep -qE \
-    'warning: the drawing reaches a darkness of 0\.6[0-9]+: 3 of 10 columns are to be darker, and hold all of it$' .err
+    'warning: the whole drawing has a tone of 0\.6[0-9]+: 3 of 10 columns should be darker and hold all strokes$' .err
 
 tamgen --size 64 --strokes ink.tsv -o ink.exr
 tamgen --size 64 --replay ink.tsv --palette sea --fit --quiet --strokes sea.tsv -o sea.exr

@@ -17,7 +17,7 @@ static void open_kinds(const struct hatch_texels *texture, const char *const *ke
     struct hatch_thresholds thresholds;
     struct hatch_exact exact;
     static const float coordinates[] = {0, 0.3f, 0.999f, 1, -7.5f};
-    enum hatch_status unpacked = hatch_texels_unpack(texture, &arenas->keep, &plain, &err);
+    enum hatch_status unpacked = hatch_texels_decompress(texture, &arenas->keep, &plain, &err);
     fuzz_check(unpacked, &err, arenas);
     bool is_volume = unpacked == HATCH_OK && hatch_volume_from_texels(&plain, keys, &volume, &err) == HATCH_OK;
     bool is_thresholds = hatch_thresholds_from_texels(texture, keys, &thresholds, &err) == HATCH_OK;

@@ -12,7 +12,7 @@ static struct hatch_rptam rptam;
 
 static double ink_at(uint32_t seed, uint32_t tile_u, uint32_t tile_v, double depth, double amount, bool all)
 {
-    const struct hatch_seed_place *place = &rptam.layers[0].places[seed];
+    const struct hatch_seed_point *place = &rptam.layers[0].points[seed];
     const double uv[2] = {tile_u + (double)place->u * 0x1p-64, tile_v + (double)place->v * 0x1p-64};
     return hatch_rptam_layer_ink(&rptam, 0, uv, depth, amount, all);
 }
@@ -83,7 +83,7 @@ END_TEST
 START_TEST(every_set_holds_itself)
 {
     static uint8_t crumbs[2048];
-    static struct hatch_seed_place places[2048];
+    static struct hatch_seed_point places[2048];
     for (uint32_t count = 2; count <= 2048; count++)
         for (int method = HATCH_CYCLE_ANY; method <= HATCH_CYCLE_BACKTRACK; method++) {
             bool power = hatch_cycle_order(count) > 0;
@@ -93,9 +93,9 @@ START_TEST(every_set_holds_itself)
                 .method = (enum hatch_cycle_method)method, .count = count, .seed = count, .steps_max = 1000000};
             const struct hatch_seed_set set = {count, crumbs};
             HATCH_TEST_OK(hatch_cycle_make(&options, &scratch, crumbs, NULL, &err), &err);
-            hatch_seed_places(&set, places);
+            hatch_seed_points(&set, places);
             for (uint32_t i = 0; i < count; i++) {
-                const struct hatch_seed_place *next = &places[(i + 1) % count];
+                const struct hatch_seed_point *next = &places[(i + 1) % count];
                 ck_assert_uint_eq(2 * places[i].u, next->u & ~(uint64_t)1);
                 ck_assert_uint_eq(2 * places[i].v, next->v & ~(uint64_t)1);
             }

@@ -38,12 +38,12 @@ static double mean_ink(double depth, double tone)
     struct hatch_rptam_pattern patterns[4];
     hatch_rptam_amounts(&rptam, tone, amounts);
     for (uint32_t k = 0; k < 4; k++)
-        hatch_rptam_pattern(&rptam, k, depth, amounts[k], false, &patterns[k]);
+        hatch_rptam_pattern_make(&rptam, k, depth, amounts[k], false, &patterns[k]);
     for (uint64_t i = 0; i < POINTS; i++) { /* four dense tiles each way */
         const double uv[2] = {4 * ((double)i + 0.5) / POINTS, 4 * (double)(i * STRIDE % POINTS) / POINTS};
         double left = 1;
         for (uint32_t k = 0; k < 4; k++)
-            left *= hatch_rptam_left(&patterns[k], uv);
+            left *= hatch_rptam_transmittance(&patterns[k], uv);
         sum += 1 - left;
     }
     return sum / POINTS;
@@ -94,8 +94,8 @@ START_TEST(strokes_only_go_while_the_view_goes_out)
     rptam.layers[0].style.length_px = rptam.layers[0].style.width_px = 0.5; /* none grows over another */
     uint32_t gone = 0, stayed = 0;
     for (uint32_t i = 0; i < 16 * layer->count; i++) {
-        const double uv[2] = {(double)layer->places[i / 16].u * 0x1p-64 + i % 4,
-                              (double)layer->places[i / 16].v * 0x1p-64 + i / 4 % 4};
+        const double uv[2] = {(double)layer->points[i / 16].u * 0x1p-64 + i % 4,
+                              (double)layer->points[i / 16].v * 0x1p-64 + i / 4 % 4};
         double last = 1, ink = 1;
         for (int step = 0; step <= 40; step++, last = ink) {
             ink = hatch_rptam_layer_ink(&rptam, 0, uv, step / 20.0, exp2(-step / 40.0), true);

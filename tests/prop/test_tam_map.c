@@ -1,5 +1,4 @@
-/* What every tonal art map must have, whatever its style, tones and seed. LONG=1 measures more
- * seeds. */
+/* Properties of every tonal art map, for all styles, numbers of tones and random seeds. LONG=1 measures more seeds. */
 #include <math.h>
 
 #include "measure/tam_figures.h"
@@ -50,7 +49,8 @@ START_TEST(strokes_nest_over_tones_and_levels)
 }
 END_TEST
 
-/* 0.003 at the finest level and 0.02 at the others, or one stroke's darkness where that is more. */
+/* Checks errors of tone: up to 0.003 on the finest level and 0.02 on the others, or the darkness of a stroke if that is
+ * more. */
 static void check_tones(void)
 {
     for (uint32_t level = 0; level < map.options.levels; level++) {
@@ -63,8 +63,8 @@ static void check_tones(void)
     }
 }
 
-/* 256², the paper's size, where one stroke is no excuse at the finest level. */
-START_TEST(tones_are_met_and_no_seam_shows)
+/* 256², the size in the paper, where 0.003 holds on the finest level for all strokes. */
+START_TEST(tones_are_met_and_no_seam_is_visible)
 {
     double seam[2] = {0, 0};
     map_style(map_styles[_i], NULL, &map);
@@ -85,7 +85,7 @@ START_TEST(tones_are_met_and_no_seam_shows)
 }
 END_TEST
 
-/* A stroke that a coarse image wants darkens finer ones as well, which at many tones may have no room for it. */
+/* A stroke for a coarse image also darkens finer ones, which with many tones may be close to their targets. */
 START_TEST(many_tones_are_met)
 {
     map_style(map_styles[_i], "candidates 100 30", &map);
@@ -97,9 +97,9 @@ START_TEST(many_tones_are_met)
 }
 END_TEST
 
-/* Of one image the figure is a draw of mean 0 and deviation 1, whatever the map, as that of any other column
- * would be: one in twenty is beyond 2. A seam would move the mean over many seeds. */
-START_TEST(no_seam_shows_over_many_seeds)
+/* Without a seam the figure of an image is a random number of mean 0 and standard deviation 1: one in twenty is beyond
+ * 2. A seam would move the mean over many random seeds. */
+START_TEST(no_seam_is_visible_over_many_seeds)
 {
     enum { SEEDS = 20, LEVELS = 2, IMAGES = SEEDS * LEVELS * 6 };
     double mean[2] = {0, 0};
@@ -126,9 +126,8 @@ START_TEST(no_seam_shows_over_many_seeds)
 }
 END_TEST
 
-/* A stroke is taken only where it brings the mean closer, so no image is darker than its target by
- * more than half of the darkness that one stroke adds; the bound that is tested is one mean
- * stroke's. */
+/* A stroke is drawn only if it brings the mean closer to the target, so no image is darker than its target by more than
+ * half of the darkness of a stroke; tested is the darkness of a mean stroke. */
 START_TEST(no_seed_overshoots)
 {
     for (uint64_t seed = 1; seed <= 50; seed++) {
@@ -147,7 +146,7 @@ START_TEST(no_seed_overshoots)
 }
 END_TEST
 
-/* The mean over tones of the finest images' evenness, added to sum. */
+/* Adds the evenness of the finest images, averaged over tones, to sum. */
 static void add_evenness(enum hatch_fill_method method, uint64_t seed, double *sum)
 {
     double ratio[6 * HATCH_EVENNESS_BOXES];
@@ -163,11 +162,10 @@ static void add_evenness(enum hatch_fill_method method, uint64_t seed, double *s
         sum[i % HATCH_EVENNESS_BOXES] += ratio[i] / 6;
 }
 
-/* Five seeds against the bars, and against the paper's exhaustive method: on as many of the same
- * seeds as time allows. */
+/* Compares five random seeds with bounds, and as many as time allows with the exhaustive method of the paper. */
 START_TEST(strokes_are_even)
 {
-    static const double bars[HATCH_EVENNESS_BOXES] = {0.62, 0.56, 0.50, 0.40};
+    static const double bounds[HATCH_EVENNESS_BOXES] = {0.62, 0.56, 0.50, 0.40};
     uint64_t compared = getenv("LONG") ? 5 : 1;
     double sum[HATCH_EVENNESS_BOXES] = {0}, first[HATCH_EVENNESS_BOXES], paper[HATCH_EVENNESS_BOXES] = {0};
     for (uint64_t seed = 1; seed <= 5; seed++) {
@@ -178,8 +176,8 @@ START_TEST(strokes_are_even)
             add_evenness(HATCH_FILL_EXHAUSTIVE, seed, paper);
     }
     for (uint32_t box = 0; box < HATCH_EVENNESS_BOXES; box++) {
-        ck_assert_msg(sum[box] / 5 <= bars[box], "box N/%u: %g, want %g", hatch_evenness_divisors[box], sum[box] / 5,
-                      bars[box]);
+        ck_assert_msg(sum[box] / 5 <= bounds[box], "box N/%u: %g, want %g", hatch_evenness_divisors[box], sum[box] / 5,
+                      bounds[box]);
         ck_assert_msg(first[box] <= paper[box], "box N/%u: %g, exhaustively %g", hatch_evenness_divisors[box],
                       first[box] / (double)compared, paper[box] / (double)compared);
     }
@@ -192,9 +190,9 @@ static Suite *suite(void)
     TCase *tests = tcase_create("map");
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_loop_test(tests, strokes_nest_over_tones_and_levels, 0, 4 * MAP_STYLES);
-    tcase_add_loop_test(tests, tones_are_met_and_no_seam_shows, 0, MAP_STYLES);
+    tcase_add_loop_test(tests, tones_are_met_and_no_seam_is_visible, 0, MAP_STYLES);
     tcase_add_loop_test(tests, many_tones_are_met, 0, MAP_STYLES);
-    tcase_add_loop_test(tests, no_seam_shows_over_many_seeds, 0, MAP_STYLES);
+    tcase_add_loop_test(tests, no_seam_is_visible_over_many_seeds, 0, MAP_STYLES);
     tcase_add_test(tests, no_seed_overshoots);
     tcase_add_test(tests, strokes_are_even);
     suite_add_tcase(suite, tests);

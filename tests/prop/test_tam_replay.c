@@ -1,5 +1,5 @@
-/* What a replayed drawing must have: strokes that nest in both directions, by identity; tones and hues within
- * what is promised, on every level. The drawing is tests/drawings/hatching.svg. */
+/* Properties of replayed drawings: every stroke nests in both directions; tones and hues are within the reported errors
+ * on every level. The drawing is tests/drawings/hatching.svg. */
 #include <math.h>
 
 #include "fail_alloc.h"
@@ -29,20 +29,27 @@ static void read_drawing(void)
     ck_assert_uint_gt(map.strokes.count, 500);
 }
 
-/* The drawing in a style, ready to be replayed. */
+/* Reads the drawing and sets options to replay it. */
 static void prepare(const char *lines)
 {
     map_style("drawing", lines, &map);
     map.options.size_px = 256;
     read_drawing();
-    options =
-        (struct hatch_replay_options){.size_px = 256, .tones = 6, .levels = 4, .seed = 1, .color = true, .keep = 1};
+    options = (struct hatch_replay_options){.style = &map.style,
+                                            .brush = &map.brush,
+                                            .size_px = 256,
+                                            .tones = 6,
+                                            .levels = 4,
+                                            .seed = 1,
+                                            .color = true,
+                                            .keep = 1};
 }
 
 static void replay(const float *targets)
 {
-    HATCH_TEST_OK(hatch_tam_replay(&map.style, &map.brush, &options, targets, &map.strokes, &map_arena, &map_scratch,
-                                   map_keep, &map, &result, &map_err),
+    const struct hatch_tam_sink sink = {map_keep, &map};
+    options.targets = targets;
+    HATCH_TEST_OK(hatch_tam_replay(&options, &map.strokes, &map_arena, &map_scratch, &sink, &result, &map_err),
                   &map_err);
     HATCH_TEST_OK(hatch_tam_from_mipmaps(map.columns, options.tones, &map.tam, &map_err), &map_err);
 }
@@ -58,7 +65,7 @@ static void check_nesting(void)
             ck_assert_uint_ge(map.strokes.items[i].delay[level], map.strokes.items[i].delay[level - 1]);
 }
 
-/* The mean of an image as (chroma, hue)'s vector, anew. */
+/* Computes the chroma vector of an image, independently of image/color.h. */
 static void chroma_of(uint32_t tone, uint32_t level, double *chroma)
 {
     const struct hatch_image *image = &map.tam.columns[tone].levels[level];
@@ -71,7 +78,7 @@ static void chroma_of(uint32_t tone, uint32_t level, double *chroma)
     chroma[1] = (mean[1] - mean[2]) * sqrt(0.75);
 }
 
-/* The figures of the result are those of the images; returns the largest error of hue. */
+/* Checks the reported figures against the images; returns the largest error of hue, in degrees. */
 static double check_figures(void)
 {
     double tone_error = 0, hue_error = 0, finest_error = 0;
@@ -104,18 +111,19 @@ static const struct {
     uint32_t tones, levels;
     float keep;
     bool fit, color;
-} ways[] = {{6, 4, 1, false, false},  {6, 4, 1, false, true},     {6, 4, 0.5f, false, true}, {6, 4, 1, true, true},
-            {64, 4, 1, false, false}, {64, 4, 0.4f, false, true}, {64, 3, 1, true, true},    {255, 4, 1, true, true},
-            {1, 4, 1, true, true},    {6, 1, 1, true, true}};
+} variants[] = {{6, 4, 1, false, false}, {6, 4, 1, false, true},   {6, 4, 0.5f, false, true},
+                {6, 4, 1, true, true},   {64, 4, 1, false, false}, {64, 4, 0.4f, false, true},
+                {64, 3, 1, true, true},  {255, 4, 1, true, true},  {1, 4, 1, true, true},
+                {6, 1, 1, true, true}};
 
 START_TEST(strokes_nest_and_tones_are_met)
 {
     prepare(NULL);
-    options.tones = ways[_i].tones;
-    options.levels = ways[_i].levels;
-    options.keep = ways[_i].keep;
-    options.fit = ways[_i].fit;
-    options.color = ways[_i].color;
+    options.tones = variants[_i].tones;
+    options.levels = variants[_i].levels;
+    options.keep = variants[_i].keep;
+    options.fit = variants[_i].fit;
+    options.color = variants[_i].color;
     replay(NULL);
     check_nesting();
     if (options.color)
@@ -126,8 +134,9 @@ START_TEST(strokes_nest_and_tones_are_met)
 }
 END_TEST
 
-/* §4: a prefix gives coarse levels the wrong hue; a share of every tone's strokes gives the right one. */
-START_TEST(hue_is_lost_by_prefixes_and_kept_by_fitting)
+/* §4: with the first strokes of the drawing coarse levels have the wrong hue; with a share of the strokes of every
+ * tone they have the right one. */
+START_TEST(hue_is_lost_by_the_first_strokes_and_kept_by_fitting)
 {
     prepare(NULL);
     replay(NULL);
@@ -139,7 +148,7 @@ START_TEST(hue_is_lost_by_prefixes_and_kept_by_fitting)
 }
 END_TEST
 
-/* By identity: each image is, to the last bit, its strokes alone, whatever their order. */
+/* Each image equals, to the last bit, a drawing of its strokes alone in any order. */
 START_TEST(images_hold_their_strokes_and_no_others)
 {
     prepare("overlap flat");
@@ -150,8 +159,8 @@ START_TEST(images_hold_their_strokes_and_no_others)
         struct hatch_style style = map.style;
         style.width_px = 16;
         style.length_max = 4;
-        HATCH_TEST_OK(hatch_canvas_make(&map_arena, &style, &map.brush, 256, 4, true, false, &canvas, &map_err),
-                      &map_err);
+        const struct hatch_canvas_options white = {&style, &map.brush, 256, 4, true, false};
+        HATCH_TEST_OK(hatch_canvas_make(&white, &map_arena, &canvas, &map_err), &map_err);
         for (uint32_t tone = 0; tone < options.tones; tone++) {
             for (uint32_t i = 0; i < map.strokes.count; i++) {
                 const struct hatch_stroke *stroke = &map.strokes.items[i];
@@ -167,8 +176,8 @@ START_TEST(images_hold_their_strokes_and_no_others)
 }
 END_TEST
 
-/* What a drawing cannot reach is counted; darker columns hold all of it. */
-START_TEST(a_drawing_too_light_is_told)
+/* Columns darker than the drawing are counted and hold all of its strokes. */
+START_TEST(a_drawing_too_light_is_reported)
 {
     static const float targets[] = {0.2f, 0.5f, 0.8f, 0.95f};
     prepare(NULL);
@@ -181,8 +190,7 @@ START_TEST(a_drawing_too_light_is_told)
 }
 END_TEST
 
-/* Strokes of a map that was filled, replayed: all of them make its darkest finest image again, to the last
- * bit. */
+/* Replaying the strokes of a filled map reproduces its darkest image on the finest level to the last bit. */
 START_TEST(strokes_of_a_map_make_its_darkest_image_again)
 {
     map_style("ink", "candidates 100 30", &map);
@@ -190,7 +198,8 @@ START_TEST(strokes_of_a_map_make_its_darkest_image_again)
     map.options.levels = 3;
     map_fill(&map);
     const float *filled = map.columns[5].levels[0].pixels;
-    options = (struct hatch_replay_options){.size_px = 128, .tones = 6, .levels = 3, .seed = 1, .keep = 1};
+    options = (struct hatch_replay_options){
+        .style = &map.style, .brush = &map.brush, .size_px = 128, .tones = 6, .levels = 3, .seed = 1, .keep = 1};
     replay(NULL);
     ck_assert_mem_eq(map.columns[5].levels[0].pixels, filled, 128 * 128 * sizeof(float));
     check_nesting();
@@ -201,15 +210,23 @@ static enum hatch_status make(void *context, struct hatch_arena *keep, struct ha
                               struct hatch_err *err)
 {
     struct hatch_stroke_list list = map.strokes;
-    return hatch_tam_replay(&map.style, &map.brush, &options, NULL, &list, keep, scratch, map_keep, &map, context, err);
+    const struct hatch_tam_sink sink = {map_keep, &map};
+    return hatch_tam_replay(&options, &list, keep, scratch, &sink, context, err);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
 {
     map_style("ink", "candidates 20 10", &map);
     map_fill(&map);
-    options = (struct hatch_replay_options){
-        .size_px = 64, .tones = 2, .levels = 2, .ids = true, .color = true, .fit = true, .keep = 1};
+    options = (struct hatch_replay_options){.style = &map.style,
+                                            .brush = &map.brush,
+                                            .size_px = 64,
+                                            .tones = 2,
+                                            .levels = 2,
+                                            .ids = true,
+                                            .color = true,
+                                            .fit = true,
+                                            .keep = 1};
     hatch_test_fail_alloc(make, &result, &result, sizeof result);
 }
 END_TEST
@@ -227,10 +244,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("replay");
     TCase *tests = tcase_create("replay");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_loop_test(tests, strokes_nest_and_tones_are_met, 0, sizeof ways / sizeof *ways);
-    tcase_add_test(tests, hue_is_lost_by_prefixes_and_kept_by_fitting);
+    tcase_add_loop_test(tests, strokes_nest_and_tones_are_met, 0, sizeof variants / sizeof *variants);
+    tcase_add_test(tests, hue_is_lost_by_the_first_strokes_and_kept_by_fitting);
     tcase_add_loop_test(tests, images_hold_their_strokes_and_no_others, 0, 2);
-    tcase_add_test(tests, a_drawing_too_light_is_told);
+    tcase_add_test(tests, a_drawing_too_light_is_reported);
     tcase_add_test(tests, strokes_of_a_map_make_its_darkest_image_again);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     tcase_add_test(tests, nothing_to_replay_is_bad_input);

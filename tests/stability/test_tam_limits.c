@@ -1,5 +1,5 @@
-/* Inputs on which plain methods of making tonal art maps fail: each as the plain method does it,
- * and as this code does. LONG=1 adds the largest size. */
+/* Inputs on which plain methods of making tonal art maps fail: the plain_ tests show the failure, the ours_ tests this
+ * code. LONG=1 adds the largest size. */
 #include <math.h>
 
 #include "base/random.h"
@@ -20,11 +20,11 @@ static struct hatch_stroke random_stroke(uint64_t i, float length)
                                  .tone = map.style.ink};
 }
 
-static struct hatch_canvas canvas_of(uint32_t size_px)
+static struct hatch_canvas make_canvas(uint32_t size_px)
 {
     struct hatch_canvas canvas;
-    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, size_px, 1, false, false, &canvas, &map_err),
-                  &map_err);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, size_px, 1, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
     return canvas;
 }
 
@@ -35,8 +35,7 @@ static double mean_of(uint32_t tone, uint32_t level)
     return figures.mean;
 }
 
-/* The bars of every map: no lighter pixel, no missing stroke, no image darker than target + over.
- */
+/* Checks that strokes nest and that no image is darker than its target by more than `over`. */
 static void check_map(double over)
 {
     uint64_t missing = 1;
@@ -52,13 +51,12 @@ static void check_map(double over)
         }
 }
 
-/* A stroke three tiles long. Plain: the progress of a candidate is its area, which counts the
- * places where it lies upon itself again and again, and drawing it pixel by pixel inks them again
- * and again. */
-START_TEST(plain_a_stroke_longer_than_the_tile_counts_itself_thrice)
+/* A stroke three tiles long overlaps itself. Plain: the darkness that it adds is its area, which counts the overlaps
+ * repeatedly, and drawing it pixel by pixel inks them repeatedly. */
+START_TEST(plain_a_stroke_longer_than_the_tile_is_counted_three_times)
 {
     map_style(NULL, "brush stipple\nwidth 4\nlength 3 3\nink 0.5", &map);
-    struct hatch_canvas canvas = canvas_of(64);
+    struct hatch_canvas canvas = make_canvas(64);
     struct hatch_stroke stroke = random_stroke(0, 3);
     double area = 3.0 * 64 * 4 * 0.785 / (64 * 64), plain = (double)stroke.tone * area;
     double gain = hatch_canvas_try(&canvas, &stroke, 0, 1);
@@ -69,26 +67,25 @@ END_TEST
 START_TEST(ours_a_stroke_longer_than_the_tile_inks_a_pixel_once)
 {
     map_style(NULL, "brush stipple\nwidth 4\nlength 3 3\nink 0.5\ndirection 0 0 1", &map);
-    struct hatch_canvas canvas = canvas_of(64);
+    struct hatch_canvas canvas = make_canvas(64);
     struct hatch_stroke stroke = random_stroke(0, 3);
     hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
     for (uint32_t i = 0; i < 64 * 64; i++)
         ck_assert_float_ge(canvas.paper[0][i], 0.4999f);
     map_style("ink", "length 1.5 3", &map);
     map_fill(&map);
-    check_map(0.09); /* half of the longest stroke on 32 pixels */
+    check_map(0.09); /* half of the darkness of the longest stroke on 32 pixels */
 }
 END_TEST
 
-/* Wide charcoal on 64²: plain: strokes are added until the mean reaches the target, coarse to fine.
- */
-START_TEST(plain_until_the_mean_reaches_the_target_overshoots)
+/* Wide charcoal on 64². Plain: strokes are added until the mean reaches the target, coarse to fine. */
+START_TEST(plain_drawing_until_the_target_is_reached_overshoots)
 {
     map_style("charcoal", NULL, &map);
     double worst = 0;
     for (uint64_t run = 0; run < 20; run++) {
         struct hatch_arena_mark mark = hatch_arena_mark(&map_arena);
-        struct hatch_canvas canvas = canvas_of(32);
+        struct hatch_canvas canvas = make_canvas(32);
         for (uint64_t i = 0; canvas.darkness[0] < 0.15; i++) {
             struct hatch_stroke stroke = random_stroke(run * 1000 + i, 0.4f);
             hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
@@ -100,7 +97,7 @@ START_TEST(plain_until_the_mean_reaches_the_target_overshoots)
 }
 END_TEST
 
-START_TEST(ours_stops_where_another_stroke_would_be_further_off)
+START_TEST(ours_stops_before_a_stroke_that_increases_the_error)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) {
         struct hatch_arena_mark mark = hatch_arena_mark(&map_arena);
@@ -110,15 +107,14 @@ START_TEST(ours_stops_where_another_stroke_would_be_further_off)
         struct hatch_tam_strokes strokes = {&map.strokes, &map.style, &map.brush, 0};
         double stroke;
         HATCH_TEST_OK(hatch_measure_stroke_darkness(&map.tam, &strokes, 1, &map_scratch, &stroke, &map_err), &map_err);
-        /* half of the longest stroke, which is half as long again as the mean one */
+        /* half of the longest stroke, which is 1.5 times as long as the mean */
         check_map(fmax(0.02, 0.75 * stroke));
         hatch_arena_rewind(&map_arena, mark);
     }
 }
 END_TEST
 
-/* Plain: mip levels are the finest image, box-filtered. Its strokes lose their width and their ink.
- */
+/* Plain: mip levels are the box-filtered finest level, in which strokes lose their width and their ink. */
 START_TEST(plain_box_filtered_levels_lose_the_strokes)
 {
     map_style("ink", NULL, &map);
@@ -140,12 +136,12 @@ START_TEST(plain_box_filtered_levels_lose_the_strokes)
 }
 END_TEST
 
-/* Ink that cannot reach its target: crossing strokes of 0.3 that do not darken each other. Plain:
- * the loop that waits for the target never ends. */
+/* Ink that cannot reach the target: crossing strokes of 0.3 that do not darken each other. Plain: a loop until the
+ * target is reached never ends. */
 START_TEST(plain_thin_ink_never_reaches_its_target)
 {
     map_style(NULL, "ink 0.3\noverlap flat", &map);
-    struct hatch_canvas canvas = canvas_of(64);
+    struct hatch_canvas canvas = make_canvas(64);
     for (uint64_t i = 0; i < 5000; i++) {
         struct hatch_stroke stroke = random_stroke(i, 1);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
@@ -154,7 +150,7 @@ START_TEST(plain_thin_ink_never_reaches_its_target)
 }
 END_TEST
 
-START_TEST(ours_ends_where_no_stroke_darkens)
+START_TEST(ours_ends_when_no_stroke_darkens_the_image)
 {
     static const char *const lines[] = {"ink 0.3\noverlap flat\ndarkest 1", "ink 0.01\ndarkest 1\ncandidates 5 5",
                                         "ink 1\ndarkest 1"};
@@ -169,7 +165,7 @@ START_TEST(ours_ends_where_no_stroke_darkens)
 }
 END_TEST
 
-/* Targets of (nearly) no tone: nothing is drawn, rather than one stroke everywhere. */
+/* Target tones of nearly 0: no stroke is drawn, because one would be too dark. */
 START_TEST(no_tone_draws_no_stroke)
 {
     map_style("ink", "gamma 10\ndarkest 0.01", &map);
@@ -182,7 +178,7 @@ START_TEST(no_tone_draws_no_stroke)
 END_TEST
 
 /* One level, one tone, one candidate, the smallest size. */
-START_TEST(one_of_everything_is_a_map)
+START_TEST(one_level_one_tone_and_one_candidate_make_a_map)
 {
     map_style(map_styles[_i], "candidates 1 1", &map);
     map.options.tones = map.options.levels = 1;
@@ -192,9 +188,9 @@ START_TEST(one_of_everything_is_a_map)
 }
 END_TEST
 
-/* Plain: one candidate is as uneven as chance. Ours: even a single one moves to the best place near
+/* Plain: strokes from single candidates are as uneven as random ones. Ours: a candidate moves to the best position near
  * it. */
-START_TEST(one_candidate_is_more_even_than_chance)
+START_TEST(strokes_of_single_candidates_are_more_even_than_random_ones)
 {
     double ratio[6 * HATCH_EVENNESS_BOXES], mean = 0;
     map_style("ink", "candidates 1 1", &map);
@@ -213,7 +209,7 @@ START_TEST(one_candidate_is_more_even_than_chance)
 }
 END_TEST
 
-/* A picture of one pixel is a brush: a plain bar. */
+/* A brush image of one pixel: strokes are plain bars. */
 START_TEST(a_stroke_image_of_one_pixel_draws_bars)
 {
     struct hatch_image pixel;
@@ -226,10 +222,9 @@ START_TEST(a_stroke_image_of_one_pixel_draws_bars)
 }
 END_TEST
 
-/* A picture of a stroke that holds ink in its middle alone. Plain, candidates are judged by the
- * paper all along them: the strokes stand in bands, no more even than chance. Ours: by the paper
- * under their ink. */
-START_TEST(a_stroke_image_with_empty_ends_is_laid_evenly)
+/* A brush image with ink in its middle only. Plain: candidates are scored along their whole length, and strokes form
+ * bands, no more even than random ones. Ours: they are scored under their ink. */
+START_TEST(strokes_with_empty_ends_are_placed_evenly)
 {
     struct hatch_image image;
     double ratio[4 * HATCH_EVENNESS_BOXES], mean = 0;
@@ -249,12 +244,12 @@ START_TEST(a_stroke_image_with_empty_ends_is_laid_evenly)
 }
 END_TEST
 
-/* A stroke wider than the coarsest image: plain, one stroke makes that image black, and every
- * darker one. Ours: it stays white until its target is nearer to black than to white. */
-START_TEST(a_stroke_wider_than_an_image_waits_for_its_tone)
+/* A stroke wider than the coarsest image. Plain: one stroke makes that image, and every darker one, black. Ours: it
+ * stays white until its target is nearer to black than to white. */
+START_TEST(a_stroke_wider_than_an_image_is_drawn_at_its_tone)
 {
     map_style(NULL, "brush stipple\nwidth 64\nlength 0 0\ncandidates 50 50", &map);
-    struct hatch_canvas canvas = canvas_of(32);
+    struct hatch_canvas canvas = make_canvas(32);
     struct hatch_stroke stroke = random_stroke(0, 0);
     double one = hatch_canvas_try(&canvas, &stroke, 0, 1);
     ck_assert_double_gt(one, 0.9);
@@ -285,19 +280,19 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam limits");
     TCase *tests = tcase_create("limits");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_test(tests, plain_a_stroke_longer_than_the_tile_counts_itself_thrice);
+    tcase_add_test(tests, plain_a_stroke_longer_than_the_tile_is_counted_three_times);
     tcase_add_test(tests, ours_a_stroke_longer_than_the_tile_inks_a_pixel_once);
-    tcase_add_test(tests, plain_until_the_mean_reaches_the_target_overshoots);
-    tcase_add_test(tests, ours_stops_where_another_stroke_would_be_further_off);
+    tcase_add_test(tests, plain_drawing_until_the_target_is_reached_overshoots);
+    tcase_add_test(tests, ours_stops_before_a_stroke_that_increases_the_error);
     tcase_add_test(tests, plain_box_filtered_levels_lose_the_strokes);
     tcase_add_test(tests, plain_thin_ink_never_reaches_its_target);
-    tcase_add_loop_test(tests, ours_ends_where_no_stroke_darkens, 0, 3);
+    tcase_add_loop_test(tests, ours_ends_when_no_stroke_darkens_the_image, 0, 3);
     tcase_add_test(tests, no_tone_draws_no_stroke);
-    tcase_add_loop_test(tests, one_of_everything_is_a_map, 0, MAP_STYLES);
-    tcase_add_loop_test(tests, one_candidate_is_more_even_than_chance, 0, 2);
+    tcase_add_loop_test(tests, one_level_one_tone_and_one_candidate_make_a_map, 0, MAP_STYLES);
+    tcase_add_loop_test(tests, strokes_of_single_candidates_are_more_even_than_random_ones, 0, 2);
     tcase_add_test(tests, a_stroke_image_of_one_pixel_draws_bars);
-    tcase_add_test(tests, a_stroke_image_with_empty_ends_is_laid_evenly);
-    tcase_add_test(tests, a_stroke_wider_than_an_image_waits_for_its_tone);
+    tcase_add_test(tests, strokes_with_empty_ends_are_placed_evenly);
+    tcase_add_test(tests, a_stroke_wider_than_an_image_is_drawn_at_its_tone);
     tcase_add_test(tests, sizes_at_their_limits);
     suite_add_tcase(suite, tests);
     return suite;

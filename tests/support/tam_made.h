@@ -1,17 +1,17 @@
-/* Tonal art maps whose pixels a function says, for what is known in closed form. Include after
- * tam_map.h. */
-#ifndef HATCH_TEST_TAM_MADE_H
-#define HATCH_TEST_TAM_MADE_H
+/* Tonal art maps whose pixels are a function, for results known in closed form. */
+#ifndef SUPPORT_TAM_MADE_H
+#define SUPPORT_TAM_MADE_H
 
 #include <string.h>
 
 #include "tam/tam.h"
 #include "tam_map.h"
 
-/* The reflectance at a place (0 .. 1 each way) of a level at a tone, of a channel. */
+/* Returns the reflectance of a channel at (u, v), 0 .. 1, of a level at a tone. */
 typedef float (*made_pixel)(float u, float v, uint32_t level, float tone, uint32_t channel);
 
-/* Columns of the tones darkest / tones, 2 darkest / tones .. darkest. */
+/* Makes a map in map_arena with columns of the tones darkest / tones, 2 darkest / tones .. darkest.
+ *   letters  channels: "Y" or "RGB" */
 static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float darkest, const char *letters,
                                         made_pixel pixel)
 {
@@ -34,14 +34,14 @@ static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float 
                         pixel(((float)(i % size) + 0.5f) / (float)size, ((float)(i / size) + 0.5f) / (float)size, level,
                               target, c);
         }
-        const struct hatch_tam_label label = {drawn, "1", "made", 0};
-        hatch_tam_label_column(&label, tone, target, column);
+        const struct hatch_tam_metadata metadata = {drawn, "1", "made", 0};
+        hatch_tam_set_metadata(&metadata, tone, target, column);
     }
     HATCH_TEST_OK(hatch_tam_from_mipmaps(columns, tones, &tam, &map_err), &map_err);
     return tam;
 }
 
-/* Every pixel as light as its tone: a ramp of greys in place of strokes. */
+/* A ramp of greys instead of strokes: the reflectance of every pixel is 1 - tone. */
 static inline float made_ramp(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)u, (void)v, (void)level, (void)channel;

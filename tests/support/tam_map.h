@@ -1,7 +1,7 @@
-/* Tonal art maps for tests: a style by name, filled, with its columns kept as a file would hold
- * them. Include after run.h; call map_begin first and map_end last. */
-#ifndef HATCH_TEST_TAM_MAP_H
-#define HATCH_TEST_TAM_MAP_H
+/* Tonal art maps for tests, filled with strokes of a style; columns are rounded as in a file. Call map_begin first and
+ * map_end last. */
+#ifndef SUPPORT_TAM_MAP_H
+#define SUPPORT_TAM_MAP_H
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +38,9 @@ static inline void map_end(void)
     hatch_arena_free(&map_scratch);
 }
 
-/* A shipped style (NULL: the default) with lines that go last (NULL: none), and its brush. */
+/* Sets the style, the brush and default options of a map.
+ *   name   an installed style; NULL: the default
+ *   lines  style lines to add; NULL: none */
 static inline void map_style(const char *name, const char *lines, struct test_map *map)
 {
     char path[1000], text[10000];
@@ -58,11 +60,17 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
     HATCH_TEST_OK(hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
                   &map_err);
     HATCH_TEST_OK(hatch_brush_make(map->style.brush, &map_arena, &map->brush, &map_err), &map_err);
-    map->options = (struct hatch_fill_options){
-        .size_px = 64, .tones = 6, .levels = 2, .seed = 1, .color = map->style.color_count > 0};
+    map->options = (struct hatch_fill_options){.style = &map->style,
+                                               .brush = &map->brush,
+                                               .size_px = 64,
+                                               .tones = 6,
+                                               .levels = 2,
+                                               .seed = 1,
+                                               .color = map->style.color_count > 0};
 }
 
-/* A hatch_tam_sink that keeps the column with its pixels rounded as a file rounds them. */
+/* Keeps a column with its pixels rounded as in a file; struct hatch_tam_sink's take.
+ *   context  struct test_map */
 static inline enum hatch_status map_keep(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                          struct hatch_err *err)
 {
@@ -88,13 +96,12 @@ static inline enum hatch_status map_keep(void *context, uint32_t tone, const str
     return HATCH_OK;
 }
 
-/* Fills map->tam and map->strokes by map's style and options. */
+/* Fills map->tam and map->strokes. */
 static inline void map_fill(struct test_map *map)
 {
     map->strokes = (struct hatch_stroke_list){0};
-    HATCH_TEST_OK(hatch_tam_fill(&map->style, &map->brush, &map->options, &map_arena, &map_scratch, map_keep, map,
-                                 &map->strokes, &map_err),
-                  &map_err);
+    const struct hatch_tam_sink sink = {map_keep, map};
+    HATCH_TEST_OK(hatch_tam_fill(&map->options, &map_arena, &map_scratch, &sink, &map->strokes, &map_err), &map_err);
     HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err), &map_err);
     ck_assert_uint_eq(map->tam.levels, map->options.levels);
 }

@@ -54,7 +54,7 @@ static enum hatch_status read_volume(const char *const *key_values, struct hatch
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_texels plain;
     struct hatch_volume volume;
-    enum hatch_status status = hatch_texels_unpack(&texture->texels, scratch, &plain, err);
+    enum hatch_status status = hatch_texels_decompress(&texture->texels, scratch, &plain, err);
     if (status == HATCH_OK)
         status = hatch_volume_from_texels(&plain, key_values, &volume, err);
     hatch_arena_rewind(scratch, mark);

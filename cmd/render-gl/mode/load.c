@@ -11,7 +11,7 @@ static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, 
     struct hatch_scene *scenes = HATCH_NEW(&args->keep, struct hatch_scene, count, &err);
     cmd_check(scenes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < count; i++)
-        cmd_read_scene_noted(args, paths[i], CMD_SCENE_CLEANED, &scenes[i], notes);
+        cmd_read_scene_silently(args, paths[i], CMD_SCENE_CLEANED, &scenes[i], notes);
     cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
@@ -36,7 +36,7 @@ void load_scene(struct cmd_args *args, char *const *paths, uint32_t count, doubl
     if (count > 1)
         load_row(args, paths, count, ground > 0, scene, notes);
     else
-        cmd_read_scene_noted(args, path, CMD_SCENE_CLEANED, scene, notes);
+        cmd_read_scene_silently(args, path, CMD_SCENE_CLEANED, scene, notes);
     drop_transparent(scene, notes);
     if (ground > 0)
         cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), cmd_input_name(path), &err);

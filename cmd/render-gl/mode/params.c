@@ -111,7 +111,7 @@ static void take(const struct param *param, const char *text, size_t length, dou
         cmd_usage("--%s: a number of %zu characters is too long", param->option->name, length);
     memcpy(word, text, length);
     word[length] = '\0';
-    cmd_take(param->option, word);
+    cmd_set_option(param->option, word);
     params_get(param, values);
 }
 

@@ -93,9 +93,9 @@ static void measure(struct job *job, struct probe *probe)
 static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value, const char *unit)
 {
     cmd_report_text(report, thing);
-    cmd_report_whole(report, index);
+    cmd_report_integer(report, index);
     if (value == floor(value))
-        cmd_report_whole(report, (uint64_t)value); /* all digits of a number of texels */
+        cmd_report_integer(report, (uint64_t)value); /* all digits of a number of texels */
     else
         cmd_report_number(report, value);
     cmd_report_text(report, unit);

@@ -86,7 +86,7 @@ static void report_span(struct cmd_report *report, const struct job *job, const 
     uint32_t frames = job->options->timed_frames;
     cmd_report_text(report, span->technique->name);
     cmd_report_text(report, span->name);
-    cmd_report_whole(report, frames);
+    cmd_report_integer(report, frames);
     report_times(report, span->gpu_ms, frames);
     report_times(report, span->wall_ms, frames);
     cmd_report_text(report, job->gpu.device);

@@ -76,7 +76,7 @@ static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px, st
 static void read_texture(struct cmd_args *args, const char *file, const struct hatch_scene *scene, uint32_t number,
                          struct hatch_image *image)
 {
-    const char *plugin = cmd_own_file(args, "lib/hatch/hatch-oiio.so");
+    const char *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
     struct hatch_bytes bytes = {scene->textures[number].data, scene->textures[number].size};
     struct hatch_err err;
     if (hatch_image_read_any(bytes, "", plugin, &args->keep, &args->scratch, image, &err) != HATCH_OK) {

@@ -32,7 +32,7 @@ static void read_sets(struct cmd_args *args, struct rptam_source *source)
         cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &source->sets, &err), name, &err);
     if (source->sets.layer_count < layers) {
         hatch_fail(&err, HATCH_BAD_INPUT, "%u %s for the %u layers of %s", source->sets.layer_count,
-                   cmd_noun(source->sets.layer_count, "seed set", "seed sets"), layers,
+                   cmd_plural(source->sets.layer_count, "seed set", "seed sets"), layers,
                    cmd_input_name(rptam_options.layers));
         cmd_die(name, &err);
     }
@@ -66,7 +66,7 @@ static void read_stroke(struct cmd_args *args, const char *name, struct rptam_st
     if (kind < HATCH_BRUSH_IMAGE)
         cmd_check(hatch_brush_make((enum hatch_brush_kind)kind, &args->keep, &brush, &err), NULL, &err);
     else
-        cmd_read_brush(args, cmd_beside(args, rptam_options.layers, name), &brush);
+        cmd_read_brush(args, cmd_path_beside(args, rptam_options.layers, name), &brush);
     take_brush(args, &brush, stroke);
 }
 

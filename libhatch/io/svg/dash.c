@@ -69,12 +69,12 @@ static enum hatch_status end_dash(struct cutter *cutter, struct hatch_err *err)
 static enum hatch_status advance(struct cutter *cutter, double x, double y, struct hatch_err *err)
 {
     if (cutter->current % 2 == 0) {
-        HATCH_TRY(hatch_path_line(&cutter->dasher->dash, x, y, err));
+        HATCH_TRY(hatch_path_add_line(&cutter->dasher->dash, x, y, err));
         HATCH_TRY(end_dash(cutter, err));
     }
     cutter->current = (cutter->current + 1) % cutter->count;
     cutter->remaining = cutter->lengths[cutter->current];
-    return cutter->current % 2 ? HATCH_OK : hatch_path_line(&cutter->dasher->dash, x, y, err);
+    return cutter->current % 2 ? HATCH_OK : hatch_path_add_line(&cutter->dasher->dash, x, y, err);
 }
 
 static enum hatch_status cut(struct cutter *cutter, const double from[2], const double to[2], struct hatch_err *err)
@@ -86,7 +86,7 @@ static enum hatch_status cut(struct cutter *cutter, const double from[2], const 
         HATCH_TRY(advance(cutter, from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]), err));
     }
     cutter->remaining -= length - at;
-    return cutter->current % 2 ? HATCH_OK : hatch_path_line(&cutter->dasher->dash, to[0], to[1], err);
+    return cutter->current % 2 ? HATCH_OK : hatch_path_add_line(&cutter->dasher->dash, to[0], to[1], err);
 }
 
 enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct hatch_path_builder *line,
@@ -103,7 +103,7 @@ enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct h
         return hatch_fail(err, HATCH_LIMIT, "more than %u dashes", HATCH_SVG_DASHES_MAX);
     dasher->dash.count = 0;
     if (cutter.current % 2 == 0)
-        HATCH_TRY(hatch_path_line(&dasher->dash, line->xy[0], line->xy[1], err));
+        HATCH_TRY(hatch_path_add_line(&dasher->dash, line->xy[0], line->xy[1], err));
     for (uint32_t i = 1; i < line->count; i++)
         HATCH_TRY(cut(&cutter, line->xy + 2 * i - 2, line->xy + 2 * i, err));
     return end_dash(&cutter, err);

@@ -21,7 +21,7 @@ static enum hatch_status begin_line(struct hatch_svg_pen *pen, struct hatch_err 
 {
     double point[2];
     hatch_svg_apply(&pen->matrix, pen->x, pen->y, point);
-    return pen->line.count ? HATCH_OK : hatch_path_line(&pen->line, point[0], point[1], err);
+    return pen->line.count ? HATCH_OK : hatch_path_add_line(&pen->line, point[0], point[1], err);
 }
 
 enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err)
@@ -39,7 +39,7 @@ enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, 
     hatch_svg_apply(&pen->matrix, x, y, point);
     pen->x = x;
     pen->y = y;
-    return hatch_path_line(&pen->line, point[0], point[1], err);
+    return hatch_path_add_line(&pen->line, point[0], point[1], err);
 }
 
 enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6], struct hatch_err *err)
@@ -50,7 +50,7 @@ enum hatch_status hatch_svg_cubic(struct hatch_svg_pen *pen, const double xy[6],
         hatch_svg_apply(&pen->matrix, xy[i], xy[i + 1], points + i);
     pen->x = xy[4];
     pen->y = xy[5];
-    return hatch_path_cubic(&pen->line, points, err);
+    return hatch_path_add_cubic(&pen->line, points, err);
 }
 
 struct ellipse {

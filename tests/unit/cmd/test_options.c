@@ -38,7 +38,7 @@ static const struct cmd_program program = {
     .reports = true,
 };
 
-/* Parses words, which a NULL ends. What it prints goes nowhere. */
+/* Parses the words; standard error is discarded. */
 #define PARSE(args, ...) parse(args, (char *[]){"tested", __VA_ARGS__, NULL})
 static void parse(struct cmd_args *args, char **words)
 {
@@ -76,7 +76,7 @@ START_TEST(values_of_every_type)
 }
 END_TEST
 
-START_TEST(the_common_options_and_their_defaults)
+START_TEST(common_options_have_defaults)
 {
     struct cmd_args args;
     PARSE(&args, "--");
@@ -108,7 +108,7 @@ START_TEST(operands_keep_their_order)
 }
 END_TEST
 
-START_TEST(the_bounds_themselves_are_allowed)
+START_TEST(bounds_are_inclusive)
 {
     struct cmd_args args;
     PARSE(&args, "-w10", "-r-1", "--size=1024G", "-p0:100");
@@ -180,9 +180,9 @@ static Suite *suite(void)
     TCase *tests = tcase_create("options");
     tcase_add_test(tests, an_option_may_be_repeated);
     tcase_add_test(tests, values_of_every_type);
-    tcase_add_test(tests, the_common_options_and_their_defaults);
+    tcase_add_test(tests, common_options_have_defaults);
     tcase_add_test(tests, operands_keep_their_order);
-    tcase_add_test(tests, the_bounds_themselves_are_allowed);
+    tcase_add_test(tests, bounds_are_inclusive);
     tcase_add_loop_exit_test(tests, wrong_values_exit_2, HATCH_USAGE, 0, (int)(sizeof wrong / sizeof *wrong));
     suite_add_tcase(suite, tests);
     return suite;

@@ -33,8 +33,8 @@ static struct hatch_texels round_trip_as(enum hatch_texels_code code, const stru
                                          struct hatch_block_figures *figures, size_t *bytes)
 {
     struct hatch_texels packed, back;
-    HATCH_TEST_OK(hatch_texels_pack(plain, code, NULL, &keep, &packed, figures, &err), &err);
-    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    HATCH_TEST_OK(hatch_texels_compress(plain, code, NULL, &keep, &packed, figures, &err), &err);
+    HATCH_TEST_OK(hatch_texels_decompress(&packed, &keep, &back, &err), &err);
     ck_assert(packed.code == code && back.code == HATCH_TEXELS_PLAIN);
     *bytes = hatch_texels_level_size(&packed, 0);
     return back;
@@ -46,7 +46,7 @@ static struct hatch_texels round_trip(const struct hatch_texels *plain, struct h
     return round_trip_as(plain->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC7, plain, figures, bytes);
 }
 
-/* The figures are what the textures say; RGB of back has alpha. */
+/* Checks the figures against the textures; back may have alpha where plain has none. */
 static void check_figures(const struct hatch_texels *plain, const struct hatch_texels *back,
                           const struct hatch_block_figures *figures)
 {
@@ -64,8 +64,8 @@ static void check_figures(const struct hatch_texels *plain, const struct hatch_t
     ck_assert_double_le(figures->error_rms, worst);
 }
 
-/* Examples by hand of the specification's two modes. */
-START_TEST(bc4_blocks_are_read_as_specified)
+/* Examples of both modes of the specification, computed by hand. */
+START_TEST(bc4_blocks_are_decoded_as_specified)
 {
     uint8_t blocks[2][8] = {{211, 0, 0x88, 0xc6, 0xfa, 0, 0, 0}, {0, 252, 0x88, 0xc6, 0xfa, 0, 0, 0}};
     static const uint8_t want[2][8] = {{211, 0, 181, 151, 121, 90, 60, 30}, {0, 252, 50, 101, 151, 202, 0, 255}};
@@ -76,7 +76,7 @@ START_TEST(bc4_blocks_are_read_as_specified)
                                   .code = HATCH_TEXELS_BC4,
                                   .texels = {blocks[_i]}},
                         back;
-    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    HATCH_TEST_OK(hatch_texels_decompress(&packed, &keep, &back, &err), &err);
     for (uint32_t i = 0; i < 8; i++) /* indices 0 to 7 */
         ck_assert_uint_eq(back.texels[0][i], want[_i][i]);
 }
@@ -97,7 +97,7 @@ START_TEST(paper_and_ink_are_kept_exactly)
 }
 END_TEST
 
-START_TEST(greys_come_near)
+START_TEST(greys_are_approximated)
 {
     struct hatch_block_figures figures;
     struct hatch_texels plain = texture(64, 64, 4, 0, 1);
@@ -107,12 +107,12 @@ START_TEST(greys_come_near)
             plain.texels[level][i] = (uint8_t)(_i ? hatch_random_u64(1, level, i) : 100 + i % 64);
     struct hatch_texels back = round_trip(&plain, &figures, &bytes);
     check_figures(&plain, &back, &figures);
-    /* Two ends and six between them: half of a seventh of the range, of a fifth with 0 and 255. */
+    /* Half of a seventh of the range; half of a fifth in the mode with 0 and 255. */
     ck_assert_double_le(figures.error_max, _i ? 26.0 / 255 : 3.0 / 255);
 }
 END_TEST
 
-START_TEST(colours_come_near)
+START_TEST(colours_are_approximated)
 {
     struct hatch_block_figures figures;
     struct hatch_texels plain = texture(20, 18, 0, 7, _i ? 4 : 3);
@@ -132,8 +132,8 @@ START_TEST(colours_come_near)
 }
 END_TEST
 
-/* Both modes by hand: red 248 and blue 255, two thirds of each way; then half-way, and black. */
-START_TEST(bc1_blocks_are_read_as_specified)
+/* Both modes, computed by hand: red and blue with thirds between them; then with the mean and black. */
+START_TEST(bc1_blocks_are_decoded_as_specified)
 {
     uint8_t blocks[2][8] = {{0, 0xf8, 0x1f, 0, 0xe4, 0, 0, 0}, {0x1f, 0, 0, 0xf8, 0xe4, 0, 0, 0}};
     static const uint8_t want[2][4][3] = {{{255, 0, 0}, {0, 0, 255}, {170, 0, 85}, {85, 0, 170}},
@@ -145,7 +145,7 @@ START_TEST(bc1_blocks_are_read_as_specified)
                                   .code = HATCH_TEXELS_BC1,
                                   .texels = {blocks[_i]}},
                         back;
-    HATCH_TEST_OK(hatch_texels_unpack(&packed, &keep, &back, &err), &err);
+    HATCH_TEST_OK(hatch_texels_decompress(&packed, &keep, &back, &err), &err);
     ck_assert_uint_eq(back.channels, 3);
     for (uint32_t i = 0; i < 4; i++) /* indices 0 to 3 */
         for (int c = 0; c < 3; c++)
@@ -153,9 +153,9 @@ START_TEST(bc1_blocks_are_read_as_specified)
 }
 END_TEST
 
-/* Ink of one colour on paper: four colours on a line, so half of a third of the way, and half a step of the
- * ends' bits. Paper and ink alone lose no more than the ends' bits. */
-START_TEST(colours_in_half_a_byte_come_near)
+/* Ink of one colour on paper: of four colours on a line the error is half of a third, and half a step of the end
+ * points' bits. Paper and full ink have only the error of the end points. */
+START_TEST(bc1_colours_are_approximated)
 {
     struct hatch_block_figures figures;
     struct hatch_texels plain = texture(20, 18, 7, 0, _i & 1 ? 4 : 3);
@@ -170,13 +170,13 @@ START_TEST(colours_in_half_a_byte_come_near)
     struct hatch_texels back = round_trip_as(HATCH_TEXELS_BC1, &plain, &figures, &bytes);
     check_figures(&plain, &back, &figures);
     ck_assert_double_le(figures.error_max, (_i < 2 ? 215 / 6.0 + 5 + 8 : 5) / 255);
-    /* where the ends are not fitted to the indices it is 12.0 and 10.4 */
+    /* without fitting the end points to the indices it is 12.0 and 10.4 */
     ck_assert_double_le(figures.error_rms, (_i > 1 ? 1.5 : _i ? 9.0 : 10.5) / 255);
     ck_assert_uint_eq(bytes, 5 * 5 * 7 * 8);
 }
 END_TEST
 
-START_TEST(one_colour_is_kept_to_a_step)
+START_TEST(a_single_colour_is_exact)
 {
     struct hatch_block_figures figures;
     struct hatch_texels plain = texture(4, 4, 0, 0, 3);
@@ -190,23 +190,23 @@ START_TEST(one_colour_is_kept_to_a_step)
 }
 END_TEST
 
-START_TEST(a_block_of_another_mode_is_refused)
+START_TEST(a_block_of_another_mode_is_rejected)
 {
     uint8_t block[16] = {1};
     struct hatch_texels back,
         packed = {
             .width = 4, .height = 4, .channels = 4, .level_count = 1, .code = HATCH_TEXELS_BC7, .texels = {block}};
-    ck_assert_int_eq(hatch_texels_unpack(&packed, &keep, &back, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_texels_decompress(&packed, &keep, &back, &err), HATCH_BAD_INPUT);
     ck_assert_ptr_nonnull(strstr(err.text, "mode"));
 }
 END_TEST
 
-START_TEST(eight_bits_are_rounded_and_cut_off)
+START_TEST(unorm8_rounds_and_clamps)
 {
     for (int i = -1000; i <= 2000; i++) {
         float value = (float)i / 1000;
-        float held = value > 0 ? (value < 1 ? value : 1) : 0;
-        ck_assert_uint_eq(hatch_unorm8(value), (uint8_t)(held * 255 + 0.5f));
+        float clamped = value > 0 ? (value < 1 ? value : 1) : 0;
+        ck_assert_uint_eq(hatch_unorm8(value), (uint8_t)(clamped * 255 + 0.5f));
     }
     ck_assert_uint_eq(hatch_unorm8(-0.0f), 0);
     ck_assert_uint_eq(hatch_unorm8(1e30f), 255);
@@ -217,27 +217,27 @@ END_TEST
 
 static struct hatch_texels packed_by_test;
 
-static enum hatch_status pack(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_err *error)
+static enum hatch_status compress(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                  struct hatch_err *error)
 {
     (void)scratch;
-    return hatch_texels_pack(context, HATCH_TEXELS_BC4, NULL, arena, &packed_by_test, NULL, error);
+    return hatch_texels_compress(context, HATCH_TEXELS_BC4, NULL, arena, &packed_by_test, NULL, error);
 }
 
-static enum hatch_status unpack(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                struct hatch_err *error)
+static enum hatch_status decompress(void *context, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct hatch_err *error)
 {
     static struct hatch_texels plain;
     (void)scratch;
-    return hatch_texels_unpack(context, arena, &plain, error);
+    return hatch_texels_decompress(context, arena, &plain, error);
 }
 
-START_TEST(every_failed_allocation_is_told)
+START_TEST(every_failed_allocation_is_a_status)
 {
     struct hatch_texels plain = texture(16, 16, 2, 0, 1), packed;
-    hatch_test_fail_alloc(pack, &plain, &packed_by_test, sizeof packed_by_test);
-    HATCH_TEST_OK(hatch_texels_pack(&plain, HATCH_TEXELS_BC4, NULL, &keep, &packed, NULL, &err), &err);
-    hatch_test_fail_alloc(unpack, &packed, NULL, 0);
+    hatch_test_fail_alloc(compress, &plain, &packed_by_test, sizeof packed_by_test);
+    HATCH_TEST_OK(hatch_texels_compress(&plain, HATCH_TEXELS_BC4, NULL, &keep, &packed, NULL, &err), &err);
+    hatch_test_fail_alloc(decompress, &packed, NULL, 0);
 }
 END_TEST
 
@@ -246,16 +246,16 @@ static Suite *suite(void)
     Suite *suite = suite_create("image blocks");
     TCase *tests = tcase_create("blocks");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, bc4_blocks_are_read_as_specified, 0, 2);
+    tcase_add_loop_test(tests, bc4_blocks_are_decoded_as_specified, 0, 2);
     tcase_add_test(tests, paper_and_ink_are_kept_exactly);
-    tcase_add_loop_test(tests, greys_come_near, 0, 2);
-    tcase_add_loop_test(tests, colours_come_near, 0, 2);
-    tcase_add_loop_test(tests, bc1_blocks_are_read_as_specified, 0, 2);
-    tcase_add_loop_test(tests, colours_in_half_a_byte_come_near, 0, 4);
-    tcase_add_test(tests, one_colour_is_kept_to_a_step);
-    tcase_add_test(tests, a_block_of_another_mode_is_refused);
-    tcase_add_test(tests, eight_bits_are_rounded_and_cut_off);
-    tcase_add_test(tests, every_failed_allocation_is_told);
+    tcase_add_loop_test(tests, greys_are_approximated, 0, 2);
+    tcase_add_loop_test(tests, colours_are_approximated, 0, 2);
+    tcase_add_loop_test(tests, bc1_blocks_are_decoded_as_specified, 0, 2);
+    tcase_add_loop_test(tests, bc1_colours_are_approximated, 0, 4);
+    tcase_add_test(tests, a_single_colour_is_exact);
+    tcase_add_test(tests, a_block_of_another_mode_is_rejected);
+    tcase_add_test(tests, unorm8_rounds_and_clamps);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -19,7 +19,7 @@ START_TEST(digits_are_srgb)
 }
 END_TEST
 
-START_TEST(other_words_change_nothing)
+START_TEST(other_texts_are_rejected_and_change_nothing)
 {
     static const char *const bad[] = {"", "f", "ff", "ffff", "fffff", "fffffff", "ggg", "#fff", "12345 ", "-12"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -30,8 +30,8 @@ START_TEST(other_words_change_nothing)
 }
 END_TEST
 
-/* Red, yellow, green and so on lie 60 degrees apart with a chroma of 1; greys have none. */
-START_TEST(hues_go_around)
+/* Red, yellow, green and so on are 60 degrees apart and have chroma 1; greys have chroma 0. */
+START_TEST(hues_are_angles)
 {
     static const float wheel[6][3] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}};
     double red[2] = {1, 0}, chroma[2];
@@ -42,7 +42,6 @@ START_TEST(hues_go_around)
         ck_assert_double_eq_tol(hypot(chroma[0], chroma[1]), 1, 1e-12);
         ck_assert_double_eq_tol(hatch_color_hue_between(red, chroma), i <= 3 ? 60 * i : 360 - 60 * i, 1e-9);
     }
-    /* one is half-way to the other's right angle */
     ck_assert_double_eq_tol(hatch_color_hue_between((const double[2]){1, 2}, (const double[2]){3, 1}), 45, 1e-9);
     ck_assert_double_eq_tol(hatch_color_hue_between((const double[2]){-2, 4}, (const double[2]){2, -4}), 180, 1e-9);
     float grey[6] = {0.25f, 0.25f, 0.25f, 0.5f, 0.5f, 0.5f};
@@ -57,8 +56,8 @@ static Suite *suite(void)
     Suite *suite = suite_create("image color");
     TCase *tests = tcase_create("color");
     tcase_add_test(tests, digits_are_srgb);
-    tcase_add_test(tests, other_words_change_nothing);
-    tcase_add_test(tests, hues_go_around);
+    tcase_add_test(tests, other_texts_are_rejected_and_change_nothing);
+    tcase_add_test(tests, hues_are_angles);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -13,7 +13,7 @@ static bool is_number(uint32_t half)
     return (half & 0x7c00) != 0x7c00 || (half & 0x3ff) == 0;
 }
 
-START_TEST(every_half_survives_the_way_to_float_and_back)
+START_TEST(every_half_is_converted_to_float_and_back)
 {
     for (uint32_t half = 0; half < HALVES; half++) {
         float wide = hatch_float_from_half((uint16_t)half);
@@ -25,13 +25,13 @@ START_TEST(every_half_survives_the_way_to_float_and_back)
 }
 END_TEST
 
-/* The definition: digits times a power of two. */
-START_TEST(values_are_what_the_format_says)
+/* The definition: mantissa times a power of two. */
+START_TEST(values_are_those_of_the_format)
 {
     for (uint32_t half = 0; half < 0x7c00; half++) {
         int exponent = (int)(half >> 10);
-        double digits = half & 0x3ff;
-        double want = exponent ? ldexp(1 + digits / 1024, exponent - 15) : ldexp(digits, -24);
+        double mantissa = half & 0x3ff;
+        double want = exponent ? ldexp(1 + mantissa / 1024, exponent - 15) : ldexp(mantissa, -24);
         ck_assert_double_eq((double)hatch_float_from_half((uint16_t)half), want);
         ck_assert_double_eq((double)hatch_float_from_half((uint16_t)(half | 0x8000)), -want);
     }
@@ -39,7 +39,7 @@ START_TEST(values_are_what_the_format_says)
 }
 END_TEST
 
-START_TEST(a_float_between_two_halves_goes_to_the_nearer_and_a_tie_to_the_even_one)
+START_TEST(a_float_is_rounded_to_the_nearest_half_and_ties_to_even)
 {
     for (uint32_t half = 0; half < 0x7bff; half++) {
         double low = (double)hatch_float_from_half((uint16_t)half);
@@ -56,7 +56,7 @@ START_TEST(a_float_between_two_halves_goes_to_the_nearer_and_a_tie_to_the_even_o
 }
 END_TEST
 
-START_TEST(rows_convert_as_single_numbers_do_for_every_length_and_stride)
+START_TEST(rows_are_converted_like_single_numbers_for_every_length_and_stride)
 {
     static float values[3 * 200], back[3 * 200];
     static uint16_t halves[200];
@@ -79,10 +79,10 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("image half");
     TCase *tests = tcase_create("half");
-    tcase_add_test(tests, every_half_survives_the_way_to_float_and_back);
-    tcase_add_test(tests, values_are_what_the_format_says);
-    tcase_add_test(tests, a_float_between_two_halves_goes_to_the_nearer_and_a_tie_to_the_even_one);
-    tcase_add_test(tests, rows_convert_as_single_numbers_do_for_every_length_and_stride);
+    tcase_add_test(tests, every_half_is_converted_to_float_and_back);
+    tcase_add_test(tests, values_are_those_of_the_format);
+    tcase_add_test(tests, a_float_is_rounded_to_the_nearest_half_and_ties_to_even);
+    tcase_add_test(tests, rows_are_converted_like_single_numbers_for_every_length_and_stride);
     suite_add_tcase(suite, tests);
     return suite;
 }

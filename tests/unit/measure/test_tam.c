@@ -132,8 +132,8 @@ END_TEST
 static void redraw(const struct hatch_stroke *without, uint32_t tone, uint32_t level)
 {
     struct hatch_canvas canvas;
-    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 2, false, false, &canvas, &map_err),
-                  &map_err);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 2, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
     for (uint32_t i = 0; i < map.strokes.count; i++) {
         const struct hatch_stroke *s = &map.strokes.items[i];
         if (s != without && s->column <= tone && s->level >= level)
@@ -214,8 +214,8 @@ START_TEST(random_strokes_have_evenness_one)
         ck_assert(ratio[i] > 0.1 && ratio[i] < 0.9);
     for (uint64_t run = 0; run < 8; run++) {
         struct hatch_canvas canvas;
-        HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 128, 1, false, false, &canvas, &map_err),
-                      &map_err);
+        const struct hatch_canvas_options options = {&map.style, &map.brush, 128, 1, false, false};
+        HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
         for (uint32_t tone = 0, i = 0; tone < 6; tone++) {
             for (; i < map.strokes.count && map.strokes.items[i].column == tone; i++) {
                 struct hatch_stroke stroke = map.strokes.items[i];

@@ -16,13 +16,19 @@ static struct hatch_style style;
 static struct hatch_brush brush;
 static struct hatch_canvas canvas;
 
+static enum hatch_status make_canvas(bool color, bool ids, struct hatch_canvas *made)
+{
+    const struct hatch_canvas_options options = {&style, &brush, SIZE, LEVELS, color, ids};
+    return hatch_canvas_make(&options, &keep, made, &err);
+}
+
 static void begin(void)
 {
     hatch_arena_init(&keep, (size_t)64 << 20);
     hatch_style_default(&style);
     style.width_px = 6;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_CRAYON, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, true, &canvas, &err), &err);
+    HATCH_TEST_OK(make_canvas(false, true, &canvas), &err);
 }
 
 static void end(void)
@@ -50,7 +56,7 @@ static double darkness_of(const float *paper, uint32_t size)
     return sum / (size * size);
 }
 
-START_TEST(strokes_only_darken_and_the_mean_is_kept_count_of)
+START_TEST(strokes_only_darken_and_the_mean_is_tracked)
 {
     static float before[SIZE * SIZE];
     style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
@@ -59,11 +65,11 @@ START_TEST(strokes_only_darken_and_the_mean_is_kept_count_of)
             uint32_t size = hatch_canvas_size(&canvas, level);
             struct hatch_stroke stroke = random_stroke(i);
             memcpy(before, canvas.paper[level], size * size * sizeof *before);
-            double was = canvas.darkness[level], gain = hatch_canvas_try(&canvas, &stroke, level, 1);
+            double before_draw = canvas.darkness[level], gain = hatch_canvas_try(&canvas, &stroke, level, 1);
             ck_assert_mem_eq(before, canvas.paper[level], size * size * sizeof *before);
             ck_assert_double_ge(gain, 0);
             hatch_canvas_draw(&canvas, &stroke, level, 0, 1);
-            ck_assert_double_eq_tol(canvas.darkness[level] - was, gain, 1e-12);
+            ck_assert_double_eq_tol(canvas.darkness[level] - before_draw, gain, 1e-12);
             ck_assert_double_eq_tol(canvas.darkness[level], darkness_of(canvas.paper[level], size), 1e-5);
             for (uint32_t k = 0; k < size * size; k++)
                 ck_assert(canvas.paper[level][k] <= before[k] && canvas.paper[level][k] >= 0);
@@ -72,13 +78,13 @@ START_TEST(strokes_only_darken_and_the_mean_is_kept_count_of)
 }
 END_TEST
 
-/* Crossing strokes multiply, or the darker one stands. */
-START_TEST(overlaps_are_as_the_style_says)
+/* Reflectances of crossing strokes multiply, or the darker one wins. */
+START_TEST(strokes_overlap_as_the_style_defines)
 {
     struct hatch_stroke stroke = random_stroke(3);
     for (int darkens = 0; darkens < 2; darkens++) {
         style.overlap = darkens ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
-        HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
+        HATCH_TEST_OK(make_canvas(false, false, &canvas), &err);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
         hatch_canvas_draw(&canvas, &stroke, 0, 0, 1);
         const struct hatch_footprint *f = &canvas.footprint;
@@ -91,13 +97,13 @@ START_TEST(overlaps_are_as_the_style_says)
 }
 END_TEST
 
-/* Growing in steps ends where drawing the whole stroke at once ends. */
-START_TEST(a_grown_stroke_is_the_stroke)
+/* Growing a stroke in steps gives the same result as drawing it at once. */
+START_TEST(a_stroke_grown_in_steps_equals_the_whole_stroke)
 {
     struct hatch_canvas whole;
     style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err), &err); /* no grain, no taper */
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &whole, &err), &err);
+    HATCH_TEST_OK(make_canvas(false, false, &whole), &err);
     struct hatch_stroke stroke = random_stroke(5);
     hatch_canvas_draw(&canvas, &stroke, 0, 0, 0.4f);
     hatch_canvas_draw(&canvas, &stroke, 0, 0.4f, 0.7f);
@@ -130,16 +136,15 @@ START_TEST(the_first_stroke_keeps_its_pixels)
 }
 END_TEST
 
-/* Three channels, each by the style's rule, and their mean. A stroke of alpha a and colour c over paper, and
- * one of another colour over that. */
-START_TEST(colors_overlap_as_the_style_says)
+/* Checks three channels and their mean: a stroke of colour a over paper, then one of colour b over it. */
+START_TEST(colors_overlap_as_the_style_defines)
 {
     struct hatch_stroke first = random_stroke(3), second = first;
     const float a[3] = {0.75f, 0.5f, 0.125f}, b[3] = {0.25f, 0.5f, 1};
     memcpy(first.rgb, a, sizeof a);
     memcpy(second.rgb, b, sizeof b);
     style.overlap = (enum hatch_overlap)_i;
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, true, false, &canvas, &err), &err);
+    HATCH_TEST_OK(make_canvas(true, false, &canvas), &err);
     hatch_canvas_draw(&canvas, &first, 0, 0, 1);
     hatch_canvas_draw(&canvas, &second, 0, 0, 1);
     const struct hatch_footprint *f = &canvas.footprint;
@@ -149,8 +154,8 @@ START_TEST(colors_overlap_as_the_style_says)
         for (int c = 0; c < 3; c++) {
             float alone = 1 - alpha * (1 - b[c]), under = 1 - alpha * (1 - a[c]);
             float over = under * (1 - alpha) + alpha * b[c];
-            float stands = fminf(under, _i == HATCH_OVERLAP_FLAT ? alone : over);
-            float want = _i == HATCH_OVERLAP_DARKENS ? under * alone : stands;
+            float darker = fminf(under, _i == HATCH_OVERLAP_FLAT ? alone : over);
+            float want = _i == HATCH_OVERLAP_DARKENS ? under * alone : darker;
             float got = canvas.rgb[0][3 * f->at[i] + (uint32_t)c];
             ck_assert_float_eq_tol(got, want, 1e-6f);
             mean += got / 3;
@@ -162,10 +167,11 @@ START_TEST(colors_overlap_as_the_style_says)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     (void)scratch;
-    return hatch_canvas_make(to, &style, &brush, SIZE, LEVELS, true, true, context, said);
+    const struct hatch_canvas_options options = {&style, &brush, SIZE, LEVELS, true, true};
+    return hatch_canvas_make(&options, to, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -180,11 +186,11 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam canvas");
     TCase *tests = tcase_create("canvas");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, strokes_only_darken_and_the_mean_is_kept_count_of, 0, 2);
-    tcase_add_test(tests, overlaps_are_as_the_style_says);
-    tcase_add_loop_test(tests, a_grown_stroke_is_the_stroke, 0, 2);
+    tcase_add_loop_test(tests, strokes_only_darken_and_the_mean_is_tracked, 0, 2);
+    tcase_add_test(tests, strokes_overlap_as_the_style_defines);
+    tcase_add_loop_test(tests, a_stroke_grown_in_steps_equals_the_whole_stroke, 0, 2);
     tcase_add_test(tests, the_first_stroke_keeps_its_pixels);
-    tcase_add_loop_test(tests, colors_overlap_as_the_style_says, 0, 3);
+    tcase_add_loop_test(tests, colors_overlap_as_the_style_defines, 0, 3);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

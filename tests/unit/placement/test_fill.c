@@ -8,8 +8,8 @@
 
 static struct test_map map;
 
-/* One column is handed over per tone, a full chain each, labelled as the format wants. */
-START_TEST(columns_come_in_order_with_their_labels)
+/* The sink receives one column per tone, each with a full mip chain and its metadata. */
+START_TEST(columns_are_passed_in_order_with_their_metadata)
 {
     map_style("ink", NULL, &map);
     map.options.seed = UINT64_MAX;
@@ -28,7 +28,7 @@ START_TEST(columns_come_in_order_with_their_labels)
 }
 END_TEST
 
-START_TEST(strokes_say_where_they_belong_in_drawing_order)
+START_TEST(strokes_have_their_column_and_level_in_drawing_order)
 {
     map_style("ink", NULL, &map);
     map_fill(&map);
@@ -43,8 +43,8 @@ START_TEST(strokes_say_where_they_belong_in_drawing_order)
 }
 END_TEST
 
-/* The schedule: parallel strokes in the light columns, crossed ones in the dark. */
-START_TEST(directions_follow_the_schedule)
+/* Parallel strokes in light columns, crossed ones in dark columns. */
+START_TEST(directions_follow_the_style)
 {
     map_style(NULL, "jitter 0\ndirection 10 0 0.5\ndirection 80 0.5 1", &map);
     map_fill(&map);
@@ -60,7 +60,7 @@ START_TEST(directions_follow_the_schedule)
 }
 END_TEST
 
-START_TEST(a_gap_in_the_schedule_draws_all_directions)
+START_TEST(a_tone_without_directions_uses_all_of_them)
 {
     map_style(NULL, "jitter 0\ndirection 0 0 0.01\ndirection 90 0.99 1", &map);
     map_fill(&map);
@@ -71,7 +71,7 @@ START_TEST(a_gap_in_the_schedule_draws_all_directions)
 }
 END_TEST
 
-START_TEST(ids_name_the_strokes_that_cover_the_pixels)
+START_TEST(ids_are_those_of_the_strokes_that_cover_the_pixels)
 {
     map_style("pencil", NULL, &map);
     map.options.ids = true;
@@ -95,12 +95,12 @@ START_TEST(ids_name_the_strokes_that_cover_the_pixels)
             }
         }
     for (; first < map.strokes.count && map.strokes.items[first].column == 0; first++)
-        found += seen[first + 1]; /* later ones may lie wholly under these */
+        found += seen[first + 1]; /* those of later columns may be covered completely */
     ck_assert(first > 20 && found > first * 9 / 10);
 }
 END_TEST
 
-START_TEST(a_seed_is_a_drawing)
+START_TEST(a_random_seed_determines_the_drawing)
 {
     map_style("ink", NULL, &map);
     map_fill(&map);
@@ -114,16 +114,16 @@ START_TEST(a_seed_is_a_drawing)
 }
 END_TEST
 
-/* On a tile whose left half is black every choice goes to the right. */
-START_TEST(the_exhaustive_choice_goes_where_paper_is_left)
+/* On a tile whose left half is black every stroke is placed in the right half. */
+START_TEST(the_exhaustive_method_places_strokes_on_paper)
 {
     struct hatch_canvas canvas;
     float *pyramids[1][HATCH_MIP_LEVELS_MAX];
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{.width = 64, .height = 64, .channel_count = 1}};
     struct hatch_mipmap chain = {.levels = levels};
     map_style(NULL, "jitter 0\ndirection 90 0 1\nlength 0.1 0.3", &map);
-    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
-                  &map_err);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
     for (uint32_t i = 0; i < 64 * 64; i++)
         canvas.paper[0][i] = i % 64 >= 32;
     levels[0].pixels = canvas.paper[0];
@@ -144,8 +144,8 @@ START_TEST(the_exhaustive_choice_goes_where_paper_is_left)
 }
 END_TEST
 
-/* Full-width lines that fill a tile keep their distance. The paper's box-filtered pyramids let a
- * few pairs stand together where their blocks meet; at random 3.5 of these 45 pairs would. */
+/* Lines across the whole tile keep their distance. With the box-filtered pyramids of the paper a few pairs are close to
+ * each other at block borders; of 45 random pairs 3.5 would be. */
 START_TEST(lines_keep_their_distance)
 {
     map_style(NULL, "jitter 0\ndirection 0 0 1\nlength 1 1\ndarkest 0.24", &map);
@@ -164,7 +164,7 @@ START_TEST(lines_keep_their_distance)
 }
 END_TEST
 
-START_TEST(growing_strokes_begin_small)
+START_TEST(growing_strokes_start_small)
 {
     map_style("ink", NULL, &map);
     map.options.tones = 12;
@@ -178,13 +178,13 @@ START_TEST(growing_strokes_begin_small)
 }
 END_TEST
 
-/* How many strokes of the lightest column stand at their full size in a column's finest image. */
-static uint32_t full_grown(uint32_t tone)
+/* The number of strokes of the lightest column that are at full size in the finest image of a column. */
+static uint32_t count_full_grown(uint32_t tone)
 {
     struct hatch_canvas canvas;
     uint32_t count = 0;
-    HATCH_TEST_OK(hatch_canvas_make(&map_arena, &map.style, &map.brush, 64, 1, false, false, &canvas, &map_err),
-                  &map_err);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
     for (uint32_t i = 0; i < map.strokes.count && map.strokes.items[i].column == 0; i++) {
         bool whole = true;
         (void)hatch_canvas_try(&canvas, &map.strokes.items[i], 0, 1);
@@ -205,12 +205,13 @@ START_TEST(growing_strokes_end_at_their_full_size)
     while (map.strokes.items[all].column == 0)
         all++;
     ck_assert_uint_gt(all, 5);
-    ck_assert_uint_lt(full_grown(0), all / 3);
-    ck_assert_uint_eq(full_grown(5), all); /* they grow over a third of the columns */
+    ck_assert_uint_lt(count_full_grown(0), all / 3);
+    ck_assert_uint_eq(count_full_grown(5), all); /* they grow over a third of the columns */
 }
 END_TEST
 
-static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
+static enum hatch_status fail_at_column_2(void *context, uint32_t tone, const struct hatch_mipmap *column,
+                                          struct hatch_err *err)
 {
     (void)column;
     uint32_t *calls = context;
@@ -218,14 +219,13 @@ static enum hatch_status refuse(void *context, uint32_t tone, const struct hatch
     return tone == 2 ? hatch_fail(err, HATCH_IO, "no room for column %u", tone) : HATCH_OK;
 }
 
-START_TEST(a_sink_that_fails_ends_the_work)
+START_TEST(a_failing_sink_ends_the_filling)
 {
     map_style("ink", NULL, &map);
     uint32_t calls = 0;
     struct hatch_stroke_list list = {.count = 9};
-    ck_assert_int_eq(
-        hatch_tam_fill(&map.style, &map.brush, &map.options, &map_arena, &map_scratch, refuse, &calls, &list, &map_err),
-        HATCH_IO);
+    const struct hatch_tam_sink sink = {fail_at_column_2, &calls};
+    ck_assert_int_eq(hatch_tam_fill(&map.options, &map_arena, &map_scratch, &sink, &list, &map_err), HATCH_IO);
     ck_assert_str_eq(map_err.text, "no room for column 2");
     ck_assert_uint_eq(calls, 3);
     ck_assert_uint_eq(list.count, 9);
@@ -242,7 +242,8 @@ static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch
 static enum hatch_status fill(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
                               struct hatch_err *err)
 {
-    return hatch_tam_fill(&map.style, &map.brush, &map.options, keep, scratch, ignore, NULL, context, err);
+    const struct hatch_tam_sink sink = {ignore, NULL};
+    return hatch_tam_fill(&map.options, keep, scratch, &sink, context, err);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -255,22 +256,23 @@ START_TEST(every_failed_allocation_is_a_status)
 }
 END_TEST
 
-/* The sheet: a light grey ground, the coarsest level on top, columns from the left. */
-START_TEST(the_sheet_shows_every_image_in_its_place)
+/* The background is light grey, the coarsest level on top, columns run from the left. */
+START_TEST(the_sheet_shows_every_image)
 {
     struct hatch_tam_sheet sheet;
     map_style("ink", NULL, &map);
     map_fill(&map);
-    HATCH_TEST_OK(hatch_tam_sheet_make(64, 2, 6, false, 3, &map_arena, &sheet, &map_err), &map_err);
+    const struct hatch_tam_sheet_options options = {.size_px = 64, .levels = 2, .tones = 6, .shown = 3};
+    HATCH_TEST_OK(hatch_tam_sheet_make(&options, &map_arena, &sheet, &map_err), &map_err);
     for (uint32_t tone = 0; tone < 6; tone++)
         hatch_tam_sheet_add(&sheet, tone, &map.columns[tone]);
     ck_assert_uint_eq(sheet.picture.width, 3 * 72 + 8);
     ck_assert_uint_eq(sheet.picture.height, 8 + 32 + 8 + 64 + 8);
     ck_assert_float_eq(sheet.picture.pixels[0], 0.6f);
-    for (uint32_t place = 0; place < 3; place++)
+    for (uint32_t slot = 0; slot < 3; slot++)
         for (uint32_t level = 0; level < 2; level++) {
-            const struct hatch_image *image = &map.columns[2 * place + 1].levels[level];
-            uint32_t left = 8 + 72 * place + (level ? 16 : 0), top = level ? 8 : 48;
+            const struct hatch_image *image = &map.columns[2 * slot + 1].levels[level];
+            uint32_t left = 8 + 72 * slot + (level ? 16 : 0), top = level ? 8 : 48;
             for (uint32_t i = 0; i < image->width * image->height; i++) {
                 uint32_t x = left + i % image->width, y = top + i / image->width;
                 ck_assert_float_eq(sheet.picture.pixels[y * sheet.picture.width + x], image->pixels[i]);
@@ -283,12 +285,13 @@ static enum hatch_status make_sheet(void *context, struct hatch_arena *keep, str
                                     struct hatch_err *err)
 {
     (void)scratch;
-    return hatch_tam_sheet_make(64, 2, 6, true, 6, keep, context, err);
+    const struct hatch_tam_sheet_options options = {64, 2, 6, 6, true};
+    return hatch_tam_sheet_make(&options, keep, context, err);
 }
 
 START_TEST(a_sheet_survives_failed_allocations)
 {
-    struct hatch_tam_sheet sheet = {.tones = 5};
+    struct hatch_tam_sheet sheet = {.options = {.tones = 5}};
     ck_assert_uint_ge(hatch_test_fail_alloc(make_sheet, &sheet, &sheet, sizeof sheet), 1);
 }
 END_TEST
@@ -298,19 +301,19 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam fill");
     TCase *tests = tcase_create("fill");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_test(tests, columns_come_in_order_with_their_labels);
-    tcase_add_test(tests, strokes_say_where_they_belong_in_drawing_order);
-    tcase_add_test(tests, directions_follow_the_schedule);
-    tcase_add_test(tests, a_gap_in_the_schedule_draws_all_directions);
-    tcase_add_test(tests, ids_name_the_strokes_that_cover_the_pixels);
-    tcase_add_test(tests, a_seed_is_a_drawing);
-    tcase_add_test(tests, the_exhaustive_choice_goes_where_paper_is_left);
+    tcase_add_test(tests, columns_are_passed_in_order_with_their_metadata);
+    tcase_add_test(tests, strokes_have_their_column_and_level_in_drawing_order);
+    tcase_add_test(tests, directions_follow_the_style);
+    tcase_add_test(tests, a_tone_without_directions_uses_all_of_them);
+    tcase_add_test(tests, ids_are_those_of_the_strokes_that_cover_the_pixels);
+    tcase_add_test(tests, a_random_seed_determines_the_drawing);
+    tcase_add_test(tests, the_exhaustive_method_places_strokes_on_paper);
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
-    tcase_add_test(tests, growing_strokes_begin_small);
+    tcase_add_test(tests, growing_strokes_start_small);
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);
-    tcase_add_test(tests, a_sink_that_fails_ends_the_work);
+    tcase_add_test(tests, a_failing_sink_ends_the_filling);
     tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
-    tcase_add_test(tests, the_sheet_shows_every_image_in_its_place);
+    tcase_add_test(tests, the_sheet_shows_every_image);
     tcase_add_test(tests, a_sheet_survives_failed_allocations);
     suite_add_tcase(suite, tests);
     return suite;

@@ -14,14 +14,14 @@ static void begin(void)
     tam = (struct hatch_tam){.tones = 77};
 }
 
-static void refused(uint32_t count, const char *says)
+static void check_rejected(uint32_t count, const char *message)
 {
     ck_assert_int_eq(hatch_tam_from_mipmaps(map.columns, count, &tam, &map_err), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(map_err.text, says) != NULL, "'%s', want '%s'", map_err.text, says);
+    ck_assert_msg(strstr(map_err.text, message) != NULL, "'%s', want '%s'", map_err.text, message);
     ck_assert_uint_eq(tam.tones, 77);
 }
 
-START_TEST(a_map_is_taken_over_as_it_is)
+START_TEST(a_map_is_kept_by_reference)
 {
     HATCH_TEST_OK(hatch_tam_from_mipmaps(map.columns, 6, &tam, &map_err), &map_err);
     ck_assert_uint_eq(tam.size_px, 64);
@@ -34,19 +34,19 @@ START_TEST(a_map_is_taken_over_as_it_is)
 }
 END_TEST
 
-START_TEST(names_must_count_up)
+START_TEST(names_must_be_numbered_without_gaps)
 {
     strcpy(map.columns[3].name, "tone.004");
-    refused(6, "part 3 is named 'tone.004', want tone.003: not a tonal art map");
+    check_rejected(6, "part 3 is named 'tone.004', want tone.003: not a tonal art map");
     strcpy(map.columns[0].name, "");
-    refused(6, "part 0 is named ''");
+    check_rejected(6, "part 0 is named ''");
 }
 END_TEST
 
-START_TEST(a_count_out_of_range_is_refused)
+START_TEST(a_count_out_of_range_is_rejected)
 {
-    refused(0, "0 parts");
-    refused(257, "257 parts");
+    check_rejected(0, "0 parts");
+    check_rejected(257, "257 parts");
 }
 END_TEST
 
@@ -54,60 +54,60 @@ START_TEST(shapes_must_agree)
 {
     struct hatch_mipmap *part = &map.columns[2];
     part->levels[0].width = 32;
-    refused(6, "tone.002: 32x64 pixels, want a square");
+    check_rejected(6, "tone.002: 32x64 pixels, want a square");
     part->levels[0].height = 32;
-    refused(6, "tone.002: 32 pixels in 7 levels, where tone.000 has 64 in 7");
+    check_rejected(6, "tone.002: 32 pixels in 7 levels, where tone.000 has 64 in 7");
     part->levels[0].width = part->levels[0].height = 64;
     part->level_count = 6;
-    refused(6, "tone.002: 64 pixels in 6 levels");
+    check_rejected(6, "tone.002: 64 pixels in 6 levels");
     for (int i = 0; i < 6; i++)
         map.columns[i].level_count = 6;
-    refused(6, "tone.000: 6 mip levels, want the whole chain of 7");
+    check_rejected(6, "tone.000: 6 mip levels, want the whole chain of 7");
 }
 END_TEST
 
 START_TEST(channels_must_be_known_and_agree)
 {
     strcpy(map.columns[0].levels[0].channels[0].name, "Z");
-    refused(6, "tone.000: no channel Y");
+    check_rejected(6, "tone.000: no channel Y");
     strcpy(map.columns[0].levels[0].channels[0].name, "Y");
     map.columns[1].levels[0].channel_count = 2;
-    refused(6, "tone.001: other channels than tone.000");
+    check_rejected(6, "tone.001: channels differ from those of tone.000");
     map.columns[1].levels[0].channel_count = 3;
     strcpy(map.columns[1].levels[0].channels[1].name, "t");
     strcpy(map.columns[1].levels[0].channels[2].name, "id");
-    refused(6, "tone.001: other channels than tone.000");
+    check_rejected(6, "tone.001: channels differ from those of tone.000");
 }
 END_TEST
 
-START_TEST(targets_must_be_there_and_rise)
+START_TEST(targets_must_exist_and_rise)
 {
     hatch_mipmap_set_number(&map.columns[4], HATCH_TAM_ATTR_TONE, 0.1, HATCH_ATTRIBUTE_FLOAT);
-    refused(6, "tone.004: tone 0.1 is lighter than the column before it");
+    check_rejected(6, "tone.004: tone 0.1 is lighter than the column before it");
     hatch_mipmap_set_number(&map.columns[4], HATCH_TAM_ATTR_TONE, NAN, HATCH_ATTRIBUTE_FLOAT);
-    refused(6, "tone.004: hatch:tone nan, want 0 to 1");
+    check_rejected(6, "tone.004: hatch:tone nan, want 0 to 1");
     hatch_mipmap_set_text(&map.columns[4], HATCH_TAM_ATTR_TONE, "dark");
-    refused(6, "tone.004: no attribute hatch:tone");
+    check_rejected(6, "tone.004: no attribute hatch:tone");
 }
 END_TEST
 
-START_TEST(the_number_of_levels_must_be_possible)
+START_TEST(the_number_of_drawn_levels_must_be_in_range)
 {
     hatch_mipmap_set_number(&map.columns[0], HATCH_TAM_ATTR_LEVELS, 8, HATCH_ATTRIBUTE_INT);
-    refused(6, "tone.000: hatch:levels 8, want 1 to 7");
+    check_rejected(6, "tone.000: hatch:levels 8, want 1 to 7");
     hatch_mipmap_set_number(&map.columns[0], HATCH_TAM_ATTR_LEVELS, 2, HATCH_ATTRIBUTE_FLOAT);
-    refused(6, "tone.000: hatch:levels is no whole number");
+    check_rejected(6, "tone.000: hatch:levels is not a whole number");
     hatch_mipmap_set_number(&map.columns[0], HATCH_TAM_ATTR_LEVELS, 3, HATCH_ATTRIBUTE_INT);
-    refused(6, "tone.001: 2 drawn levels, where the first column has 3");
+    check_rejected(6, "tone.001: 2 drawn levels, where the first column has 3");
 }
 END_TEST
 
-START_TEST(a_pixel_that_is_no_number_is_refused)
+START_TEST(a_pixel_that_is_not_finite_is_rejected)
 {
     map.columns[5].levels[6].pixels[0] = NAN;
-    refused(6, "tone.005: level 6: a pixel is not a finite number");
+    check_rejected(6, "tone.005: level 6: a pixel is not a finite number");
     map.columns[5].levels[6].pixels[0] = INFINITY;
-    refused(6, "level 6");
+    check_rejected(6, "level 6");
 }
 END_TEST
 
@@ -116,14 +116,14 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam parts");
     TCase *tests = tcase_create("parts");
     tcase_add_checked_fixture(tests, begin, map_end);
-    tcase_add_test(tests, a_map_is_taken_over_as_it_is);
-    tcase_add_test(tests, names_must_count_up);
-    tcase_add_test(tests, a_count_out_of_range_is_refused);
+    tcase_add_test(tests, a_map_is_kept_by_reference);
+    tcase_add_test(tests, names_must_be_numbered_without_gaps);
+    tcase_add_test(tests, a_count_out_of_range_is_rejected);
     tcase_add_test(tests, shapes_must_agree);
     tcase_add_test(tests, channels_must_be_known_and_agree);
-    tcase_add_test(tests, targets_must_be_there_and_rise);
-    tcase_add_test(tests, the_number_of_levels_must_be_possible);
-    tcase_add_test(tests, a_pixel_that_is_no_number_is_refused);
+    tcase_add_test(tests, targets_must_exist_and_rise);
+    tcase_add_test(tests, the_number_of_drawn_levels_must_be_in_range);
+    tcase_add_test(tests, a_pixel_that_is_not_finite_is_rejected);
     suite_add_tcase(suite, tests);
     return suite;
 }

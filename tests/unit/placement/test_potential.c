@@ -17,12 +17,18 @@ static struct hatch_brush brush;
 static struct hatch_canvas canvas;
 static struct hatch_potential field;
 
+static enum hatch_status make_canvas(void)
+{
+    const struct hatch_canvas_options options = {&style, &brush, SIZE, LEVELS, false, false};
+    return hatch_canvas_make(&options, &keep, &canvas, &err);
+}
+
 static void begin(void)
 {
     hatch_arena_init(&keep, (size_t)64 << 20);
     hatch_style_default(&style);
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_INK, &keep, &brush, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
+    HATCH_TEST_OK(make_canvas(), &err);
     HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
@@ -47,7 +53,7 @@ static void draw(const struct hatch_stroke *stroke, uint32_t coarsest)
         hatch_canvas_draw(&canvas, stroke, level, 0, 1);
         hatch_potential_deposit(&field, &canvas, level);
     }
-    hatch_potential_settle(&field);
+    hatch_potential_update(&field);
 }
 
 static double mean_potential(void)
@@ -58,11 +64,11 @@ static double mean_potential(void)
     return sum / (field.size * field.size);
 }
 
-/* Every scale of the pyramid keeps the mean, and a level counts by the width of its strokes on the
- * tile: the mean potential is known in closed form. */
+/* Every scale of the pyramid keeps the mean, and levels are weighted by the width of their strokes on the tile, so the
+ * mean potential is known in closed form. */
 START_TEST(the_mean_potential_counts_every_level_at_every_scale)
 {
-    hatch_potential_start(&field, LEVELS - 1);
+    hatch_potential_select(&field, LEVELS - 1);
     ck_assert_double_eq_tol(mean_potential(), 0, 1e-12);
     for (uint64_t i = 0; i < 20; i++) {
         struct hatch_stroke stroke = random_stroke(i);
@@ -75,74 +81,73 @@ START_TEST(the_mean_potential_counts_every_level_at_every_scale)
 }
 END_TEST
 
-static float was[SIZE * SIZE];
+static float saved[SIZE * SIZE];
 
-/* How far the field is from what a fresh start for that level finds, of the mean potential. */
-static double change_by_starting_anew(uint32_t level)
+/* The largest difference of the field to one computed anew for the level, relative to the mean potential. */
+static double difference_to_new_field(uint32_t level)
 {
     size_t cells = (size_t)field.size * field.size;
-    memcpy(was, field.potential, cells * sizeof *was);
-    hatch_potential_start(&field, level ? 0 : LEVELS - 1);
-    hatch_potential_start(&field, level);
+    memcpy(saved, field.potential, cells * sizeof *saved);
+    hatch_potential_select(&field, level ? 0 : LEVELS - 1);
+    hatch_potential_select(&field, level);
     double most = 0;
     for (size_t i = 0; i < cells; i++)
-        most = fmax(most, fabs((double)(was[i] - field.potential[i])));
+        most = fmax(most, fabs((double)(saved[i] - field.potential[i])));
     return most / mean_potential();
 }
 
-/* What was deposited stroke by stroke is what a fresh start finds: at once in a new field, which is white, and
- * also where strokes of coarser levels came between, which the field does not show. */
-START_TEST(a_start_finds_what_was_deposited)
+/* A field updated stroke by stroke equals one computed anew, also with strokes of coarser levels in between, which are
+ * not part of the potential. */
+START_TEST(updates_equal_a_new_field)
 {
     for (uint64_t i = 0; i < 20; i++) {
         struct hatch_stroke stroke = random_stroke(i);
         draw(&stroke, LEVELS - 1);
     }
-    ck_assert_double_lt(change_by_starting_anew(LEVELS - 1), 1e-4);
+    ck_assert_double_lt(difference_to_new_field(LEVELS - 1), 1e-4);
     for (uint32_t level = 0; level < LEVELS; level++) {
-        hatch_potential_start(&field, level);
+        hatch_potential_select(&field, level);
         for (uint64_t i = 20; i < 40; i++) {
             struct hatch_stroke stroke = random_stroke(i);
             draw(&stroke, (uint32_t)i % LEVELS);
-            hatch_potential_start(&field, level);
+            hatch_potential_select(&field, level);
         }
-        ck_assert_double_lt(change_by_starting_anew(level), 1e-4);
+        ck_assert_double_lt(difference_to_new_field(level), 1e-4);
     }
-    hatch_potential_start(&field, 0); /* the finest level alone */
+    hatch_potential_select(&field, 0); /* only the finest level */
     ck_assert_double_eq_tol(mean_potential() / (canvas.darkness[0] / SIZE * field.octaves), 1, 1e-4);
 }
 END_TEST
 
-/* Half a tile is a whole number of cells at every scale but the last two: moving the drawing by it
- * moves the field. */
+/* Moving the drawing by half a tile, a whole number of cells at all scales but the last two, moves the field. */
 START_TEST(the_field_has_no_borders)
 {
     uint32_t size = field.size, half = size / 2;
     struct hatch_stroke stroke = random_stroke(4);
     stroke.x = stroke.y = 0.015625f;
-    hatch_potential_start(&field, 0);
+    hatch_potential_select(&field, 0);
     draw(&stroke, 0);
-    memcpy(was, field.potential, (size_t)size * size * sizeof *was);
+    memcpy(saved, field.potential, (size_t)size * size * sizeof *saved);
     double scale = mean_potential();
     HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
-    HATCH_TEST_OK(hatch_canvas_make(&keep, &style, &brush, SIZE, LEVELS, false, false, &canvas, &err), &err);
+    HATCH_TEST_OK(make_canvas(), &err);
     stroke.x += 0.5f;
     stroke.y += 0.5f;
-    hatch_potential_start(&field, 0);
+    hatch_potential_select(&field, 0);
     draw(&stroke, 0);
     for (uint32_t y = 0; y < size; y++)
         for (uint32_t x = 0; x < size; x++) {
             float moved = field.potential[(y + half) % size * size + (x + half) % size];
-            ck_assert_double_eq_tol((double)(moved - was[y * size + x]) / scale, 0, 1e-3);
+            ck_assert_double_eq_tol((double)(moved - saved[y * size + x]) / scale, 0, 1e-3);
         }
 }
 END_TEST
 
-/* Near a stroke the field is high, and it falls with the distance. */
-START_TEST(the_field_falls_away_from_a_stroke)
+/* The field falls with the distance from a stroke. */
+START_TEST(the_field_falls_with_the_distance_from_a_stroke)
 {
     struct hatch_stroke stroke = {.x = 0.5f, .y = 0.5f, .length = 1, .width_px = 1.8f, .tone = 1};
-    hatch_potential_start(&field, 0);
+    hatch_potential_select(&field, 0);
     draw(&stroke, 0);
     float last = INFINITY;
     for (uint32_t cells = 0; cells < field.size / 2; cells += field.size / 16) {
@@ -155,7 +160,7 @@ START_TEST(the_field_falls_away_from_a_stroke)
 }
 END_TEST
 
-/* A brush of so many columns, with ink in those from first to last - 1, and a field for it. */
+/* Makes a brush with ink in the columns first .. last - 1, and a field for it. */
 static void brush_of_columns(uint32_t columns, uint32_t first, uint32_t last)
 {
     struct hatch_image image;
@@ -166,8 +171,8 @@ static void brush_of_columns(uint32_t columns, uint32_t first, uint32_t last)
     HATCH_TEST_OK(hatch_potential_make(&keep, SIZE, LEVELS, &brush, &field, &err), &err);
 }
 
-/* Closed form: ink in the second eighth of the stroke, over any number of parts. */
-START_TEST(shares_of_ink_are_its_overlap_with_the_parts)
+/* Closed form for ink in the second eighth of the stroke. */
+START_TEST(shares_of_ink_are_those_of_the_brush)
 {
     brush_of_columns(80, 10, 20);
     for (uint32_t n = 1; n <= HATCH_POTENTIAL_PARTS; n++) {
@@ -183,8 +188,8 @@ START_TEST(shares_of_ink_are_its_overlap_with_the_parts)
 }
 END_TEST
 
-/* Potential counts only where the brush would leave ink. */
-START_TEST(the_score_looks_where_the_ink_is)
+/* The potential counts only where the brush has ink. */
+START_TEST(the_score_is_weighted_by_ink)
 {
     brush_of_columns(80, 10, 20);
     for (uint32_t i = 0; i < field.size * field.size; i++)
@@ -214,7 +219,7 @@ START_TEST(the_score_is_the_mean_along_the_line)
                 double at = ((k + 0.5) / samples - 0.5) * cells;
                 double x = (double)stroke.x * size + at * cos((double)stroke.angle_rad);
                 double y = (double)stroke.y * size + at * sin((double)stroke.angle_rad);
-                off += fabs(x - round(x)) < 1e-3 || fabs(y - round(y)) < 1e-3; /* either cell will do */
+                off += fabs(x - round(x)) < 1e-3 || fabs(y - round(y)) < 1e-3; /* rounding decides the cell */
                 x -= floor(x / size) * size;
                 y -= floor(y / size) * size;
                 sum += (double)field.potential[(uint32_t)y % field.size * field.size + (uint32_t)x % field.size];
@@ -229,7 +234,7 @@ START_TEST(the_score_is_the_mean_along_the_line)
 }
 END_TEST
 
-/* On a smooth potential, where a cell more or less does not matter: the mean along the arc in closed form. */
+/* On a smooth potential the score of an arc is the mean along it, computed by fine sampling. */
 START_TEST(the_score_of_an_arc_is_the_mean_along_it)
 {
     const double turn = 2 * acos(-1);
@@ -266,21 +271,20 @@ static struct hatch_choice choice_of(uint64_t number)
                                  .directions = {0, 1.5f}};
 }
 
-/* A chosen stroke scores no worse than every candidate that it was chosen from. */
-START_TEST(the_best_candidate_is_chosen_and_bettered)
+/* A chosen stroke scores at least as well as its candidates. */
+START_TEST(the_best_candidate_is_chosen_and_improved)
 {
-    hatch_potential_start(&field, 1);
+    hatch_potential_select(&field, 1);
     for (uint64_t i = 0; i < 30; i++) {
         struct hatch_choice choice = choice_of(i);
         struct hatch_stroke best = hatch_place_by_field(&style, &field, &choice);
         float score = hatch_potential_score(&field, &best, UINT32_MAX);
         uint32_t better = 0;
         for (uint32_t c = 0; c < choice.candidates; c++) {
-            struct hatch_stroke other = hatch_candidate(&style, &choice, c);
+            struct hatch_stroke other = hatch_choice_candidate(&style, &choice, c);
             better += hatch_potential_score(&field, &other, UINT32_MAX) < score;
         }
-        /* the list is cut by 24 samples a candidate: a rare one that all cells would favour is
-         * missed */
+        /* the shortlist is made from 24 samples per candidate, which misses a better one now and then */
         ck_assert_uint_le(better, 2);
         ck_assert(best.x >= 0 && best.x < 1 && best.y >= 0 && best.y < 1);
         draw(&best, 1);
@@ -288,13 +292,13 @@ START_TEST(the_best_candidate_is_chosen_and_bettered)
 }
 END_TEST
 
-START_TEST(candidates_are_as_the_style_says)
+START_TEST(candidates_follow_the_style)
 {
     struct hatch_choice choice = choice_of(3);
     choice.candidates = 4000;
     double length = 0, x = 0, spread = 0;
     for (uint32_t c = 0; c < choice.candidates; c++) {
-        struct hatch_stroke s = hatch_candidate(&style, &choice, c);
+        struct hatch_stroke s = hatch_choice_candidate(&style, &choice, c);
         ck_assert(s.x >= 0 && s.x < 1 && s.y >= 0 && s.y < 1);
         ck_assert(s.length >= style.length_min && s.length <= style.length_max);
         ck_assert_uint_eq(s.level, 1);
@@ -307,7 +311,7 @@ START_TEST(candidates_are_as_the_style_says)
     style.bend_max_rad = 1.5f;
     double bend = 0, side = 0;
     for (uint32_t c = 0; c < choice.candidates; c++) {
-        struct hatch_stroke s = hatch_candidate(&style, &choice, c);
+        struct hatch_stroke s = hatch_choice_candidate(&style, &choice, c);
         ck_assert(fabsf(s.bend_rad) >= 0.5f && fabsf(s.bend_rad) <= 1.5f);
         bend += fabs((double)s.bend_rad) / choice.candidates;
         side += (double)s.bend_rad / choice.candidates;
@@ -318,15 +322,15 @@ START_TEST(candidates_are_as_the_style_says)
     ck_assert_double_eq_tol(x, 0.5, 0.02);
     ck_assert_double_eq_tol(sqrt(spread) / (double)style.jitter_rad, 1, 0.05);
     choice.length_max = 0.1f; /* a gap smaller than the shortest stroke */
-    ck_assert_float_eq(hatch_candidate(&style, &choice, 9).length, style.length_min);
+    ck_assert_float_eq(hatch_choice_candidate(&style, &choice, 9).length, style.length_min);
 }
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     (void)scratch;
-    return hatch_potential_make(to, SIZE, LEVELS, &brush, context, said);
+    return hatch_potential_make(to, SIZE, LEVELS, &brush, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -342,15 +346,15 @@ static Suite *suite(void)
     TCase *tests = tcase_create("field");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_mean_potential_counts_every_level_at_every_scale);
-    tcase_add_test(tests, a_start_finds_what_was_deposited);
+    tcase_add_test(tests, updates_equal_a_new_field);
     tcase_add_test(tests, the_field_has_no_borders);
-    tcase_add_test(tests, the_field_falls_away_from_a_stroke);
-    tcase_add_test(tests, shares_of_ink_are_its_overlap_with_the_parts);
-    tcase_add_test(tests, the_score_looks_where_the_ink_is);
+    tcase_add_test(tests, the_field_falls_with_the_distance_from_a_stroke);
+    tcase_add_test(tests, shares_of_ink_are_those_of_the_brush);
+    tcase_add_test(tests, the_score_is_weighted_by_ink);
     tcase_add_test(tests, the_score_is_the_mean_along_the_line);
     tcase_add_test(tests, the_score_of_an_arc_is_the_mean_along_it);
-    tcase_add_test(tests, the_best_candidate_is_chosen_and_bettered);
-    tcase_add_test(tests, candidates_are_as_the_style_says);
+    tcase_add_test(tests, the_best_candidate_is_chosen_and_improved);
+    tcase_add_test(tests, candidates_follow_the_style);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

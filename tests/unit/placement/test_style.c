@@ -21,16 +21,16 @@ static enum hatch_status parse(const char *text)
 
 START_TEST(an_empty_file_is_the_default)
 {
-    struct hatch_style was = style;
+    struct hatch_style before = style;
     HATCH_TEST_OK(parse(""), &err);
     HATCH_TEST_OK(parse("\xef\xbb\xbf# marked\r\n"), &err);
     HATCH_TEST_OK(parse("\n   \n# nothing\n\t# more\r\n"), &err);
-    ck_assert_mem_eq(&was, &style, sizeof style);
+    ck_assert_mem_eq(&before, &style, sizeof style);
     ck_assert_str_eq(style.name, "ink");
 }
 END_TEST
 
-START_TEST(every_key_reaches_its_field)
+START_TEST(every_key_sets_its_member)
 {
     HATCH_TEST_OK(parse("name chalk\n"
                         "brush charcoal\n"
@@ -64,7 +64,7 @@ START_TEST(every_key_reaches_its_field)
     ck_assert_uint_eq(style.color_count, 2);
     ck_assert_float_eq(style.colors[0].tone, 0.25f);
     ck_assert_float_eq(style.colors[0].rgb[1], hatch_srgb_to_linear(128 / 255.0f));
-    ck_assert_uint_eq(style.direction_count, 2); /* the default's three are gone */
+    ck_assert_uint_eq(style.direction_count, 2); /* those of the default are replaced */
     ck_assert_float_eq_tol(style.directions[0].angle_rad, 0.785398163f, 1e-6f);
     ck_assert_float_eq(style.directions[0].from, 0.25f);
     ck_assert_float_eq(style.directions[0].to, 0.5f);
@@ -76,14 +76,14 @@ START_TEST(every_key_reaches_its_field)
 }
 END_TEST
 
-START_TEST(later_lines_win_and_comments_tabs_and_crlf_do_not_matter)
+START_TEST(later_lines_win_and_comments_tabs_and_crlf_are_ignored)
 {
     HATCH_TEST_OK(parse("\twidth\t3 # wide\r\nwidth 4#x\r\n"), &err);
     ck_assert_float_eq(style.width_px, 4);
 }
 END_TEST
 
-START_TEST(every_brush_has_its_word)
+START_TEST(every_brush_has_a_name)
 {
     for (int kind = 0; kind < HATCH_BRUSH_IMAGE; kind++) {
         char line[64];
@@ -94,18 +94,18 @@ START_TEST(every_brush_has_its_word)
 }
 END_TEST
 
-START_TEST(a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them)
+START_TEST(a_brush_file_may_contain_spaces)
 {
     HATCH_TEST_OK(parse("brush image \t my stroke.png \t # drawn by hand\n"), &err);
     ck_assert_int_eq(style.brush, HATCH_BRUSH_IMAGE);
     ck_assert_str_eq(style.brush_file, "my stroke.png");
-    HATCH_TEST_OK(parse("brush image b.png"), &err); /* nothing of the longer name is left */
+    HATCH_TEST_OK(parse("brush image b.png"), &err); /* the longer name is overwritten */
     ck_assert_str_eq(style.brush_file, "b.png");
 }
 END_TEST
 
 static const struct {
-    const char *text, *says;
+    const char *text, *message;
 } bad[] = {
     {"colour red", "line 1: no such key 'colour', perhaps color"},
     {"widht 3", "line 1: no such key 'widht', perhaps width"},
@@ -113,7 +113,7 @@ static const struct {
     {"wide 3", "line 1: no such key 'wide'"},
     {"# one\n\nwidth", "line 3: width: a value is missing"},
     {"width wide\r\n", "line 1: width: 'wide' is not a number"},
-    {"width 3 4", "line 1: width: more values"},
+    {"width 3 4", "line 1: width: too many values"},
     {"width 0.4", "line 1: width: 0.4, want 0.5 to 64"},
     {"width 65", "line 1: width: 65"},
     {"width nan", "line 1: width: 'nan'"},
@@ -122,14 +122,14 @@ static const struct {
     {"length 0.5", "line 1: length: a value is missing"},
     {"length 0 4.5", "line 1: length: 4.5"},
     {"length -1 1", "line 1: length: -1"},
-    {"width 2\nlength 1 0.5\nwidth 3", "line 2: length: the shortest, 1, is above the longest, 0.5"},
+    {"width 2\nlength 1 0.5\nwidth 3", "line 2: length: the minimum 1 exceeds the maximum 0.5"},
     {"bend 5", "line 1: bend: a value is missing"},
     {"bend 5 359", "line 1: bend: 359"},
-    {"bend 90 45", "line 1: bend: the least, 90, is above the most, 45"},
+    {"bend 90 45", "line 1: bend: the minimum 90 exceeds the maximum 45"},
     {"color ff0000", "line 1: color: 'ff0000' is not a number"},
-    {"color 0.5 red", "line 1: color: want a darkness and six"},
+    {"color 0.5 red", "line 1: color: want a tone and three or six"},
     {"color 1.5 ff0000", "line 1: color: 1.5"},
-    {"color 0.5 ff0000\ncolor 0.5 000000", "line 2: color: darkness 0.5 does not rise"},
+    {"color 0.5 ff0000\ncolor 0.5 000000", "line 2: color: tone 0.5 does not exceed"},
     {"jitter 91", "line 1: jitter: 91"},
     {"jitter -1", "line 1: jitter: -1"},
     {"ink 0", "line 1: ink: 0"},
@@ -140,7 +140,7 @@ static const struct {
     {"gamma 11", "line 1: gamma: 11"},
     {"overlap", "line 1: overlap: want darkens, flat or covers"},
     {"overlap both", "line 1: overlap: want darkens, flat or covers"},
-    {"overlap flat flat", "line 1: overlap: more values"},
+    {"overlap flat flat", "line 1: overlap: too many values"},
     {"direction 0 0", "line 1: direction: a value is missing"},
     {"direction 361 0 1", "line 1: direction: 361"},
     {"direction 0 -0.1 1", "line 1: direction: -0.1"},
@@ -156,26 +156,26 @@ static const struct {
     {"candidates 1.5 1", "line 1: candidates: 1.5 1, want whole numbers"},
     {"brush", "line 1: brush: a value is missing"},
     {"brush quill", "line 1: brush: 'quill', want ink"},
-    {"brush ink ink", "line 1: brush: more values"},
-    {"brush image", "line 1: brush: image wants a file name"},
-    {"brush image  # none", "line 1: brush: image wants a file name"},
+    {"brush ink ink", "line 1: brush: too many values"},
+    {"brush image", "line 1: brush: image needs a file name"},
+    {"brush image  # none", "line 1: brush: image needs a file name"},
     {"name", "line 1: name: want one word"},
-    {"name two words", "line 1: name: more values"},
+    {"name two words", "line 1: name: too many values"},
     {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "line 1: name: want one word"},
 };
 
-START_TEST(a_bad_line_is_named_and_changes_nothing)
+START_TEST(a_bad_line_is_reported_and_changes_nothing)
 {
-    struct hatch_style was = style;
+    struct hatch_style before = style;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strncmp(err.text, bad[_i].says, strlen(bad[_i].says)) == 0, "'%s', want '%s'", err.text,
-                  bad[_i].says);
-    ck_assert_mem_eq(&was, &style, sizeof style);
+    ck_assert_msg(strncmp(err.text, bad[_i].message, strlen(bad[_i].message)) == 0, "'%s', want '%s'", err.text,
+                  bad[_i].message);
+    ck_assert_mem_eq(&before, &style, sizeof style);
 }
 END_TEST
 
-/* Linear between the colours, the nearest beyond them, black without any; given anew, the old ones go. */
-START_TEST(colors_lie_on_a_path)
+/* Linear between the colours, clamped beyond them, black without any; the first new color line replaces old ones. */
+START_TEST(colors_are_interpolated)
 {
     float rgb[3] = {1, 1, 1};
     hatch_style_color_at(&style, 0.5f, rgb);
@@ -219,12 +219,12 @@ static Suite *suite(void)
     TCase *tests = tcase_create("style");
     tcase_add_checked_fixture(tests, begin, NULL);
     tcase_add_test(tests, an_empty_file_is_the_default);
-    tcase_add_test(tests, every_key_reaches_its_field);
-    tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_do_not_matter);
-    tcase_add_test(tests, every_brush_has_its_word);
-    tcase_add_test(tests, a_brush_file_may_hold_blanks_but_does_not_begin_or_end_with_them);
-    tcase_add_loop_test(tests, a_bad_line_is_named_and_changes_nothing, 0, sizeof bad / sizeof *bad);
-    tcase_add_test(tests, colors_lie_on_a_path);
+    tcase_add_test(tests, every_key_sets_its_member);
+    tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_are_ignored);
+    tcase_add_test(tests, every_brush_has_a_name);
+    tcase_add_test(tests, a_brush_file_may_contain_spaces);
+    tcase_add_loop_test(tests, a_bad_line_is_reported_and_changes_nothing, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, colors_are_interpolated);
     tcase_add_test(tests, targets_rise_to_the_darkest);
     suite_add_tcase(suite, tests);
     return suite;

@@ -53,10 +53,9 @@ static void make_volume(enum hatch_volume_layout layout)
 static void make_thresholds(void)
 {
     struct hatch_threshold_options how = {.bins = HATCH_THRESHOLD_BINS, .seed = 1};
-    struct hatch_threshold_figures figures;
-    HATCH_TEST_OK(hatch_thresholds_make(&map, &how, NULL, &frame.args.keep, &frame.args.scratch, &thresholds, &figures,
-                                        &frame.err),
-                  &frame.err);
+    HATCH_TEST_OK(
+        hatch_thresholds_make(&map, &how, NULL, &frame.args.keep, &frame.args.scratch, &thresholds, &frame.err),
+        &frame.err);
     asset.texture = (struct tone_texture){
         .holds = TONE_TEXTURE_THRESHOLDS, .texels = thresholds.texels, .levels = thresholds.levels, .darkest = 1};
 }
@@ -103,7 +102,7 @@ static double worst_of(const char *technique, double tone, double tiles)
     return worst;
 }
 
-/* What is uploaded becomes blocks; the model is what hatch_texels_unpack makes of them. Greys of all kinds,
+/* What is uploaded becomes blocks; the model is what hatch_texels_decompress makes of them. Greys of all kinds,
  * which BC1 and BC7 hold as colours. */
 static void pack(enum hatch_texels_code code)
 {
@@ -114,9 +113,10 @@ static void pack(enum hatch_texels_code code)
         for (size_t i = 0; i < hatch_texels_level_size(&plain, level); i++)
             plain.texels[level][i] = (uint8_t)(volume.texels.texels[level][i / plain.channels] *
                                                hatch_random_unit(9, level, i / plain.channels));
-    HATCH_TEST_OK(hatch_texels_pack(&plain, code, NULL, &frame.args.keep, &asset.texture.texels, NULL, &frame.err),
+    HATCH_TEST_OK(hatch_texels_compress(&plain, code, NULL, &frame.args.keep, &asset.texture.texels, NULL, &frame.err),
                   &frame.err);
-    HATCH_TEST_OK(hatch_texels_unpack(&asset.texture.texels, &frame.args.keep, &volume.texels, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_texels_decompress(&asset.texture.texels, &frame.args.keep, &volume.texels, &frame.err),
+                  &frame.err);
 }
 
 static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code code)

@@ -32,7 +32,7 @@ static uint32_t list_strokes(struct stroke *strokes)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < rptam.layers[0].count * TILES * TILES; i++) {
-        const struct hatch_seed_place *place = &rptam.layers[0].places[i / (TILES * TILES)];
+        const struct hatch_seed_point *place = &rptam.layers[0].points[i / (TILES * TILES)];
         strokes[count++] = (struct stroke){.uv = {i % TILES + (double)place->u * 0x1p-64 - TILES / 2.0,
                                                   i / TILES % TILES + (double)place->v * 0x1p-64 - TILES / 2.0},
                                            .ink = 2};

@@ -4,8 +4,7 @@
 /* Draws tone and lines of what frame holds. */
 static void draw_lines(struct hatch_image *image)
 {
-    const struct line_overlay_style style = {
-        .lines = {.kinds = HATCH_LINES_ALL, .width_px = 2, .crease_rad = 0.7}};
+    const struct line_overlay_style style = {.lines = {.kinds = HATCH_LINES_ALL, .width_px = 2, .crease_rad = 0.7}};
     struct line_overlay lines;
     HATCH_TEST_OK(line_overlay_make(&lines, &frame.on_gpu, &style, &frame.shown.programs, &frame.args, &frame.err),
                   &frame.err);

@@ -6,13 +6,13 @@
 #include "seed/cycle.h"
 
 static enum hatch_status make(enum hatch_cycle_method method, uint32_t count, uint64_t seed, uint8_t *crumbs,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     const struct hatch_cycle_options options = {.method = method, .count = count, .seed = seed, .steps_max = 1000000};
-    return hatch_cycle_make(&options, &scratch, crumbs, NULL, said);
+    return hatch_cycle_make(&options, &scratch, crumbs, NULL, error);
 }
 
-/* Counts every window of every length, without a thought for how the cycle was made. */
+/* Counts the windows of every length. */
 static void check_uniform(const uint8_t *crumbs, uint32_t count)
 {
     static uint32_t seen[1u << 22];
@@ -47,7 +47,7 @@ START_TEST(any_length_is_uniform_at_every_pattern_length)
 }
 END_TEST
 
-START_TEST(a_million_and_three_is_uniform_too)
+START_TEST(a_large_odd_length_is_uniform)
 {
     static uint8_t crumbs[1000003];
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 1000003, 5, crumbs, &err), &err);
@@ -74,13 +74,13 @@ static int compare(const void *a, const void *b)
     return memcmp(a, b, 4);
 }
 
-/* Uniform cycles of four crumbs are the 3! orders of four crumbs on a circle; each is as likely. */
+/* Uniform cycles of four crumbs are the 3! cyclic orders of 0 .. 3, equally likely. */
 START_TEST(circuits_are_equally_likely)
 {
     enum { DRAWS = 6000 };
     uint32_t seen[6] = {0};
     uint8_t known[6][4], crumbs[4], turned[4];
-    uint32_t kinds = 0;
+    uint32_t known_count = 0;
     for (uint32_t seed = 0; seed < DRAWS; seed++) {
         HATCH_TEST_OK(make(HATCH_CYCLE_EULER, 4, seed, crumbs, &err), &err);
         uint32_t zero = 0, kind = 0;
@@ -88,22 +88,22 @@ START_TEST(circuits_are_equally_likely)
             zero++;
         for (uint32_t i = 0; i < 4; i++)
             turned[i] = crumbs[(zero + i) % 4];
-        while (kind < kinds && compare(known[kind], turned))
+        while (kind < known_count && compare(known[kind], turned))
             kind++;
         ck_assert_uint_lt(kind, 6);
         memcpy(known[kind], turned, 4);
-        kinds += kind == kinds;
+        known_count += kind == known_count;
         seen[kind]++;
     }
     double chi_square = 0;
     for (int k = 0; k < 6; k++)
         chi_square += (seen[k] - DRAWS / 6.0) * (seen[k] - DRAWS / 6.0) / (DRAWS / 6.0);
-    ck_assert_uint_eq(kinds, 6);
+    ck_assert_uint_eq(known_count, 6);
     ck_assert_double_lt(chi_square, 30); /* five degrees of freedom: 1.5e-5 */
 }
 END_TEST
 
-START_TEST(seeds_give_different_cycles_and_the_same_again)
+START_TEST(random_seeds_determine_cycles)
 {
     uint8_t first[61], second[61], again[61];
     HATCH_TEST_OK(make(HATCH_CYCLE_ANY, 61, 1, first, &err), &err);
@@ -122,7 +122,7 @@ START_TEST(backtracking_gives_up_at_its_limit)
 }
 END_TEST
 
-START_TEST(other_counts_than_powers_of_four_need_the_general_method)
+START_TEST(other_counts_than_powers_of_four_are_rejected_by_euler_and_backtrack)
 {
     uint8_t crumbs[60];
     ck_assert_int_eq(make(HATCH_CYCLE_EULER, 60, 1, crumbs, &err), HATCH_USAGE);
@@ -131,14 +131,14 @@ START_TEST(other_counts_than_powers_of_four_need_the_general_method)
 END_TEST
 
 static enum hatch_status make_for_allocation(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                             struct hatch_err *said)
+                                             struct hatch_err *error)
 {
     const struct hatch_cycle_options *options = context;
-    uint8_t *crumbs = HATCH_NEW(kept, uint8_t, options->count, said);
-    return crumbs ? hatch_cycle_make(options, temporary, crumbs, NULL, said) : HATCH_LIMIT;
+    uint8_t *crumbs = HATCH_NEW(kept, uint8_t, options->count, error);
+    return crumbs ? hatch_cycle_make(options, temporary, crumbs, NULL, error) : HATCH_LIMIT;
 }
 
-START_TEST(every_failed_allocation_is_survived)
+START_TEST(every_failed_allocation_is_a_status)
 {
     for (int method = HATCH_CYCLE_ANY; method <= HATCH_CYCLE_BACKTRACK; method++) {
         struct hatch_cycle_options options = {
@@ -154,13 +154,13 @@ static Suite *suite(void)
     TCase *tests = tcase_create("cycle");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, any_length_is_uniform_at_every_pattern_length);
-    tcase_add_test(tests, a_million_and_three_is_uniform_too);
+    tcase_add_test(tests, a_large_odd_length_is_uniform);
     tcase_add_test(tests, powers_of_four_are_uniform_by_the_other_methods);
     tcase_add_test(tests, circuits_are_equally_likely);
-    tcase_add_test(tests, seeds_give_different_cycles_and_the_same_again);
+    tcase_add_test(tests, random_seeds_determine_cycles);
     tcase_add_test(tests, backtracking_gives_up_at_its_limit);
-    tcase_add_test(tests, other_counts_than_powers_of_four_need_the_general_method);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
+    tcase_add_test(tests, other_counts_than_powers_of_four_are_rejected_by_euler_and_backtrack);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
 }

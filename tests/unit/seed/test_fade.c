@@ -4,7 +4,7 @@
 
 #include "seed/fade.h"
 
-/* 4^m (1 + 3 f) / 4 is 1 all the way; the paper's law has 5/4 at m = 1/2. */
+/* 4^m (1 + 3 f) / 4 is 1 for every m; with the law of the paper it is 5/4 at m = 1/2. */
 START_TEST(the_even_law_keeps_the_ink)
 {
     double most = 0;
@@ -20,7 +20,7 @@ START_TEST(the_even_law_keeps_the_ink)
 }
 END_TEST
 
-/* Of a stroke at a rank where those that go have a mean of f left. */
+/* The weight of a stroke of a rank when the share f is left. */
 static double weight_at(double f, double rank, double overlap)
 {
     double m = 1 - log2(1 + 3 * f) / 2;
@@ -28,8 +28,8 @@ static double weight_at(double f, double rank, double overlap)
     return hatch_fade_weight(&fade, 1 - rank, 0);
 }
 
-/* The mean of the weights over ranks is f, for every overlap; they lie in 0..1 and fall with rank. */
-START_TEST(weights_have_the_mean_that_is_asked)
+/* The mean of the weights over ranks is f for every overlap; weights are within 0 .. 1 and fall with rank. */
+START_TEST(weights_have_the_given_mean)
 {
     enum { RANKS = 20000 };
     for (int overlap = 0; overlap <= 10; overlap++)
@@ -47,7 +47,7 @@ START_TEST(weights_have_the_mean_that_is_asked)
 }
 END_TEST
 
-START_TEST(the_ends_of_overlap_are_together_and_one_after_the_other)
+START_TEST(strokes_fade_together_or_one_after_the_other)
 {
     for (int r = 0; r < 10; r++) {
         double rank = (r + 0.5) / 10;
@@ -57,8 +57,8 @@ START_TEST(the_ends_of_overlap_are_together_and_one_after_the_other)
 }
 END_TEST
 
-/* In the middle of the way as many are in transition as the overlap says. */
-START_TEST(overlap_is_the_share_in_transition)
+/* At f = 1/2 a share overlap / (1 - overlap) of the ranks is fading. */
+START_TEST(overlap_determines_the_share_that_is_fading)
 {
     enum { RANKS = 10000 };
     int moving = 0;
@@ -75,9 +75,9 @@ static Suite *suite(void)
     Suite *suite = suite_create("seed fade");
     TCase *tests = tcase_create("fade");
     tcase_add_test(tests, the_even_law_keeps_the_ink);
-    tcase_add_test(tests, weights_have_the_mean_that_is_asked);
-    tcase_add_test(tests, the_ends_of_overlap_are_together_and_one_after_the_other);
-    tcase_add_test(tests, overlap_is_the_share_in_transition);
+    tcase_add_test(tests, weights_have_the_given_mean);
+    tcase_add_test(tests, strokes_fade_together_or_one_after_the_other);
+    tcase_add_test(tests, overlap_determines_the_share_that_is_fading);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -16,7 +16,7 @@ START_TEST(a_line_is_a_layer)
 {
     HATCH_TEST_OK(read("# a comment\n\n"
                        "tone 0.2..0.6 turn -90 length 40 width 3 ink 0.8 tile 128 stroke my pencil.png \r\n"
-                       "  width 2 # the rest is somebody else's\n"),
+                       "  width 2 # the rest is left to the caller\n"),
                   &err);
     const struct hatch_layer_line *line = layers.lines;
     ck_assert_uint_eq(layers.count, 2);
@@ -39,8 +39,8 @@ END_TEST
 static const struct {
     const char *text, *message;
 } wrong[] = {
-    {"", "no layer in it"},
-    {"# only words\n", "no layer in it"},
+    {"", "the file has no layer"},
+    {"# only words\n", "the file has no layer"},
     {"turn 1\nnib 3\n", "line 2: no such key 'nib'"},
     {"turn\n", "line 1: turn: a value is missing"},
     {"turn x\n", "line 1: turn: 'x' is not a number"},
@@ -53,13 +53,13 @@ static const struct {
     {"tone 0.5..\n", "line 1: tone: '0.5..', want FROM..TO, like 0.2..0.6"},
     {"tone ..1\n", "line 1: tone: '' is not a number"},
     {"tone 0.5..2\n", "line 1: tone: 2, want 0 to 1"},
-    {"tone 0.5..0.5\n", "line 1: tone: from 0.5 to 0.5 is no stretch"},
-    {"width 1 width 2\n", "line 1: width: stands there twice"},
-    {"tone 0..1 tone 0..1\n", "line 1: tone: stands there twice"},
-    {"stroke  \n", "line 1: stroke: want a brush or a file's name"},
+    {"tone 0.5..0.5\n", "line 1: tone: from 0.5 to 0.5 is empty"},
+    {"width 1 width 2\n", "line 1: width is repeated"},
+    {"tone 0..1 tone 0..1\n", "line 1: tone is repeated"},
+    {"stroke  \n", "line 1: stroke: want the name of a brush or a file"},
 };
 
-START_TEST(what_is_wrong_is_said_with_its_line)
+START_TEST(a_bad_line_is_reported)
 {
     ck_assert_int_eq(read(wrong[_i].text), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, wrong[_i].message);
@@ -86,7 +86,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("layers");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_line_is_a_layer);
-    tcase_add_loop_test(tests, what_is_wrong_is_said_with_its_line, 0, sizeof wrong / sizeof *wrong);
+    tcase_add_loop_test(tests, a_bad_line_is_reported, 0, sizeof wrong / sizeof *wrong);
     tcase_add_test(tests, layers_have_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

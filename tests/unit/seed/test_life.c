@@ -1,4 +1,4 @@
-/* How long strokes stay: the recursion, and the spread of weights that weighted sets promise. */
+/* Lifetimes of strokes: the recursion over nesting levels, and the distribution of weights in weighted sets. */
 #include "arenas.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "seed/spread.h"
 
 static struct hatch_seeds seeds;
-static struct hatch_seed_place *places;
+static struct hatch_seed_point *points;
 static uint8_t *life;
 
 static void make(uint32_t count, enum hatch_fade_law law)
@@ -15,14 +15,14 @@ static void make(uint32_t count, enum hatch_fade_law law)
     const struct hatch_seeds_options how = {.cycle = {.count = count, .seed = 3}, .layers = 1, .candidates = 10};
     uint64_t steps;
     HATCH_TEST_OK(hatch_seeds_make(&how, &keep, &scratch, &seeds, &steps, &err), &err);
-    places = HATCH_NEW(&keep, struct hatch_seed_place, count, &err);
+    points = HATCH_NEW(&keep, struct hatch_seed_point, count, &err);
     life = HATCH_NEW(&keep, uint8_t, 4 * (size_t)count, &err);
-    hatch_seed_places(seeds.layers, places);
-    HATCH_TEST_OK(hatch_life_make(seeds.layers, places, law, &scratch, life, &err), &err);
+    hatch_seed_points(seeds.layers, points);
+    HATCH_TEST_OK(hatch_life_make(seeds.layers, points, law, &scratch, life, &err), &err);
 }
 
-/* A stroke that stays is seed i - 1 of the next level, at the same place. */
-START_TEST(what_stays_has_a_place_in_the_next_level)
+/* A stroke that stays is that of seed point i - 1 of the next level, at the same position. */
+START_TEST(strokes_that_stay_are_in_the_next_level)
 {
     static const uint32_t counts[] = {2, 7, 64, 100};
     uint32_t count = counts[_i];
@@ -33,17 +33,17 @@ START_TEST(what_stays_has_a_place_in_the_next_level)
             if (life[4 * i + tile] != HATCH_LIFE_STAYS)
                 continue;
             stays++;
-            uint64_t u = (places[i].u >> 1) + ((uint64_t)(tile & 1) << 63);
-            uint64_t v = (places[i].v >> 1) + ((uint64_t)(tile >> 1) << 63);
-            ck_assert_uint_le(places[above].u - u, 1);
-            ck_assert_uint_le(places[above].v - v, 1);
+            uint64_t u = (points[i].u >> 1) + ((uint64_t)(tile & 1) << 63);
+            uint64_t v = (points[i].v >> 1) + ((uint64_t)(tile >> 1) << 63);
+            ck_assert_uint_le(points[above].u - u, 1);
+            ck_assert_uint_le(points[above].v - v, 1);
         }
         ck_assert_uint_eq(stays, 1);
     }
 }
 END_TEST
 
-/* Depth above the level at which a stroke of the four by four tiles dies; beyond 2 it is 2. */
+/* The depth above the level at which a stroke in one of four by four tiles vanishes, at most 2. */
 static double death(uint32_t seed, uint32_t tile_u, uint32_t tile_v)
 {
     uint32_t count = seeds.layers[0].count, above = (seed + count - 1) % count;
@@ -54,7 +54,7 @@ static double death(uint32_t seed, uint32_t tile_u, uint32_t tile_v)
     return next != HATCH_LIFE_STAYS ? 1 + hatch_life_value(next) : 2;
 }
 
-/* The share of those alive at m that live on for more than x. */
+/* The share of the strokes present at m that stay for more than x. */
 static double share_beyond(double m, double x)
 {
     uint32_t alive = 0, beyond = 0;
@@ -66,8 +66,8 @@ static double share_beyond(double m, double x)
     return (double)beyond / alive;
 }
 
-/* 4^-x, as far as a byte tells depths apart and 64 seeds fill the scale. */
-START_TEST(lives_have_no_memory)
+/* It is 4^-x, up to the resolution of a byte and of 64 seed points. */
+START_TEST(lifetimes_have_no_memory)
 {
     make(64, HATCH_FADE_WEIGHTED);
     for (int m = 0; m <= 10; m++)
@@ -76,8 +76,8 @@ START_TEST(lives_have_no_memory)
 }
 END_TEST
 
-/* Weights in tenths, those alive and whole or not, at four depths. */
-START_TEST(weights_are_spread_alike_on_levels_and_between)
+/* Histograms of the weights at four depths. */
+START_TEST(weights_have_one_distribution_at_every_depth)
 {
     double shares[4][12] = {{0}}, overlap = _i / 4.0;
     make(64, HATCH_FADE_WEIGHTED);
@@ -91,7 +91,7 @@ START_TEST(weights_are_spread_alike_on_levels_and_between)
         }
         for (int bin = 0; bin < 11; bin++)
             shares[k][bin] /= alive;
-        ck_assert_double_eq_tol(1 - shares[k][10], 1 - pow(4, -overlap), 0.012); /* on their way */
+        ck_assert_double_eq_tol(1 - shares[k][10], 1 - pow(4, -overlap), 0.012); /* fading */
     }
     for (int k = 1; k < 4; k++)
         for (int bin = 0; bin < 11; bin++)
@@ -100,20 +100,20 @@ START_TEST(weights_are_spread_alike_on_levels_and_between)
 }
 END_TEST
 
-/* Half of those that go, the last, keep farther from all others than a half by chance would. */
-START_TEST(what_is_left_keeps_apart)
+/* When half of the fading strokes are left, they are further apart than a random half. */
+START_TEST(remaining_strokes_are_spread_well)
 {
     enum { COUNT = 64 };
     make(COUNT, HATCH_FADE_EVEN);
-    struct hatch_seed_place left[4 * COUNT];
+    struct hatch_seed_point remaining[4 * COUNT];
     uint32_t count = 0;
     for (uint32_t i = 0; i < 4 * COUNT; i++)
         if (life[i] >= HATCH_LIFE_STAYS / 2)
-            left[count++] = (struct hatch_seed_place){(places[i / 4].u >> 1) + ((uint64_t)(i & 1) << 63),
-                                                      (places[i / 4].v >> 1) + ((uint64_t)(i >> 1 & 1) << 63)};
+            remaining[count++] = (struct hatch_seed_point){(points[i / 4].u >> 1) + ((uint64_t)(i & 1) << 63),
+                                                           (points[i / 4].v >> 1) + ((uint64_t)(i >> 1 & 1) << 63)};
     double distance;
-    HATCH_TEST_OK(hatch_spread_distance(left, count, &scratch, &distance, &err), &err);
-    ck_assert_double_gt(distance / hatch_spread_bound(count), 0.3); /* by chance: under .1 */
+    HATCH_TEST_OK(hatch_spread_distance(remaining, count, &scratch, &distance, &err), &err);
+    ck_assert_double_gt(distance / hatch_spread_bound(count), 0.3); /* random: under .1 */
 }
 END_TEST
 
@@ -122,10 +122,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("seed life");
     TCase *tests = tcase_create("life");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, what_stays_has_a_place_in_the_next_level, 0, 4);
-    tcase_add_test(tests, lives_have_no_memory);
-    tcase_add_loop_test(tests, weights_are_spread_alike_on_levels_and_between, 0, 5);
-    tcase_add_test(tests, what_is_left_keeps_apart);
+    tcase_add_loop_test(tests, strokes_that_stay_are_in_the_next_level, 0, 4);
+    tcase_add_test(tests, lifetimes_have_no_memory);
+    tcase_add_loop_test(tests, weights_have_one_distribution_at_every_depth, 0, 5);
+    tcase_add_test(tests, remaining_strokes_are_spread_well);
     suite_add_tcase(suite, tests);
     return suite;
 }

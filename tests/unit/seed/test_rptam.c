@@ -1,5 +1,5 @@
-/* The model of recursive maps and its lists of strokes when memory runs out; what they draw is measured in
- * tests/prop/test_rptam_tone.c; and what tells strokes apart. */
+/* The model of recursive maps and its coverage lists when memory runs out, and the variants of strokes. Tones are
+ * measured in tests/prop/test_rptam_tone.c. */
 #include "arenas.h"
 #include "fail_alloc.h"
 #include "rptam_model.h"
@@ -19,7 +19,7 @@ static void begin_seeds(void)
 }
 
 static enum hatch_status make_model(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                                    struct hatch_err *said)
+                                    struct hatch_err *error)
 {
     struct hatch_rptam_style style = {.overlap = 0.3, .layer_count = 2};
     for (int i = 0; i < 2; i++)
@@ -31,21 +31,21 @@ static enum hatch_status make_model(void *context, struct hatch_arena *to, struc
                                                            .tile_px = 32,
                                                            .ink = 1,
                                                            .stroke = &stroke};
-    return hatch_rptam_make(&seeds, &style, to, temporary, context, said);
+    return hatch_rptam_make(&seeds, &style, to, temporary, context, error);
 }
 
 static enum hatch_status make_coverage(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                                       struct hatch_err *said)
+                                       struct hatch_err *error)
 {
     static const struct hatch_coverage_stroke shape = {0.3, 0.05, 0.8, 0.6};
-    struct hatch_seed_place *places = HATCH_NEW(to, struct hatch_seed_place, 16, said);
-    if (!places)
+    struct hatch_seed_point *points = HATCH_NEW(to, struct hatch_seed_point, 16, error);
+    if (!points)
         return HATCH_LIMIT;
     (void)temporary;
-    return hatch_coverage_make(places, 16, &shape, 8, to, context, said);
+    return hatch_coverage_make(points, 16, &shape, 8, to, context, error);
 }
 
-START_TEST(every_failed_allocation_is_survived)
+START_TEST(every_failed_allocation_is_a_status)
 {
     struct hatch_rptam rptam = {.layer_count = 7};
     struct hatch_coverage coverage = {.side = 7};
@@ -56,8 +56,8 @@ START_TEST(every_failed_allocation_is_survived)
 }
 END_TEST
 
-/* The same strokes on both sides of a level, where each seed gets another number. */
-START_TEST(a_stroke_keeps_its_look_over_levels)
+/* Strokes do not change at a nesting level, where the seed points are renumbered. */
+START_TEST(a_stroke_keeps_its_variant_over_levels)
 {
     const struct model_how how = {.tile_px = 50, .length_px = 20, .width_px = 8, .varied = true, .seeds = (uint32_t)_i};
     struct hatch_rptam rptam;
@@ -73,25 +73,25 @@ START_TEST(a_stroke_keeps_its_look_over_levels)
 }
 END_TEST
 
-/* Of 64 strokes in one tile, which lie apart, no more than a few look the same. */
+/* Of 64 separate strokes in one tile only a few look the same. */
 START_TEST(strokes_differ)
 {
-    enum { PLACES = 15 };
+    enum { POSITIONS = 15 };
     const struct model_how how = {.tile_px = 4000, .length_px = 20, .width_px = 8, .varied = true};
     struct hatch_rptam rptam;
-    double ink[64][PLACES];
+    double ink[64][POSITIONS];
     model_make(&how, &keep, &scratch, &rptam);
     for (uint32_t seed = 0; seed < 64; seed++)
-        for (int i = 0; i < PLACES; i++) {
-            const double uv[2] = {rptam.layers[0].at[seed][0] + (i % 5 - 2) * 0.0007,
-                                  rptam.layers[0].at[seed][1] + (i / 5 - 1) * 0.0005};
+        for (int i = 0; i < POSITIONS; i++) {
+            const double uv[2] = {rptam.layers[0].positions[seed][0] + (i % 5 - 2) * 0.0007,
+                                  rptam.layers[0].positions[seed][1] + (i / 5 - 1) * 0.0005};
             ink[seed][i] = hatch_rptam_layer_ink(&rptam, 0, uv, 0, 1, false);
         }
     for (uint32_t seed = 0; seed < 64; seed++) {
         uint32_t alike = 0;
         for (uint32_t other = 0; other < 64; other++) {
             double worst = 0;
-            for (int i = 0; i < PLACES; i++)
+            for (int i = 0; i < POSITIONS; i++)
                 worst = fmax(worst, fabs(ink[seed][i] - ink[other][i]));
             alike += worst < 0.02;
         }
@@ -100,8 +100,8 @@ START_TEST(strokes_differ)
 }
 END_TEST
 
-/* Without grain each texel is the mean of what lies under it, here of two by two, and paper lies around all. */
-START_TEST(images_of_strokes_are_means)
+/* Without grain each texel is the mean of the texels under it, here two by two, and the border is paper. */
+START_TEST(images_of_strokes_are_box_filtered)
 {
     float pixels[32];
     for (int i = 0; i < 32; i++)
@@ -110,7 +110,7 @@ START_TEST(images_of_strokes_are_means)
     const struct hatch_rptam_layer_style style = {.stroke = &from, .length_px = 2, .width_px = 1};
     struct hatch_image made;
     uint32_t images;
-    HATCH_TEST_OK(hatch_rptam_stroke(&style, &keep, &scratch, &made, &images, &err), &err);
+    HATCH_TEST_OK(hatch_rptam_stroke_images(&style, &keep, &scratch, &made, &images, &err), &err);
     ck_assert(images == 1 && made.width == 6 && made.height == 4);
     for (int y = -1; y < 3; y++)
         for (int x = -1; x < 5; x++) {
@@ -127,9 +127,9 @@ static Suite *suite(void)
     Suite *suite = suite_create("recursive maps");
     TCase *tests = tcase_create("memory");
     tcase_add_checked_fixture(tests, begin_seeds, end);
-    tcase_add_test(tests, every_failed_allocation_is_survived);
-    tcase_add_test(tests, images_of_strokes_are_means);
-    tcase_add_loop_test(tests, a_stroke_keeps_its_look_over_levels, 2, 40);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, images_of_strokes_are_box_filtered);
+    tcase_add_loop_test(tests, a_stroke_keeps_its_variant_over_levels, 2, 40);
     tcase_add_test(tests, strokes_differ);
     suite_add_tcase(suite, tests);
     return suite;

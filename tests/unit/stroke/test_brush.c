@@ -22,7 +22,7 @@ static void check_sums(const struct hatch_brush *brush)
     }
 }
 
-START_TEST(profiles_are_alphas_with_ink_in_the_middle)
+START_TEST(built_in_brushes_have_ink_in_the_middle)
 {
     struct hatch_brush brush;
     HATCH_TEST_OK(hatch_brush_make((enum hatch_brush_kind)_i, &keep, &brush, &err), &err);
@@ -30,20 +30,20 @@ START_TEST(profiles_are_alphas_with_ink_in_the_middle)
     check_sums(&brush);
     float middle = brush.alpha[brush.height / 2 * brush.width + brush.width / 2];
     ck_assert_float_ge(middle, 0.95f);
-    if (_i == HATCH_BRUSH_ROUND) /* whose ends are drawn by their formula */
+    if (_i == HATCH_BRUSH_ROUND) /* its ends are computed when it is drawn */
         ck_assert_float_eq(brush.alpha[0], 1.0f);
     else
         ck_assert_float_le(brush.alpha[0], 0.5f * middle); /* no square corners */
     bool grainy = _i == HATCH_BRUSH_PENCIL || _i == HATCH_BRUSH_CRAYON || _i == HATCH_BRUSH_CHARCOAL;
     ck_assert_int_eq(brush.grain != NULL, grainy);
-    for (uint32_t y = 0; y < brush.height; y++) /* a stroke's two sides are alike */
+    for (uint32_t y = 0; y < brush.height; y++) /* both sides of a stroke are equal */
         for (uint32_t x = 0; x < brush.width; x++)
             ck_assert_float_eq_tol(brush.alpha[y * brush.width + x],
                                    brush.alpha[(brush.height - 1 - y) * brush.width + x], 1e-5f);
 }
 END_TEST
 
-/* Grain wraps: the step across the border is no larger than the largest step inside. */
+/* Grain wraps: steps across the border are about as large as steps inside. */
 START_TEST(grain_is_seamless_and_within_bounds)
 {
     struct hatch_brush brush;
@@ -63,7 +63,7 @@ START_TEST(grain_is_seamless_and_within_bounds)
 }
 END_TEST
 
-START_TEST(the_disc_has_a_discs_area)
+START_TEST(the_disc_has_the_area_of_a_disc)
 {
     struct hatch_brush brush;
     HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err), &err);
@@ -96,7 +96,7 @@ static struct hatch_brush from_pixels(const char *names, const float *pixels, ui
     return brush;
 }
 
-START_TEST(dark_is_ink_and_what_is_no_number_is_none)
+START_TEST(dark_is_ink_and_non_finite_pixels_are_paper)
 {
     const float grey[] = {0, 0.25f, 1, 2, -3, NAN, INFINITY, -INFINITY};
     const float want[] = {1, 0.75f, 0, 0, 1, 0, 0, 1};
@@ -106,7 +106,7 @@ START_TEST(dark_is_ink_and_what_is_no_number_is_none)
 }
 END_TEST
 
-START_TEST(colours_count_by_their_luminance)
+START_TEST(colours_are_converted_to_luminance)
 {
     const float colours[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5f, 0.5f, 0.5f};
     struct hatch_brush brush = from_pixels("RGB", colours, 4);
@@ -117,11 +117,11 @@ START_TEST(colours_count_by_their_luminance)
 }
 END_TEST
 
-/* Black ink on nothing; and an opaque picture, whose alpha says nothing. */
-START_TEST(alpha_is_taken_where_it_varies)
+/* A transparent image with black ink, and an opaque one, whose alpha is ignored. */
+START_TEST(alpha_is_used_if_it_varies)
 {
-    const float see_through[] = {0, 0, 0, 0.5f, 0, 1}, opaque[] = {0.2f, 1, 1, 1, 0.6f, 1};
-    struct hatch_brush brush = from_pixels("YA", see_through, 3);
+    const float transparent[] = {0, 0, 0, 0.5f, 0, 1}, opaque[] = {0.2f, 1, 1, 1, 0.6f, 1};
+    struct hatch_brush brush = from_pixels("YA", transparent, 3);
     ck_assert_float_eq(brush.alpha[0], 0);
     ck_assert_float_eq(brush.alpha[1], 0.5f);
     ck_assert_float_eq(brush.alpha[2], 1);
@@ -132,7 +132,7 @@ START_TEST(alpha_is_taken_where_it_varies)
 }
 END_TEST
 
-START_TEST(an_image_without_ink_is_refused)
+START_TEST(an_image_without_ink_is_rejected)
 {
     struct hatch_image image;
     struct hatch_brush brush = {.width = 77};
@@ -140,25 +140,25 @@ START_TEST(an_image_without_ink_is_refused)
     for (int i = 0; i < 9; i++)
         image.pixels[i] = i % 2 ? NAN : 1;
     ck_assert_int_eq(hatch_brush_from_image(&image, &keep, &brush, &err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.text, "without ink"));
+    ck_assert_ptr_nonnull(strstr(err.text, "no ink"));
     ck_assert_uint_eq(brush.width, 77);
 }
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     (void)temporary;
-    return hatch_brush_make(HATCH_BRUSH_PENCIL, to, context, said);
+    return hatch_brush_make(HATCH_BRUSH_PENCIL, to, context, error);
 }
 
 static enum hatch_status make_from_image(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                                         struct hatch_err *said)
+                                         struct hatch_err *error)
 {
     (void)temporary;
     float black = 0;
     struct hatch_image image = {.width = 1, .height = 1, .channel_count = 1, .pixels = &black};
-    return hatch_brush_from_image(&image, to, context, said);
+    return hatch_brush_from_image(&image, to, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -175,14 +175,14 @@ static Suite *suite(void)
     Suite *suite = suite_create("stroke brush");
     TCase *tests = tcase_create("brush");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, profiles_are_alphas_with_ink_in_the_middle, 0, HATCH_BRUSH_IMAGE);
+    tcase_add_loop_test(tests, built_in_brushes_have_ink_in_the_middle, 0, HATCH_BRUSH_IMAGE);
     tcase_add_test(tests, grain_is_seamless_and_within_bounds);
-    tcase_add_test(tests, the_disc_has_a_discs_area);
+    tcase_add_test(tests, the_disc_has_the_area_of_a_disc);
     tcase_add_test(tests, names_are_those_of_the_style_file);
-    tcase_add_test(tests, dark_is_ink_and_what_is_no_number_is_none);
-    tcase_add_test(tests, colours_count_by_their_luminance);
-    tcase_add_test(tests, alpha_is_taken_where_it_varies);
-    tcase_add_test(tests, an_image_without_ink_is_refused);
+    tcase_add_test(tests, dark_is_ink_and_non_finite_pixels_are_paper);
+    tcase_add_test(tests, colours_are_converted_to_luminance);
+    tcase_add_test(tests, alpha_is_used_if_it_varies);
+    tcase_add_test(tests, an_image_without_ink_is_rejected);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

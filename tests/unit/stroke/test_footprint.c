@@ -49,8 +49,8 @@ static double draw(struct hatch_stroke stroke, struct hatch_footprint *f)
     return ink_of(f);
 }
 
-/* Along the axes the box filter is exact: the ink is length × width × tone to rounding. */
-START_TEST(ink_is_length_times_width_times_tone_along_the_axes)
+/* Along the axes the box filter is exact: the ink is length × width × opacity up to rounding. */
+START_TEST(ink_is_length_times_width_times_opacity_along_the_axes)
 {
     static const float widths[] = {0.1f, 0.5f, 1, 1.8f, 3.3f, 10};
     for (uint32_t w = 0; w < sizeof widths / sizeof *widths; w++)
@@ -64,8 +64,8 @@ START_TEST(ink_is_length_times_width_times_tone_along_the_axes)
 }
 END_TEST
 
-/* At other angles the filter's box stands askew to the pixels: within 2 % for any one stroke, and
- * within 0.2 % in the mean over 50 places. */
+/* At other angles the box of the filter is rotated against the pixels: within 2 % for a single stroke, and within 0.2 %
+ * in the mean over 50 positions. */
 START_TEST(ink_is_length_times_width_at_any_angle)
 {
     static const float widths[] = {0.2f, 0.7f, 1, 1.8f, 3.3f, 10};
@@ -83,14 +83,14 @@ START_TEST(ink_is_length_times_width_at_any_angle)
 }
 END_TEST
 
-/* What sampling at pixel centres does to a thin stroke: it keeps all its ink or loses all. */
-START_TEST(a_stroke_thinner_than_a_pixel_keeps_its_ink_wherever_it_lies)
+/* Sampling at pixel centres would keep all ink of a thin stroke or lose all of it. */
+START_TEST(a_stroke_thinner_than_a_pixel_keeps_its_ink)
 {
     uint32_t hit = 0;
     for (uint32_t i = 0; i < 64; i++) {
         float y = 0.5f + (float)i / 64 / (float)SIZE;
         float centre = y * (float)SIZE, nearest = floorf(centre) + 0.5f;
-        hit += fabsf(nearest - centre) < 0.15f; /* a stroke 0.3 pixels wide covers a pixel's centre */
+        hit += fabsf(nearest - centre) < 0.15f; /* the stroke covers a pixel centre */
         ck_assert_double_eq_tol(draw(stroke_at(0.5f, y, 40, 0.3f, 0), &print), 12, 0.01);
     }
     ck_assert_uint_lt(hit, 32);
@@ -108,7 +108,7 @@ static void to_picture(const struct hatch_footprint *f, float *picture)
 {
     memset(picture, 0, SIZE * SIZE * sizeof *picture);
     for (uint32_t i = 0; i < f->count; i++) {
-        ck_assert_float_eq(picture[f->at[i]], 0); /* every pixel once */
+        ck_assert_float_eq(picture[f->at[i]], 0); /* no pixel twice */
         ck_assert(f->alpha[i] > 0 && f->alpha[i] <= 1 && f->along[i] >= 0 && f->along[i] <= 1);
         picture[f->at[i]] = f->alpha[i];
     }
@@ -140,7 +140,7 @@ START_TEST(moving_by_whole_pixels_moves_the_pixels)
 }
 END_TEST
 
-/* Two and a half times around: a plain list of covered pixels holds most of them three times. */
+/* A stroke around the tile two and a half times: a plain list of its pixels would hold most of them three times. */
 START_TEST(a_stroke_around_the_tile_counts_each_pixel_once)
 {
     double ink = draw(stroke_at(0.3f, 0.5f, 2.5f * (float)SIZE, 4, 0), &print);
@@ -149,16 +149,15 @@ START_TEST(a_stroke_around_the_tile_counts_each_pixel_once)
     static float picture[SIZE * SIZE];
     draw(stroke_at(0.3f, 0.5f, 2.9f * (float)SIZE, 7, 0.7f), &print);
     to_picture(&print, picture);
-    draw(stroke_at(0.3f, 0.5f, 20, 7, 0.7f), &print); /* the bookkeeping was cleared */
+    draw(stroke_at(0.3f, 0.5f, 20, 7, 0.7f), &print); /* entry_of was cleared */
     ck_assert_double_eq_tol(ink_of(&print), 140, 2);
 }
 END_TEST
 
-START_TEST(darkest_coverage_wins_where_a_stroke_meets_itself)
+START_TEST(the_largest_alpha_wins_where_a_stroke_overlaps_itself)
 {
     static float picture[SIZE * SIZE];
-    /* The ends of a stroke 1.25 tiles long overlap a quarter; its brush is light in its first half.
-     */
+    /* The ends of a stroke 1.25 tiles long overlap by a quarter; its brush is light in the first half. */
     struct hatch_image image;
     struct hatch_brush brush;
     HATCH_TEST_OK(hatch_image_make(&keep, 2, 1, "Y", &image, &err), &err);
@@ -169,15 +168,14 @@ START_TEST(darkest_coverage_wins_where_a_stroke_meets_itself)
     to_picture(&print, picture);
     const float *row = picture + SIZE / 2 * SIZE;
     for (uint32_t x = 1; x < SIZE / 8 - 1; x++)
-        ck_assert_float_eq(row[x], 1); /* the dark end lies over the light start */
+        ck_assert_float_eq(row[x], 1); /* the dark end overlaps the light start */
     for (uint32_t x = SIZE / 8 + 1; x < SIZE / 2 - 1; x++)
         ck_assert_float_eq_tol(row[x], 0.25f, 1e-6f);
 }
 END_TEST
 
-/* Laying `before` and then what is left of `now` gives `now`, whatever the order of their pixels.
- */
-START_TEST(the_rest_over_what_was_there_makes_the_whole)
+/* Compositing the difference over `before` gives `now`. */
+START_TEST(the_difference_over_the_previous_footprint_gives_the_new_one)
 {
     static float before[SIZE * SIZE], now[SIZE * SIZE], rest[SIZE * SIZE];
     for (uint64_t i = 0; i < 30; i++) {
@@ -187,7 +185,7 @@ START_TEST(the_rest_over_what_was_there_makes_the_whole)
         to_picture(&other, before);
         draw(stroke, &print);
         to_picture(&print, now);
-        hatch_footprint_remove(&print, &other);
+        hatch_footprint_subtract(&print, &other);
         memset(rest, 0, sizeof rest);
         for (uint32_t k = 0; k < print.count; k++)
             rest[print.at[k]] = print.alpha[k];
@@ -198,7 +196,7 @@ START_TEST(the_rest_over_what_was_there_makes_the_whole)
         }
         draw(stroke, &print);
         draw(stroke, &other);
-        hatch_footprint_remove(&print, &other);
+        hatch_footprint_subtract(&print, &other);
         ck_assert_double_eq_tol(ink_of(&print), 0, 1e-3);
     }
 }
@@ -226,8 +224,7 @@ START_TEST(along_runs_from_start_to_end)
 }
 END_TEST
 
-/* A picture of a stroke whose alpha varies along it gives the same ink however short it is drawn.
- */
+/* A brush image whose alpha varies along the stroke gives the same mean ink at every length. */
 START_TEST(a_striped_brush_keeps_its_mean_when_it_is_drawn_small)
 {
     struct hatch_image image;
@@ -245,7 +242,7 @@ START_TEST(a_striped_brush_keeps_its_mean_when_it_is_drawn_small)
 }
 END_TEST
 
-START_TEST(too_large_a_stroke_is_refused)
+START_TEST(a_stroke_that_is_too_large_is_rejected)
 {
     struct hatch_footprint huge;
     ck_assert_int_eq(hatch_footprint_make(&keep, 4096, 16, 16384, &huge, &err), HATCH_LIMIT);
@@ -255,10 +252,10 @@ START_TEST(too_large_a_stroke_is_refused)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     (void)scratch;
-    return hatch_footprint_make(to, 64, 1, 4, context, said);
+    return hatch_footprint_make(to, 64, 1, 4, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -273,18 +270,18 @@ static Suite *suite(void)
     Suite *suite = suite_create("stroke footprint");
     TCase *tests = tcase_create("footprint");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, ink_is_length_times_width_times_tone_along_the_axes);
+    tcase_add_test(tests, ink_is_length_times_width_times_opacity_along_the_axes);
     tcase_add_test(tests, ink_is_length_times_width_at_any_angle);
-    tcase_add_test(tests, a_stroke_thinner_than_a_pixel_keeps_its_ink_wherever_it_lies);
+    tcase_add_test(tests, a_stroke_thinner_than_a_pixel_keeps_its_ink);
     tcase_add_test(tests, a_dot_is_as_long_as_it_is_wide);
     tcase_add_test(tests, moving_by_whole_pixels_moves_the_pixels);
     tcase_add_test(tests, a_stroke_around_the_tile_counts_each_pixel_once);
-    tcase_add_test(tests, darkest_coverage_wins_where_a_stroke_meets_itself);
-    tcase_add_test(tests, the_rest_over_what_was_there_makes_the_whole);
+    tcase_add_test(tests, the_largest_alpha_wins_where_a_stroke_overlaps_itself);
+    tcase_add_test(tests, the_difference_over_the_previous_footprint_gives_the_new_one);
     tcase_add_test(tests, growing_strokes_are_shorter_and_thinner);
     tcase_add_test(tests, along_runs_from_start_to_end);
     tcase_add_test(tests, a_striped_brush_keeps_its_mean_when_it_is_drawn_small);
-    tcase_add_test(tests, too_large_a_stroke_is_refused);
+    tcase_add_test(tests, a_stroke_that_is_too_large_is_rejected);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

@@ -59,15 +59,15 @@ static struct hatch_path_builder circle(double x, double y, double r)
                                  {x - r, y - k, x - k, y - r, x, y - r},
                                  {x + k, y - r, x + r, y - k, x + r, y}};
     struct hatch_path_builder b = builder();
-    HATCH_TEST_OK(hatch_path_line(&b, x + r, y, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_line(&b, x + r, y, &err), &err);
     for (int i = 0; i < 4; i++)
-        HATCH_TEST_OK(hatch_path_cubic(&b, curves[i], &err), &err);
+        HATCH_TEST_OK(hatch_path_add_cubic(&b, curves[i], &err), &err);
     return b;
 }
 
 static const float widths[] = {0.3f, 1, 1.8f, 4, 11};
 
-/* The box filter follows the line and not the pixels, so that thin lines are only covered on the mean. */
+/* The box filter is aligned to the line, not to the pixels, so that the ink of thin lines is right only in the mean. */
 static double allowed(float width, double area)
 {
     return (width < 1 ? 0.05 : 0.01) * area;
@@ -79,8 +79,8 @@ START_TEST(a_line_covers_its_area)
     for (int turn = 0; turn < 12; turn++) {
         struct hatch_path_builder b = builder();
         double dx = 0.35 * cos(turn * 0.3), dy = 0.35 * sin(turn * 0.3), w = (double)widths[_i];
-        HATCH_TEST_OK(hatch_path_line(&b, 0.31, 0.77, &err), &err);
-        HATCH_TEST_OK(hatch_path_line(&b, 0.31 + dx, 0.77 + dy, &err), &err);
+        HATCH_TEST_OK(hatch_path_add_line(&b, 0.31, 0.77, &err), &err);
+        HATCH_TEST_OK(hatch_path_add_line(&b, 0.31 + dx, 0.77 + dy, &err), &err);
         struct hatch_stroke stroke = finished(&b, widths[_i]);
         hatch_footprint_draw(&stroke, &round_brush, SIZE, 1, 1, &print);
         double want = 0.35 * SIZE * w + PI * w * w / 4;
@@ -89,8 +89,8 @@ START_TEST(a_line_covers_its_area)
 }
 END_TEST
 
-/* A ring of radius r covers 2 π r w, wherever it lies on the torus; its curves are off by 3e-4 of r. */
-START_TEST(a_ring_covers_its_area)
+/* A circle of radius r covers 2 π r w at every position on the torus; its curves are off by 3e-4 of r. */
+START_TEST(a_circle_covers_its_area)
 {
     static const double places[][2] = {{0.5, 0.5}, {0, 0}, {0.93, 0.2}, {-3.2, 5.7}};
     for (int i = 0; i < 4; i++) {
@@ -104,7 +104,7 @@ START_TEST(a_ring_covers_its_area)
 }
 END_TEST
 
-/* The same on every level: a path is as long as the level is large, and as wide as ever. */
+/* The length of a path scales with the level, its width does not. */
 START_TEST(coarser_levels_keep_the_width)
 {
     struct hatch_path_builder b = circle(0.4, 0.6, 0.3);
@@ -117,8 +117,8 @@ START_TEST(coarser_levels_keep_the_width)
 }
 END_TEST
 
-/* A stroke that bends is a part of a ring: no pixel differs by much from the path along the same arc. */
-START_TEST(an_arc_is_the_path_along_it)
+/* A bent stroke is an arc: no pixel differs much from a path along the same arc. */
+START_TEST(an_arc_equals_the_path_along_it)
 {
     for (int side = -1; side <= 1; side += 2) {
         struct hatch_stroke arc = {.x = 0.5f,
@@ -132,10 +132,10 @@ START_TEST(an_arc_is_the_path_along_it)
         double radius = 0.5 / (2.2 * side), cosine = cos(0.7), sine = sin(0.7);
         for (int i = 0; i <= 200; i++) {
             double s = (i / 200.0 - 0.5) * 2.2 * side;
-            double along = radius * sin(s), aside = radius * (1 - cos(s));
-            HATCH_TEST_OK(
-                hatch_path_line(&b, 0.5 + along * cosine - aside * sine, 0.45 + along * sine + aside * cosine, &err),
-                &err);
+            double along = radius * sin(s), across = radius * (1 - cos(s));
+            HATCH_TEST_OK(hatch_path_add_line(&b, 0.5 + along * cosine - across * sine,
+                                              0.45 + along * sine + across * cosine, &err),
+                          &err);
         }
         struct hatch_stroke path = finished(&b, 3);
         struct hatch_brush ink;
@@ -155,12 +155,12 @@ START_TEST(an_arc_is_the_path_along_it)
 }
 END_TEST
 
-/* Sharp corners have the round join of their width; crossings count once. */
-START_TEST(no_pixel_stands_twice_and_none_is_over_covered)
+/* Sharp corners have round joins; pixels of crossings count once. */
+START_TEST(no_pixel_is_listed_twice_or_over_covered)
 {
     struct hatch_path_builder b = builder();
     for (int i = 0; i < 60; i++)
-        HATCH_TEST_OK(hatch_path_line(&b, 0.1 + 0.8 * (i % 2), 0.1 + i * 0.03, &err), &err);
+        HATCH_TEST_OK(hatch_path_add_line(&b, 0.1 + 0.8 * (i % 2), 0.1 + i * 0.03, &err), &err);
     struct hatch_stroke zigzag = finished(&b, 2);
     ck_assert_float_gt(zigzag.length, 30);
     hatch_footprint_draw(&zigzag, &round_brush, SIZE, 1, 1, &print);
@@ -177,11 +177,11 @@ START_TEST(no_pixel_stands_twice_and_none_is_over_covered)
 }
 END_TEST
 
-START_TEST(a_point_is_a_dot_and_a_tiny_ring_does_not_vanish)
+START_TEST(a_point_is_a_dot_and_a_tiny_circle_does_not_vanish)
 {
     struct hatch_path_builder b = builder();
-    HATCH_TEST_OK(hatch_path_line(&b, 0.5, 0.5, &err), &err);
-    HATCH_TEST_OK(hatch_path_line(&b, 0.5, 0.5, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 0.5, 0.5, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 0.5, 0.5, &err), &err);
     ck_assert_uint_eq(b.count, 1);
     struct hatch_stroke dot = finished(&b, 6);
     ck_assert_ptr_null(dot.path);
@@ -194,13 +194,13 @@ START_TEST(a_point_is_a_dot_and_a_tiny_ring_does_not_vanish)
 }
 END_TEST
 
-/* Every point of a curve lies within the tolerance of the polyline: measured against 100 times as many. */
+/* Every point of a curve, finely sampled, lies within the tolerance of the polyline. */
 START_TEST(curves_keep_to_the_tolerance)
 {
     const double control[6] = {0.9, -0.3, -0.6, 1.4, 0.8, 0.9};
     struct hatch_path_builder b = builder();
-    HATCH_TEST_OK(hatch_path_line(&b, 0.1, 0.2, &err), &err);
-    HATCH_TEST_OK(hatch_path_cubic(&b, control, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 0.1, 0.2, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_cubic(&b, control, &err), &err);
     ck_assert_uint_lt(b.count, 200);
     for (int i = 0; i <= 5000; i++) {
         double t = i / 5000.0, s = 1 - t, nearest = 1;
@@ -218,20 +218,20 @@ START_TEST(curves_keep_to_the_tolerance)
 }
 END_TEST
 
-START_TEST(what_is_not_finite_or_too_far_is_refused)
+START_TEST(points_not_finite_or_too_far_are_rejected)
 {
     struct hatch_path_builder b = builder();
     struct hatch_stroke stroke = {.width_px = 1}, before = stroke;
-    ck_assert_int_eq(hatch_path_line(&b, NAN, 0, &err), HATCH_BAD_INPUT);
-    ck_assert_int_eq(hatch_path_line(&b, 0, INFINITY, &err), HATCH_BAD_INPUT);
-    HATCH_TEST_OK(hatch_path_line(&b, 0, 0, &err), &err);
-    HATCH_TEST_OK(hatch_path_line(&b, 200, 0, &err), &err);
+    ck_assert_int_eq(hatch_path_add_line(&b, NAN, 0, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_path_add_line(&b, 0, INFINITY, &err), HATCH_BAD_INPUT);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 0, 0, &err), &err);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 200, 0, &err), &err);
     ck_assert_int_eq(hatch_path_finish(&b, &keep, &stroke, &err), HATCH_BAD_INPUT);
     ck_assert_mem_eq(&stroke, &before, sizeof stroke);
 }
 END_TEST
 
-/* What is printed reads back exactly: arcs, paths, and when each level gets them. */
+/* Arcs, paths and the columns of each level are read back exactly. */
 START_TEST(scripts_keep_arcs_paths_and_levels)
 {
     struct hatch_path_builder b = circle(0.93, 0.2, 0.21);
@@ -258,17 +258,17 @@ END_TEST
 static const struct {
     const char *fields, *message;
 } bad_rows[] = {
-    {"0\t0\t0\t", "line 2: enters: does not agree with column 0 and level 0"},
-    {"3\t1\t3\t", "line 2: enters: does not agree with column 3 and level 1"},
-    {"3\t1\t4,5\t", "line 2: enters: a coarser level has it before a finer one"},
-    {"3\t1\t3,2\t", "line 2: enters: a coarser level has it before a finer one"},
+    {"0\t0\t0\t", "line 2: enters: disagrees with column 0 and level 0"},
+    {"3\t1\t3\t", "line 2: enters: disagrees with column 3 and level 1"},
+    {"3\t1\t4,5\t", "line 2: enters: a coarser level holds the stroke before a finer one"},
+    {"3\t1\t3,2\t", "line 2: enters: a coarser level holds the stroke before a finer one"},
     {"3\t1\t3,x\t", "line 2: 'x' is not a number"},
     {"0\t0\t\t0,0", "line 2: path: 1 points, want 2 to 1048576"},
     {"0\t0\t\t0,0 1", "line 2: path: point 2 is not x,y within 64 tiles"},
     {"0\t0\t\t0,0 1,99", "line 2: path: point 2 is not x,y within 64 tiles"},
 };
 
-START_TEST(a_bad_row_is_named)
+START_TEST(a_bad_row_is_reported)
 {
     char text[300];
     struct hatch_stroke_list list;
@@ -278,7 +278,7 @@ START_TEST(a_bad_row_is_named)
                           bad_rows[_i].fields);
     enum hatch_status status =
         hatch_script_parse((struct hatch_bytes){(const uint8_t *)text, (size_t)length}, SIZE, &keep, &list, &err);
-    if (_i == 0) { /* one level of its own is no contradiction */
+    if (_i == 0) { /* a single level is consistent */
         ck_assert_int_eq(status, HATCH_OK);
         return;
     }
@@ -289,14 +289,14 @@ START_TEST(a_bad_row_is_named)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     static const double control[6] = {0.9, -0.3, -0.6, 1.4, 0.8, 0.9};
     struct hatch_path_builder b = {.arena = to, .tolerance = 1e-5};
     (void)scratch;
-    HATCH_TRY(hatch_path_line(&b, 0, 0, said));
-    HATCH_TRY(hatch_path_cubic(&b, control, said));
-    return hatch_path_finish(&b, to, context, said);
+    HATCH_TRY(hatch_path_add_line(&b, 0, 0, error));
+    HATCH_TRY(hatch_path_add_cubic(&b, control, error));
+    return hatch_path_finish(&b, to, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -312,15 +312,15 @@ static Suite *suite(void)
     TCase *tests = tcase_create("path");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, a_line_covers_its_area, 0, 5);
-    tcase_add_loop_test(tests, a_ring_covers_its_area, 0, 5);
+    tcase_add_loop_test(tests, a_circle_covers_its_area, 0, 5);
     tcase_add_test(tests, coarser_levels_keep_the_width);
-    tcase_add_test(tests, an_arc_is_the_path_along_it);
-    tcase_add_test(tests, no_pixel_stands_twice_and_none_is_over_covered);
-    tcase_add_test(tests, a_point_is_a_dot_and_a_tiny_ring_does_not_vanish);
+    tcase_add_test(tests, an_arc_equals_the_path_along_it);
+    tcase_add_test(tests, no_pixel_is_listed_twice_or_over_covered);
+    tcase_add_test(tests, a_point_is_a_dot_and_a_tiny_circle_does_not_vanish);
     tcase_add_test(tests, curves_keep_to_the_tolerance);
-    tcase_add_test(tests, what_is_not_finite_or_too_far_is_refused);
+    tcase_add_test(tests, points_not_finite_or_too_far_are_rejected);
     tcase_add_test(tests, scripts_keep_arcs_paths_and_levels);
-    tcase_add_loop_test(tests, a_bad_row_is_named, 0, sizeof bad_rows / sizeof *bad_rows);
+    tcase_add_loop_test(tests, a_bad_row_is_reported, 0, sizeof bad_rows / sizeof *bad_rows);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

@@ -49,7 +49,7 @@ static struct hatch_stroke random_stroke(uint64_t i)
                                  .texture_seed = (uint32_t)hatch_random_u64(9, i, 11)};
 }
 
-START_TEST(what_is_printed_reads_back_exactly)
+START_TEST(printed_strokes_are_read_back_exactly)
 {
     static struct hatch_stroke strokes[5000];
     static const uint32_t sizes[] = {256, 4096, 100, 333};
@@ -67,7 +67,7 @@ START_TEST(what_is_printed_reads_back_exactly)
 }
 END_TEST
 
-START_TEST(columns_come_in_any_order_and_comments_and_blank_lines_are_passed_over)
+START_TEST(columns_come_in_any_order_and_comments_and_empty_lines_are_ignored)
 {
     HATCH_TEST_OK(parse("# made by hand\r\n\r\nb\tg\tr\ttone\twidth\tangle\tlength\ty\tx\tnote\r\n"
                         "0.1\t0.2\t0.3\t0.4\t0.5\t0.6\t0.7\t0.8\t0.9\thello\r\n"
@@ -103,17 +103,17 @@ START_TEST(centres_are_wrapped_into_the_tile)
     ck_assert_float_eq(list.items[0].x, 0.25f);
     ck_assert_float_eq(list.items[0].y, 0.75f);
     ck_assert_float_eq(list.items[1].x, 0);
-    ck_assert_float_eq(list.items[1].y, 0); /* a hair left of 0 rounds to 1, which is 0 */
+    ck_assert_float_eq(list.items[1].y, 0); /* the fraction of a tiny negative number rounds to 1, which wraps to 0 */
 }
 END_TEST
 
 static const struct {
-    const char *text, *says;
+    const char *text, *message;
 } bad[] = {
     {"", "no header"},
     {"# only a comment\n", "no header"},
     {"x\ty\tlength\tangle\twidth\ttone\tr\tg\n", "no column 'b'"},
-    {"x\t" HEADER "\n", "'x' stands twice"},
+    {"x\t" HEADER "\n", "column 'x' is repeated"},
     {HEADER "\n" ROW "\n0.5\t0.5\n", "line 3: 2 fields, want 9"},
     {HEADER "\n" ROW "\t1\n", "line 2: 10 fields, want 9"},
     {"# c\n\n" HEADER "\n0.5\t0.5\t0.5\tabc\t0.01\t1\t0\t0\t0\n", "line 4: 'abc' is not a number"},
@@ -132,16 +132,16 @@ static const struct {
     {HEADER "\tgrain\n" ROW "\t4294967296\n", "line 2: grain"},
 };
 
-START_TEST(a_bad_script_names_its_line)
+START_TEST(a_bad_line_is_reported)
 {
     list.count = 7;
     ck_assert_int_eq(parse(bad[_i].text), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(err.text, bad[_i].says) != NULL, "'%s', want '%s'", err.text, bad[_i].says);
+    ck_assert_msg(strstr(err.text, bad[_i].message) != NULL, "'%s', want '%s'", err.text, bad[_i].message);
     ck_assert_uint_eq(list.count, 7);
 }
 END_TEST
 
-START_TEST(too_many_columns_are_refused)
+START_TEST(too_many_columns_are_rejected)
 {
     char text[1000] = "";
     for (int i = 0; i < 65; i++)
@@ -152,20 +152,20 @@ START_TEST(too_many_columns_are_refused)
 END_TEST
 
 static enum hatch_status read_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                                    struct hatch_err *said)
+                                    struct hatch_err *error)
 {
     (void)scratch;
     struct hatch_buffer *text = context;
     struct hatch_stroke_list made = {0};
-    return hatch_script_parse((struct hatch_bytes){text->data, text->size}, 256, to, &made, said);
+    return hatch_script_parse((struct hatch_bytes){text->data, text->size}, 256, to, &made, error);
 }
 
 static enum hatch_status print_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
-                                     struct hatch_err *said)
+                                     struct hatch_err *error)
 {
     (void)scratch;
     struct hatch_buffer text = {.arena = to};
-    return hatch_script_print(context, 2000, 256, "seed 1", &text, said);
+    return hatch_script_print(context, 2000, 256, "seed 1", &text, error);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -185,12 +185,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("stroke script");
     TCase *tests = tcase_create("script");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, what_is_printed_reads_back_exactly);
-    tcase_add_test(tests, columns_come_in_any_order_and_comments_and_blank_lines_are_passed_over);
+    tcase_add_test(tests, printed_strokes_are_read_back_exactly);
+    tcase_add_test(tests, columns_come_in_any_order_and_comments_and_empty_lines_are_ignored);
     tcase_add_test(tests, a_header_alone_is_an_empty_drawing);
     tcase_add_test(tests, centres_are_wrapped_into_the_tile);
-    tcase_add_loop_test(tests, a_bad_script_names_its_line, 0, sizeof bad / sizeof *bad);
-    tcase_add_test(tests, too_many_columns_are_refused);
+    tcase_add_loop_test(tests, a_bad_line_is_reported, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, too_many_columns_are_rejected);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

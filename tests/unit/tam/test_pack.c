@@ -44,13 +44,13 @@ static double clamped(const struct hatch_tam *tam, uint32_t tone, uint32_t level
     return value < 0 ? 0 : value > 1 ? 1 : value;
 }
 
-static void near(uint8_t code, double value, bool ink_is_one)
+static void check_code(uint8_t code, double value, bool ink_is_one)
 {
     double want = 255 * (ink_is_one ? 1 - value : value);
     ck_assert_msg((double)code >= want - 0.5001 && (double)code <= want + 0.5001, "%u for %g", code, want);
 }
 
-START_TEST(three_tones_stand_in_one_texture_on_every_level)
+START_TEST(three_tones_are_packed_into_each_texture)
 {
     struct hatch_tam tam;
     bool ink_is_one = _i;
@@ -66,7 +66,7 @@ START_TEST(three_tones_stand_in_one_texture_on_every_level)
                 for (uint32_t c = 0; c < 3; c++) {
                     uint32_t tone = 3 * index + c;
                     double value = tone < TONES ? clamped(&tam, tone, l, i, 0) : 1;
-                    near(texture.texels[l][4 * i + c], value, ink_is_one);
+                    check_code(texture.texels[l][4 * i + c], value, ink_is_one);
                 }
                 ck_assert_uint_eq(texture.texels[l][4 * i + 3], 255);
             }
@@ -89,7 +89,7 @@ START_TEST(an_array_has_a_layer_for_each_tone)
             const uint8_t *layer = texture.texels[l] + tone * count * channels;
             for (size_t i = 0; i < count; i++) {
                 for (uint32_t c = 0; c < (color ? 3 : 1); c++)
-                    near(layer[i * channels + c], clamped(&tam, tone, l, i, c), true);
+                    check_code(layer[i * channels + c], clamped(&tam, tone, l, i, c), true);
                 if (color)
                     ck_assert_uint_eq(layer[i * channels + 3], 255);
             }
@@ -97,7 +97,7 @@ START_TEST(an_array_has_a_layer_for_each_tone)
 }
 END_TEST
 
-START_TEST(a_coloured_map_does_not_fit_one_channel_a_tone)
+START_TEST(a_map_in_colour_is_rejected)
 {
     struct hatch_tam tam;
     struct hatch_texels texture;
@@ -115,7 +115,7 @@ static enum hatch_status pack_both(void *context, struct hatch_arena *arena, str
     return hatch_tam_pack_array(context, false, arena, &all, error);
 }
 
-START_TEST(each_allocation_may_fail)
+START_TEST(every_failed_allocation_is_a_status)
 {
     struct hatch_tam tam;
     make_map(false, &tam);
@@ -128,10 +128,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam pack");
     TCase *tests = tcase_create("pack");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, three_tones_stand_in_one_texture_on_every_level, 0, 2);
+    tcase_add_loop_test(tests, three_tones_are_packed_into_each_texture, 0, 2);
     tcase_add_loop_test(tests, an_array_has_a_layer_for_each_tone, 0, 2);
-    tcase_add_test(tests, a_coloured_map_does_not_fit_one_channel_a_tone);
-    tcase_add_test(tests, each_allocation_may_fail);
+    tcase_add_test(tests, a_map_in_colour_is_rejected);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
 }

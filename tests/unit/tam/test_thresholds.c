@@ -8,14 +8,13 @@
 #include "tam/thresholds.h"
 
 static struct hatch_thresholds made;
-static struct hatch_threshold_figures figures;
+static const struct hatch_threshold_figures *const figures = &made.figures;
 static struct hatch_exact exact;
 
 static void make(const struct hatch_tam *tam, uint32_t bins, const float *border)
 {
     const struct hatch_threshold_options how = {.bins = bins, .border = border, .seed = 1};
-    HATCH_TEST_OK(hatch_thresholds_make(tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_thresholds_make(tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err), &map_err);
 }
 
 static void make_exact(const struct hatch_tam *tam)
@@ -23,8 +22,8 @@ static void make_exact(const struct hatch_tam *tam)
     HATCH_TEST_OK(hatch_exact_make(tam, NULL, &map_arena, &map_scratch, &exact, &map_err), &map_err);
 }
 
-/* A number of a texel, of 255. */
-static uint8_t number(uint32_t level, size_t texel, uint32_t layer, uint32_t channel)
+/* A channel of a texel, 0 .. 255. */
+static uint8_t channel_of(uint32_t level, size_t texel, uint32_t layer, uint32_t channel)
 {
     size_t side = hatch_mip_size(made.texels.width, level);
     return made.texels.texels[level][(layer * side * side + texel) * 4 + channel];
@@ -36,7 +35,7 @@ static float constant(float u, float v, uint32_t level, float tone, uint32_t cha
     return 0.6f;
 }
 
-/* A stroke at tone .5, another across it at .8, each with a soft edge of half a pixel's darkness. */
+/* A stroke from tone .5 on with soft edges, and a stroke across it from .8 on. */
 static float two_strokes(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)level, (void)channel;
@@ -52,7 +51,7 @@ static float gets_lighter(float u, float v, uint32_t level, float tone, uint32_t
     return hit ? 0.9f : 1 - tone;
 }
 
-/* Hundreds of strokes: each texel has its own random changes. */
+/* Every texel darkens at twelve random tones. */
 static float many_changes(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)channel;
@@ -63,25 +62,25 @@ static float many_changes(float u, float v, uint32_t level, float tone, uint32_t
     return light + 0 * (float)level;
 }
 
-START_TEST(one_change_is_where_its_column_begins)
+START_TEST(a_step_lies_where_its_column_begins)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", two_strokes);
     make(&tam, 7, NULL);
     for (int i = 0; i < 255; i++) {
         float tone = (float)(i + 1) / 255, shown = tam.target[i];
         float want = two_strokes(0.375f, 0.3f, 0, shown, 0);
-        /* at a texel's middle, at the tone of each column: its image, to the bit */
+        /* exact at the centre of a texel at the tone of a column */
         ck_assert_float_eq(hatch_thresholds_sample(&made, 0.3828125f, 0.3046875f, tone, 0), want);
     }
-    ck_assert_double_eq(figures.merged, 0);
-    ck_assert_double_eq(figures.error, 0);
+    ck_assert_double_eq(figures->merged, 0);
+    ck_assert_double_eq(figures->error, 0);
     ck_assert_float_eq(made.border[0], 0);
     ck_assert_float_eq(made.border[made.bins], 1);
 }
 END_TEST
 
-/* Every texel of every level, at every column's tone, where nothing had to be merged. */
-START_TEST(what_fits_the_bins_is_kept_whole)
+/* Compares every texel of every level at the tone of every column; no steps are merged. */
+START_TEST(steps_that_fit_the_bins_are_exact)
 {
     struct hatch_tam tam = made_map(64, 20, 1, "Y", two_strokes);
     make(&tam, 2, (const float[]){0, 0.6f, 1});
@@ -98,23 +97,23 @@ START_TEST(what_fits_the_bins_is_kept_whole)
 }
 END_TEST
 
-START_TEST(x_stay_within_their_bins)
+START_TEST(steps_stay_within_their_bins)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", many_changes);
     make(&tam, 7, NULL);
     for (uint32_t level = 0; level < 7; level++)
         for (size_t texel = 0; texel < (64u >> level) * (64u >> level); texel++)
             for (uint32_t bin = 0; bin < 7; bin++) {
-                float x = number(level, texel, bin / 4, bin % 4) / 255.0f;
+                float x = channel_of(level, texel, bin / 4, bin % 4) / 255.0f;
                 ck_assert_float_ge(x, made.border[bin] - 1e-6f);
                 ck_assert_float_lt(x, made.border[bin + 1] + 1e-6f);
             }
-    ck_assert_double_gt(figures.steps, 8);
-    ck_assert_double_gt(figures.merged, 0.5);
+    ck_assert_double_gt(figures->steps, 8);
+    ck_assert_double_gt(figures->merged, 0.5);
 }
 END_TEST
 
-/* Two strokes, of tones .2 and .8, an empty texel of the finest level apart. */
+/* Two strokes, from tones .2 and .8 on, separated by one empty texel of the finest level. */
 static float apart(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)v, (void)level, (void)channel;
@@ -127,17 +126,17 @@ START_TEST(an_empty_texel_has_the_mean_x_of_its_neighbours)
     struct hatch_tam tam = made_map(64, 10, 1, "Y", apart);
     make(&tam, 1, NULL);
     for (size_t y = 0; y < 64; y++) {
-        uint32_t left = number(0, y * 64 + 31, 0, 0), right = number(0, y * 64 + 33, 0, 0);
+        uint32_t left = channel_of(0, y * 64 + 31, 0, 0), right = channel_of(0, y * 64 + 33, 0, 0);
         ck_assert(left < 60 && right > 190);
-        ck_assert_uint_eq(number(0, y * 64 + 32, 2, 0), 0);
-        ck_assert_uint_eq(number(0, y * 64 + 32, 0, 0), (left + right + 1) / 2);
+        ck_assert_uint_eq(channel_of(0, y * 64 + 32, 2, 0), 0);
+        ck_assert_uint_eq(channel_of(0, y * 64 + 32, 0, 0), (left + right + 1) / 2);
     }
 }
 END_TEST
 
-/* Texels without a change have a height of 0, and the x of their neighbours: the place where a stroke
- * appears is the same all over its soft edge. */
-START_TEST(empty_texels_do_not_drag_their_neighbours)
+/* Empty texels have height 0 and the x of their neighbours, so that a stroke appears at the same tone over its whole
+ * soft edge. */
+START_TEST(empty_texels_do_not_move_the_steps_of_their_neighbours)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", two_strokes);
     make(&tam, 7, NULL);
@@ -146,13 +145,13 @@ START_TEST(empty_texels_do_not_drag_their_neighbours)
         float before = hatch_thresholds_sample(&made, u, 0.3f, 126.9f / 255, 0);
         float after = hatch_thresholds_sample(&made, u, 0.3f, 127.1f / 255, 0);
         ck_assert_float_eq(before, 1);
-        if (u > 0.235f && u < 0.515f) /* reached by a stroke's texel */
+        if (u > 0.235f && u < 0.515f) /* within reach of a texel of the stroke */
             ck_assert_float_lt(after, 1);
     }
 }
 END_TEST
 
-START_TEST(merged_changes_keep_their_height_and_their_mean_tone)
+START_TEST(merged_steps_keep_their_height_and_mean_tone)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", many_changes);
     make(&tam, 3, (const float[]){0, 0.4f, 0.75f, 1});
@@ -163,22 +162,22 @@ START_TEST(merged_changes_keep_their_height_and_their_mean_tone)
         for (size_t t = 0; t < 4096; t++) {
             double dark = 0;
             for (uint32_t bin = 0; bin < 3; bin++)
-                dark += tone * 255 > number(0, t, 0, bin) ? number(0, t, 2, bin) / 255.0 : 0;
+                dark += tone * 255 > channel_of(0, t, 0, bin) ? channel_of(0, t, 2, bin) / 255.0 : 0;
             got += dark / 4096;
             want += (1 - (double)tam.columns[column].levels[0].pixels[t]) / 4096;
         }
         ck_assert_double_eq_tol(got, want, 0.02);
     }
     for (size_t t = 0; t < 4096; t++) {
-        uint32_t sum = 0u + number(0, t, 2, 0) + number(0, t, 2, 1) + number(0, t, 2, 2);
+        uint32_t sum = 0u + channel_of(0, t, 2, 0) + channel_of(0, t, 2, 1) + channel_of(0, t, 2, 2);
         ck_assert_uint_eq(sum, 255u - hatch_unorm8(tam.columns[254].levels[0].pixels[t]));
     }
 }
 END_TEST
 
-/* Where the soft edges of one stroke cross another, all texels come at once, on every level; greys that have
- * a step at every tone come one by one. */
-START_TEST(strokes_that_meet_draw_one_lot)
+/* All texels of a crossing of soft edges with another stroke get the same x on all levels; texels of a ramp,
+ * with a step at every tone, get different ones. */
+START_TEST(crossing_strokes_use_one_random_number)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", two_strokes);
     make(&tam, 1, NULL);
@@ -189,8 +188,8 @@ START_TEST(strokes_that_meet_draw_one_lot)
             float u = ((float)(i % size) + 0.5f) / (float)size, v = ((float)(i / size) + 0.5f) / (float)size;
             if (two_strokes(u, v, 0, 0.6f, 0) != 0.5f || two_strokes(u, v, 0, 1, 0) != 0)
                 continue;
-            first = met++ ? first : number(level, i, 0, 0);
-            ck_assert_uint_eq(number(level, i, 0, 0), first);
+            first = met++ ? first : channel_of(level, i, 0, 0);
+            ck_assert_uint_eq(channel_of(level, i, 0, 0), first);
         }
     }
     ck_assert_uint_ge(met, 24);
@@ -200,14 +199,14 @@ START_TEST(strokes_that_meet_draw_one_lot)
     tam = made_map(64, 255, 1, "Y", made_ramp);
     make(&tam, 1, NULL);
     for (size_t i = 0; i < 4096; i++) {
-        kinds += seen[number(0, i, 0, 0)] ? 0 : 1;
-        seen[number(0, i, 0, 0)] = true;
+        kinds += seen[channel_of(0, i, 0, 0)] ? 0 : 1;
+        seen[channel_of(0, i, 0, 0)] = true;
     }
     ck_assert_uint_gt(kinds, 128);
 }
 END_TEST
 
-/* The error is the area that hatch_thresholds_sample leaves, summed up tone by tone. */
+/* The error equals the area between sampled thresholds and the map, summed over tones. */
 START_TEST(the_error_is_the_area_between)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", many_changes);
@@ -218,16 +217,17 @@ START_TEST(the_error_is_the_area_between)
             for (uint32_t c = 0; c < 255; c++) {
                 uint32_t dark = 0;
                 for (uint32_t bin = 0; bin < 7; bin++)
-                    dark += c + 1 > number(level, t, bin / 4, bin % 4) ? number(level, t, 2 + bin / 4, bin % 4) : 0;
+                    dark +=
+                        c + 1 > channel_of(level, t, bin / 4, bin % 4) ? channel_of(level, t, 2 + bin / 4, bin % 4) : 0;
                 double want = 255 - hatch_unorm8(tam.columns[c].levels[level].pixels[t]);
                 sum += fabs(dark - want) / 255 / 255;
             }
-    ck_assert_double_gt(figures.error, 0.005);
-    ck_assert_double_eq_tol(figures.error, sum / texels, 1e-9);
+    ck_assert_double_gt(figures->error, 0.005);
+    ck_assert_double_eq_tol(figures->error, sum / texels, 1e-9);
 }
 END_TEST
 
-START_TEST(fitted_bins_err_less_than_even_ones)
+START_TEST(fitted_bins_have_a_smaller_error_than_even_ones)
 {
     static const float even[] = {0, 1 / 7.0f, 2 / 7.0f, 3 / 7.0f, 4 / 7.0f, 5 / 7.0f, 6 / 7.0f, 1};
     struct test_map map;
@@ -236,24 +236,24 @@ START_TEST(fitted_bins_err_less_than_even_ones)
     map.options.size_px = 128;
     map_fill(&map);
     make(&map.tam, 7, even);
-    double of_even = figures.error;
+    double of_even = figures->error;
     make(&map.tam, 7, NULL);
-    ck_assert_double_lt(figures.error, 0.95 * of_even);
+    ck_assert_double_lt(figures->error, 0.95 * of_even);
     ck_assert_double_lt((double)(1 - made.border[6]), 0.7 * (double)made.border[1]);
 }
 END_TEST
 
-START_TEST(a_constant_map_has_one_change_or_none)
+START_TEST(a_constant_map_has_one_step)
 {
     struct hatch_tam tam = made_map(64, 16, 1, "Y", constant);
     make(&tam, 7, NULL);
-    ck_assert_double_eq(figures.steps, 1);
+    ck_assert_double_eq(figures->steps, 1);
     ck_assert_float_eq(hatch_thresholds_sample(&made, 0.1f, 0.2f, 0, 0), 1);
     ck_assert_float_eq_tol(hatch_thresholds_sample(&made, 0.1f, 0.2f, 0.5f, 2.5f), 0.6f, 1e-5f);
 }
 END_TEST
 
-START_TEST(pictures_go_into_the_spare_channels)
+START_TEST(pictures_are_stored_in_the_spare_channels)
 {
     struct hatch_tam tam = made_map(64, 4, 1, "Y", two_strokes);
     struct hatch_image picture;
@@ -261,13 +261,12 @@ START_TEST(pictures_go_into_the_spare_channels)
     for (size_t i = 0; i < 128 * 32; i++)
         picture.pixels[i] = i % 128 < 64 ? 0.2f : 0.8f;
     const struct hatch_threshold_options how = {.bins = 7, .modulation = &picture};
-    HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
-                  &map_err);
-    ck_assert_uint_eq(number(0, 31, 1, 3), 51);
-    ck_assert_uint_eq(number(0, 32, 1, 3), 204);
-    ck_assert_uint_eq(number(6, 0, 1, 3), 128);
+    HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err), &map_err);
+    ck_assert_uint_eq(channel_of(0, 31, 1, 3), 51);
+    ck_assert_uint_eq(channel_of(0, 32, 1, 3), 204);
+    ck_assert_uint_eq(channel_of(6, 0, 1, 3), 128);
     for (size_t i = 0; i < 4096; i++)
-        ck_assert_uint_eq(number(0, i, 3, 3), 255);
+        ck_assert_uint_eq(channel_of(0, i, 3, 3), 255);
 }
 END_TEST
 
@@ -275,14 +274,14 @@ START_TEST(a_pixel_that_gets_lighter_is_named)
 {
     struct hatch_tam tam = made_map(64, 10, 1, "Y", gets_lighter);
     const struct hatch_threshold_options how = {.bins = 7};
-    static const char says[] = "tone.006: level 1: pixel (9, 16) gets lighter, from 0.400 to 0.902";
-    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
+    static const char message[] = "tone.006: level 1: pixel (9, 16) gets lighter, from 0.400 to 0.902";
+    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err),
                      HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(map_err.text, says) != NULL, "%s", map_err.text);
+    ck_assert_msg(strstr(map_err.text, message) != NULL, "%s", map_err.text);
     ck_assert_int_eq(hatch_exact_make(&tam, NULL, &map_arena, &map_scratch, &exact, &map_err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(map_err.text, says));
+    ck_assert_ptr_nonnull(strstr(map_err.text, message));
     ck_assert_int_eq(hatch_tam_check_nesting(&tam, NULL, &map_scratch, &map_err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(map_err.text, says));
+    ck_assert_ptr_nonnull(strstr(map_err.text, message));
 }
 END_TEST
 
@@ -299,18 +298,18 @@ START_TEST(a_colour_that_gets_lighter_is_named)
 }
 END_TEST
 
-START_TEST(colour_is_refused)
+START_TEST(a_map_in_colour_is_rejected)
 {
     struct hatch_tam tam = made_map(64, 10, 1, "RGB", made_ramp);
     const struct hatch_threshold_options how = {.bins = 7};
-    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &figures, &map_err),
+    ck_assert_int_eq(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err),
                      HATCH_BAD_INPUT);
     HATCH_TEST_OK(hatch_tam_check_nesting(&tam, NULL, &map_scratch, &map_err), &map_err);
 }
 END_TEST
 
-/* Issue 5's bar: within 1/255 of a full-resolution volume, at every tone, between columns and levels. */
-START_TEST(exact_runs_are_the_whole_map)
+/* The result is within half a step of 8 bits of a full-resolution volume, at every tone. */
+START_TEST(exact_runs_equal_the_map)
 {
     struct hatch_tam tam = made_map(64, 100, 0.9f, "Y", _i ? many_changes : made_ramp);
     make_exact(&tam);
@@ -331,7 +330,7 @@ START_TEST(exact_runs_are_the_whole_map)
 }
 END_TEST
 
-START_TEST(exact_runs_are_read_back_and_damage_is_seen)
+START_TEST(exact_runs_are_read_back_and_damage_is_detected)
 {
     struct hatch_tam tam = made_map(64, 40, 1, "Y", two_strokes);
     struct hatch_exact got;
@@ -341,10 +340,10 @@ START_TEST(exact_runs_are_read_back_and_damage_is_seen)
     ck_assert_uint_eq(got.levels, 2);
     uint8_t *words = exact.texels.texels[0];
     for (uint32_t word = 0; word < 8 + 7 + 40 + 4097; word++) {
-        bool told = word == 7 || (word >= 15 && word < 55); /* what is free, and the tones */
+        bool unchecked = word == 7 || (word >= 15 && word < 55); /* the unused word, and the tones */
         uint8_t high = words[4 * word + 3];
         words[4 * word + 3] = 0xff;
-        ck_assert(told || hatch_exact_from_texels(&exact.texels, &got, &map_err) == HATCH_BAD_INPUT);
+        ck_assert(unchecked || hatch_exact_from_texels(&exact.texels, &got, &map_err) == HATCH_BAD_INPUT);
         words[4 * word + 3] = high;
     }
     HATCH_TEST_OK(hatch_exact_from_texels(&exact.texels, &got, &map_err), &map_err);
@@ -353,7 +352,7 @@ START_TEST(exact_runs_are_read_back_and_damage_is_seen)
 }
 END_TEST
 
-START_TEST(a_file_says_what_its_borders_are)
+START_TEST(borders_are_read_from_the_file)
 {
     struct hatch_tam tam = made_map(64, 4, 1, "Y", two_strokes);
     struct hatch_thresholds got;
@@ -370,7 +369,7 @@ START_TEST(a_file_says_what_its_borders_are)
 }
 END_TEST
 
-START_TEST(any_number_of_threads_makes_the_same)
+START_TEST(any_number_of_threads_gives_the_same_result)
 {
     struct hatch_pool *pool;
     struct hatch_tam tam = made_map(64, 64, 1, "Y", many_changes);
@@ -378,8 +377,7 @@ START_TEST(any_number_of_threads_makes_the_same)
     make(&tam, 7, NULL);
     struct hatch_thresholds alone = made;
     HATCH_TEST_OK(hatch_pool_make(3, &map_arena, &pool, &map_err), &map_err);
-    HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, pool, &map_arena, &map_scratch, &made, &figures, &map_err),
-                  &map_err);
+    HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, pool, &map_arena, &map_scratch, &made, &map_err), &map_err);
     hatch_pool_free(pool);
     for (uint32_t level = 0; level < 7; level++)
         ck_assert(memcmp(alone.texels.texels[level], made.texels.texels[level],
@@ -391,7 +389,7 @@ static enum hatch_status make_again(void *context, struct hatch_arena *keep, str
                                     struct hatch_err *err)
 {
     const struct hatch_threshold_options how = {.bins = 7};
-    return hatch_thresholds_make(context, &how, NULL, keep, scratch, &made, &figures, err);
+    return hatch_thresholds_make(context, &how, NULL, keep, scratch, &made, err);
 }
 
 static enum hatch_status make_exact_again(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
@@ -400,7 +398,7 @@ static enum hatch_status make_exact_again(void *context, struct hatch_arena *kee
     return hatch_exact_make(context, NULL, keep, scratch, &exact, err);
 }
 
-START_TEST(every_failed_allocation_is_told)
+START_TEST(every_failed_allocation_is_a_status)
 {
     struct hatch_tam tam = made_map(64, 16, 1, "Y", made_ramp);
     memset(&made, 0, sizeof made);
@@ -415,25 +413,25 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam thresholds");
     TCase *tests = tcase_create("thresholds");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_test(tests, one_change_is_where_its_column_begins);
-    tcase_add_test(tests, what_fits_the_bins_is_kept_whole);
-    tcase_add_test(tests, x_stay_within_their_bins);
+    tcase_add_test(tests, a_step_lies_where_its_column_begins);
+    tcase_add_test(tests, steps_that_fit_the_bins_are_exact);
+    tcase_add_test(tests, steps_stay_within_their_bins);
     tcase_add_test(tests, an_empty_texel_has_the_mean_x_of_its_neighbours);
-    tcase_add_test(tests, empty_texels_do_not_drag_their_neighbours);
-    tcase_add_test(tests, merged_changes_keep_their_height_and_their_mean_tone);
-    tcase_add_test(tests, strokes_that_meet_draw_one_lot);
+    tcase_add_test(tests, empty_texels_do_not_move_the_steps_of_their_neighbours);
+    tcase_add_test(tests, merged_steps_keep_their_height_and_mean_tone);
+    tcase_add_test(tests, crossing_strokes_use_one_random_number);
     tcase_add_test(tests, the_error_is_the_area_between);
-    tcase_add_test(tests, fitted_bins_err_less_than_even_ones);
-    tcase_add_test(tests, a_constant_map_has_one_change_or_none);
-    tcase_add_test(tests, pictures_go_into_the_spare_channels);
+    tcase_add_test(tests, fitted_bins_have_a_smaller_error_than_even_ones);
+    tcase_add_test(tests, a_constant_map_has_one_step);
+    tcase_add_test(tests, pictures_are_stored_in_the_spare_channels);
     tcase_add_test(tests, a_pixel_that_gets_lighter_is_named);
     tcase_add_test(tests, a_colour_that_gets_lighter_is_named);
-    tcase_add_test(tests, colour_is_refused);
-    tcase_add_loop_test(tests, exact_runs_are_the_whole_map, 0, 2);
-    tcase_add_test(tests, exact_runs_are_read_back_and_damage_is_seen);
-    tcase_add_test(tests, a_file_says_what_its_borders_are);
-    tcase_add_test(tests, any_number_of_threads_makes_the_same);
-    tcase_add_test(tests, every_failed_allocation_is_told);
+    tcase_add_test(tests, a_map_in_colour_is_rejected);
+    tcase_add_loop_test(tests, exact_runs_equal_the_map, 0, 2);
+    tcase_add_test(tests, exact_runs_are_read_back_and_damage_is_detected);
+    tcase_add_test(tests, borders_are_read_from_the_file);
+    tcase_add_test(tests, any_number_of_threads_gives_the_same_result);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
 }

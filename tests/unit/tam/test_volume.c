@@ -15,7 +15,7 @@ static void make(const struct hatch_tam *tam, uint32_t tones, enum hatch_volume_
     HATCH_TEST_OK(hatch_volume_make(tam, &how, NULL, &map_arena, &volume, &figures, &map_err), &map_err);
 }
 
-/* The first number of a slice. */
+/* The first byte of a slice. */
 static uint8_t slice(uint32_t level, uint32_t index)
 {
     size_t side = hatch_mip_size(volume.texels.width, level);
@@ -47,8 +47,8 @@ static float one_stroke(float u, float v, uint32_t level, float tone, uint32_t c
     return tone > 0.499f && u > 0.25f && u < 0.5f ? 0 : 1;
 }
 
-/* §3.1: the odd multiples of the half step, and every tone on exactly one level. */
-START_TEST(tones_are_the_papers)
+/* §3.1: the tones are odd multiples of half the slice spacing, and each is on one level only. */
+START_TEST(tones_are_those_of_the_paper)
 {
     struct hatch_tam tam = made_map(256, 128, 1, "Y", by_level);
     bool taken[129] = {false};
@@ -70,7 +70,7 @@ START_TEST(tones_are_the_papers)
 }
 END_TEST
 
-START_TEST(a_ramp_is_a_ramp_at_every_place_tone_and_level)
+START_TEST(a_ramp_is_reproduced_at_every_position_tone_and_level)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", made_ramp);
     make(&tam, 32, _i ? HATCH_VOLUME_ARRAY : HATCH_VOLUME_3D, false);
@@ -78,7 +78,7 @@ START_TEST(a_ramp_is_a_ramp_at_every_place_tone_and_level)
         for (int lod = 0; lod <= 12; lod++) {
             float value, tone = (float)i / 100;
             hatch_volume_sample(&volume, 0.013f * (float)i, -0.7f * (float)i, tone, 0.5f * (float)lod, true, &value);
-            /* half a step of 8 bits, half a column; between levels the correction's h is between theirs */
+            /* half a step of 8 bits and half a column; between levels h of the border correction is interpolated */
             float half = fminf(0.5f, 0.5f / 32 * exp2f(0.5f * (float)lod));
             float most = 0.005f + (lod % 2 && !_i ? 0.22f * half : 0);
             ck_assert_msg(fabsf(value - (1 - tone)) <= most, "tone %g lod %g: %g", (double)tone, 0.5 * lod,
@@ -87,8 +87,8 @@ START_TEST(a_ramp_is_a_ramp_at_every_place_tone_and_level)
 }
 END_TEST
 
-/* Tones 0 and 1 return half of the first and last slice's distance without the correction. */
-START_TEST(ends_are_corrected)
+/* Without the correction tones 0 and 1 return the first and the last slice. */
+START_TEST(the_first_and_the_last_tone_are_corrected)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", made_ramp);
     float value;
@@ -117,7 +117,7 @@ START_TEST(a_constant_map_is_constant)
 }
 END_TEST
 
-START_TEST(a_stroke_is_sharp_where_it_ends_and_appears)
+START_TEST(a_stroke_is_sharp_at_its_edges_and_over_tone)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", one_stroke);
     float value;
@@ -182,7 +182,7 @@ START_TEST(colours_keep_their_channels)
 }
 END_TEST
 
-START_TEST(missing_columns_are_blended_and_told)
+START_TEST(missing_columns_are_blended_and_counted)
 {
     struct hatch_tam tam = made_map(64, 6, 0.9f, "Y", made_ramp);
     make(&tam, 64, HATCH_VOLUME_3D, false);
@@ -196,16 +196,16 @@ START_TEST(missing_columns_are_blended_and_told)
 }
 END_TEST
 
-START_TEST(a_map_that_is_too_coarse_is_refused)
+START_TEST(a_map_with_too_few_columns_is_rejected)
 {
     struct hatch_tam tam = made_map(64, 1, 0.9f, "Y", made_ramp);
     const struct hatch_volume_options how = {64, HATCH_VOLUME_3D, false};
     ck_assert_int_eq(hatch_volume_make(&tam, &how, NULL, &map_arena, &volume, &figures, &map_err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(map_err.text, "too coarse"));
+    ck_assert_ptr_nonnull(strstr(map_err.text, "too few columns"));
 }
 END_TEST
 
-START_TEST(any_number_of_threads_makes_the_same)
+START_TEST(any_number_of_threads_gives_the_same_result)
 {
     struct hatch_pool *pool;
     struct hatch_tam tam = made_map(64, 64, 1, "Y", one_stroke);
@@ -221,7 +221,7 @@ START_TEST(any_number_of_threads_makes_the_same)
 }
 END_TEST
 
-START_TEST(a_file_says_what_its_texture_is)
+START_TEST(metadata_is_read_from_the_file)
 {
     struct hatch_tam tam = made_map(64, 64, 1, "Y", made_ramp);
     const char *const good[] = {HATCH_TAM_ATTR_LEVELS, "2", HATCH_VOLUME_KEY_DARKEST, "0.9", NULL};
@@ -246,7 +246,7 @@ static enum hatch_status make_again(void *context, struct hatch_arena *keep, str
     return hatch_volume_make(context, &how, NULL, keep, &volume, &figures, err);
 }
 
-START_TEST(every_failed_allocation_is_told)
+START_TEST(every_failed_allocation_is_a_status)
 {
     struct hatch_tam tam = made_map(64, 16, 1, "Y", made_ramp);
     memset(&volume, 0, sizeof volume);
@@ -259,18 +259,18 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam volume");
     TCase *tests = tcase_create("volume");
     tcase_add_checked_fixture(tests, map_begin, map_end);
-    tcase_add_test(tests, tones_are_the_papers);
-    tcase_add_loop_test(tests, a_ramp_is_a_ramp_at_every_place_tone_and_level, 0, 2);
-    tcase_add_test(tests, ends_are_corrected);
+    tcase_add_test(tests, tones_are_those_of_the_paper);
+    tcase_add_loop_test(tests, a_ramp_is_reproduced_at_every_position_tone_and_level, 0, 2);
+    tcase_add_test(tests, the_first_and_the_last_tone_are_corrected);
     tcase_add_test(tests, a_constant_map_is_constant);
-    tcase_add_test(tests, a_stroke_is_sharp_where_it_ends_and_appears);
+    tcase_add_test(tests, a_stroke_is_sharp_at_its_edges_and_over_tone);
     tcase_add_test(tests, filtered_levels_are_means_of_eight);
     tcase_add_loop_test(tests, colours_keep_their_channels, 0, 2);
-    tcase_add_test(tests, missing_columns_are_blended_and_told);
-    tcase_add_test(tests, a_map_that_is_too_coarse_is_refused);
-    tcase_add_test(tests, any_number_of_threads_makes_the_same);
-    tcase_add_test(tests, a_file_says_what_its_texture_is);
-    tcase_add_test(tests, every_failed_allocation_is_told);
+    tcase_add_test(tests, missing_columns_are_blended_and_counted);
+    tcase_add_test(tests, a_map_with_too_few_columns_is_rejected);
+    tcase_add_test(tests, any_number_of_threads_gives_the_same_result);
+    tcase_add_test(tests, metadata_is_read_from_the_file);
+    tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
 }
