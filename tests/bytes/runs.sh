@@ -1,0 +1,152 @@
+#!/bin/sh
+# runs.sh BUILD [PATTERN]: runs the commands of a build on everything that they can do, small, two runs at a time, and
+# prints a line for each: its name, a checksum of all that it wrote, its exit status, a checksum of what it said on
+# standard error; tab-separated. What shall change no byte gives the same lines before and after: compare.sh.
+#
+# PATTERN, a regular expression, takes only the runs whose names have it. KEEP, a folder that is not there yet, keeps
+# what they wrote, each in runs/NAME. Pictures depend on the driver: compare builds on one machine.
+#
+# The first lines are the inputs, which the build's own commands and scenes.pl make. They stand in the folder of each
+# run under their names. A run's name begins with what it is about.
+set -u
+LC_ALL=C
+export LC_ALL
+# shellcheck source-path=SCRIPTDIR
+. "$(dirname "$0")/list.sh"
+
+# Words of the list, for the runs themselves.
+
+# draw SCENE [OPTION ...]: a picture
+draw() {
+    render-gl --size 160x120 -o picture.png "$@"
+}
+
+# film SCENE [OPTION ...]: three small ones
+film() {
+    render-gl --size 96x72 --samples 1 --frames 3 -o picture%d.png "$@"
+}
+
+# with_shaders COMMAND ...: with a copy of the build's, which is no output
+with_shaders() {
+    cp -r "$BUILD/share/hatch/shaders" . || return
+    "$@"
+    with_status=$?
+    rm -r shaders
+    return $with_status
+}
+
+# without_ms: a report on standard input without its times
+without_ms() {
+    awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) timed[i] = $i ~ /_ms$/ || $i == "device"}
+        {line = ""; for (i = 1; i <= NF; i++) if (!timed[i]) line = line "\t" $i; print substr(line, 2)}'
+}
+
+# mesh FILE: all that commands make of a mesh; --show field draws what lapped-param read
+mesh() {
+    hatchstat mesh "$1"
+    dirfield -r report.tsv -o directions.glb "$1"
+    without_ms <report.tsv
+    rm report.tsv
+    lapped-param "$1" -o patches.glb
+    draw directions.glb --show field
+}
+
+# soon COMMAND ...: until it succeeds; what never comes is given up after a minute
+soon() {
+    tries=0
+    until "$@"; do
+        [ $tries -lt 600 ] || return 1
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+}
+
+# open_window SCENE [OPTION ...]: on a screen of its own, which is as large, so that the pointer is always in it; and
+# waits for its first frame, whose title it has then
+open_window() {
+    Xvfb -noreset -displayfd 3 -screen 0 200x150x24 3>.display >/dev/null 2>&1 &
+    server=$!
+    soon [ -s .display ]
+    DISPLAY=:$(cat .display)
+    export DISPLAY
+    render-gl --window --size 200x150 -o shot%d.png "$@" &
+    window=$!
+    trap 'kill $server $window 2>/dev/null; wait; rm -f .display' EXIT
+    soon xdotool search --name '^render-gl: ' >/dev/null
+    shots=0
+}
+
+# shot KEY ...: what s saves after these keys
+shot() {
+    shots=$((shots + 1))
+    xdotool key "$@" s
+    soon [ -s shot$shots.png ]
+}
+
+drag() {
+    xdotool mousemove 60 70 mousedown "$1" mousemove 90 75 mousemove 120 85 mouseup "$1"
+}
+
+close_window() {
+    xdotool key q
+    wait "$window"
+}
+
+# line NAME STATUS: what the working folder holds that is no link, and what .err says
+line() {
+    find . -type f ! -name .err | sort | xargs -r sha256sum >../.sums
+    printf '%s\t%s\t%s\t%s\n' "$1" "$(sha256sum <../.sums | cut -c 1-64)" "$2" "$(sha256sum <.err | cut -c 1-64)"
+}
+
+# one N: the list's Nth run, in a folder of its own
+one() {
+    run=$(sed -n "$1p" "$WORK/runs.list")
+    name=${run%% *}
+    printf '%s\t-\tstopped\t-\n' "$name" >"$WORK/lines/$1"
+    mkdir -p "$WORK/runs/$name/files"
+    cd "$WORK/runs/$name/files" || exit 1
+    ln -s "$WORK"/inputs/* .
+    (eval "${run#* }") >.out 2>.err </dev/null
+    line "$name" $? >"$WORK/lines/$1"
+    find . -type l -exec rm {} +
+    [ -n "${KEEP-}" ] || rm -r "$WORK/runs/$name"
+}
+
+# make_inputs: in the working folder
+make_inputs() {
+    cp "$TESTS/drawings/hatching.svg" . || exit 1
+    perl "$TESTS/bytes/scenes.pl" || exit 1
+    inputs >../inputs.list
+    while read -r name command; do
+        (eval "$command") >"$name" </dev/null || exit 1
+    done <../inputs.list
+    sha256sum -- * >../inputs.sums
+    awk '{print "input-" $2 "\t" $1 "\t0\t-"}' ../inputs.sums
+}
+
+if [ "${1-}" = --one ]; then
+    one "$2"
+    exit
+fi
+[ -x "${1-}/bin/render-gl" ] || { echo "usage: runs.sh BUILD [PATTERN]" >&2; exit 2; }
+BUILD=$(cd "$1" && pwd)
+TESTS=$(cd "$(dirname "$0")/.." && pwd)
+PATH=$BUILD/bin:$PATH
+if [ -n "${KEEP-}" ]; then
+    mkdir "$KEEP" || exit 1
+    WORK=$(cd "$KEEP" && pwd)
+else
+    WORK=$(mktemp -d) || exit 1
+    trap 'rm -rf "$WORK"' EXIT
+fi
+trap 'exit 1' INT TERM HUP
+export BUILD TESTS PATH WORK
+mkdir "$WORK/inputs" "$WORK/runs" "$WORK/lines"
+(cd "$WORK/inputs" && make_inputs) || exit 1
+list | awk -v pattern="${2-}" '$1 ~ pattern' >"$WORK/runs.list"
+count=$(wc -l <"$WORK/runs.list")
+seq "$count" | xargs -n 1 -P 2 timeout 300 sh "$0" --one
+for number in $(seq "$count"); do
+    cat "$WORK/lines/$number"
+done
+(cd "$WORK/inputs" && sha256sum --quiet -c ../inputs.sums) || { echo "runs.sh: a run wrote to an input" >&2; exit 1; }
