@@ -218,6 +218,7 @@ START_TEST(along_runs_from_start_to_end)
 {
     struct hatch_stroke stroke = stroke_at(0.5f, 0.5f, 64, 2, 0);
     draw(stroke, &print);
+    ck_assert_uint_eq(print.count, 2 * 64); /* two rows of whole pixels, from 32 to 95 */
     for (uint32_t i = 0; i < print.count; i++) {
         float x = (float)(print.at[i] % SIZE) + 0.5f;
         float want = (x - ((float)SIZE / 2 - 32)) / 64;
