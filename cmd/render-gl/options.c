@@ -1,6 +1,7 @@
 #include "render-gl/options.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -245,6 +246,18 @@ static bool draws_lines(void)
     return words_line_kinds(lines ? lines : "all") != HATCH_LINES_NONE && (strokes || lines);
 }
 
+static void check_pixel_light(void)
+{
+    char names[256] = "";
+    size_t used = 0;
+    if (!pixel_light || techniques[technique]->pixel_light)
+        return;
+    for (uint32_t i = 0; i < TECHNIQUE_CHOICES && used < sizeof names; i++)
+        if (techniques[i]->pixel_light)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s, ", techniques[i]->name);
+    cmd_usage("--pixel-light goes with %snot with %s", names, techniques[technique]->name);
+}
+
 static void check_frames(const struct cmd_args *args)
 {
     if (turntable && !frames_given)
@@ -277,9 +290,7 @@ void options_read(int argc, char **argv, struct cmd_args *args, struct options *
     if (!map_path && techniques[technique]->columns != COLUMNS_NONE)
         cmd_usage("technique %s needs %s: --tam FILE", techniques[technique]->name,
                   columns_name(techniques[technique]->columns));
-    if (pixel_light && !techniques[technique]->pixel_light)
-        cmd_usage("--pixel-light goes with tam, gouraud, rptam, volume and threshold, not with %s",
-                  techniques[technique]->name);
+    check_pixel_light();
     if (of_seeds && !techniques[technique]->seeds && !window)
         cmd_usage("--seeds, --style, --stroke and what else is for strokes at seeds go with --technique rptam, "
                   "not with %s",
