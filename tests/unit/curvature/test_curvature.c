@@ -82,6 +82,8 @@ END_TEST
 
 /* The error expected is about the error, on clean and on noisy points: half of a normal deviate's values are below .67
  * of its deviation. */
+/* Of what is normally distributed half is within 0.67 deviations, and 95 % within 1.96. What is said may be up to twice
+ * as much as what is: 0.31 to 0.56 and 1.08 to 1.87 were measured. */
 START_TEST(deviation_is_the_error)
 {
     const float noises[3] = {0, 0.05f, 0.2f};
@@ -97,9 +99,10 @@ START_TEST(deviation_is_the_error)
             hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, normal), normal, laid);
             ratios.degrees[ratios.count++] = degrees_apart(laid, line) * PI / 180 / found.deviation_rad[p];
         }
-        double median = percentile(&ratios, 0.5);
-        ck_assert_msg(median > 0.05 && median < 1.3, "noise %g: the error's median is %g of what was expected",
-                      (double)noises[n], median);
+        double median = percentile(&ratios, 0.5), most = percentile(&ratios, 0.95);
+        ck_assert_msg(median > 0.27 && median < 0.75 && most > 0.9 && most < 2.1,
+                      "noise %g: median and 95th percentile of the error are %g and %g deviations", (double)noises[n],
+                      median, most);
     }
 }
 END_TEST
