@@ -53,6 +53,8 @@ START_TEST(what_is_lit_stays_paper)
     round_mask();
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
+    draw_in_tiles(names[_i], 160, 1, &image);
+    ck_assert_double_gt(frame_ink(&image), 0.1); /* what is not lit has strokes */
     frame.renderer.style.curve.high = 0;
     draw_in_tiles(names[_i], 160, 1, &image);
     for (size_t i = 0; i < 3u * 160 * 160; i++)
@@ -85,6 +87,11 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     frame.gpu.items[1].base_texture = 0;
     black_map();
     frame.renderer.style.curve.low = frame.renderer.style.curve.high = 1;
+    struct gpu_item bare = frame.gpu.items[0];
+    frame.gpu.items[0] = frame.gpu.items[1];
+    frame_draw(&frame, _i ? "tam-triple" : "tam", &map_facing, SIZE, SIZE, 1, &image);
+    ck_assert_double_gt(frame_ink(&image), 0.99); /* alone it would fill the picture */
+    frame.gpu.items[0] = bare;
     frame_draw(&frame, _i ? "tam-triple" : "tam", &map_facing, SIZE, SIZE, 1, &image);
     for (size_t i = 0; i < 3u * SIZE * SIZE; i++)
         ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);
