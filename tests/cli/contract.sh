@@ -49,6 +49,7 @@ check_values() {
     awk -F'\t' 'NR > 1 && $3 ~ /^(int|real|size|pair)$/ {
         printf "%s %s %.17g %.17g\n", $2, $3, $5 * 2 + 1, $4 - 1}' options.tsv >numeric
     command=$1
+    [ -s numeric ] || fail "$1 has numeric options, --threads for one"
     bad=""
     while read -r name type beyond below; do
         [ "$type" = pair ] && set -- nan:nan 12x 1: :1 "$beyond:$beyond" "$below:$below" ||
