@@ -12,7 +12,7 @@
 #define AMBIENT 0.05  /* light from everywhere, so that shadows hold some form */
 
 /* What the table fills; options_read turns it into struct options. */
-static int technique, show;
+static int technique, show = -1; /* nothing */
 static const char *map_path, *paper = "white", *ink = "black";
 static const char *camera, *uv_scale = "auto", *shader_folder, *modulate;
 static double range[2] = {0, 1}, gamma_exponent = 1, specular[2] = {0, 32};
@@ -70,8 +70,8 @@ static struct cmd_option table[] = {
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size, NULL, NULL},
     {0, "samples", CMD_INT, 1, 64, "N", "shaded samples a pixel, a square number (default 4; tam-threshold 16)",
      &samples, NULL, &samples_given},
-    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI", "darkness of the lit and of the unlit (default 0: the map's darkest)",
-     range, NULL, &range_given},
+    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
+     "darkness of the lit and of the unlit (default 0:1, or the map's darkest)", range, NULL, &range_given},
     {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)", &gamma_exponent, NULL, NULL},
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",

@@ -48,7 +48,8 @@ struct cmd_option {
     const char *metavariable;   /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
     const char *help;           /* one line, with the default; where it begins with '+', --help only names the
                                    option, after the others: it is to fit a screen */
-    void *value;                /* holds the default on entry; see enum cmd_type */
+    void *value;                /* holds the default on entry, or what none means: NULL, a choice of -1, a number
+                                   outside the range; see enum cmd_type */
     const char *const *choices; /* CHOICE: NULL-terminated */
     bool *given;                /* may be NULL: set when the option stood on the command line */
 };

@@ -16,7 +16,7 @@ static bool ids;
 static const char *const methods[] = {"field", "exhaustive", NULL};
 
 static const struct cmd_option options[] = {
-    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default ink)", &style_name, NULL, NULL},
+    {'S', "style", CMD_TEXT, 0, 0, "STYLE", "a style's name, or a file (default: ink)", &style_name, NULL, NULL},
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines that go last: 'width 3; jitter 2'", &settings, NULL, NULL},
     {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours by darkness: a palette's name, or a file", &palette, NULL,
      NULL},
