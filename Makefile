@@ -170,9 +170,10 @@ dist:
 TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
+include tests/steps.mk
 $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
-	$(call say,link $@)$(LINK) $< -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
+	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli prop golden stability bad fuzz interop lint))
@@ -211,11 +212,8 @@ check: all $(TESTS) $(REPLAYS) $(INTEROP)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
-lint:
-	B=$(B) perl tests/run $(wildcard tests/lint/*.t)
-
-clean:
-	rm -rf build
+lint: ; B=$(B) perl tests/run $(wildcard tests/lint/*.t)
+clean: ; rm -rf build
 .PHONY: all demo bench chart check check-interop check-long fuzz install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:

@@ -49,7 +49,8 @@ struct cmd_option {
     const char *metavariable;   /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
     const char *help;           /* one line, with the default; if it begins with '+', --help lists only the option's
                                    name, after the others, to fit a screen */
-    void *value;                /* in: default; out; its type as in enum cmd_type */
+    void *value;                /* in: default, or a value that means "not given": NULL, a choice of -1, a number
+                                   outside the range; out; its type as in enum cmd_type */
     const char *const *choices; /* of CHOICE: NULL-terminated */
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };

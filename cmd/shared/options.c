@@ -25,7 +25,8 @@ struct table {
 static struct {
     bool help, version, options_table, verbose, quiet, json;
     const char *output;
-    int64_t threads, seed;
+    int64_t threads; /* 0: as many as there are processors */
+    int64_t seed;
     uint64_t max_memory;
 } common;
 
@@ -288,10 +289,43 @@ static noreturn void print_help(const struct cmd_program *program, const struct 
     exit(HATCH_OK);
 }
 
+/* The value of an option that nobody gives; nothing for flags and for values that mean "not given": NULL, a choice
+ * below 0, or a number outside the range. */
+static void print_default(const struct cmd_option *option)
+{
+    const double *pair = option->value;
+    switch (option->type) {
+    case CMD_FLAG:
+    case CMD_TEXTS:
+        break;
+    case CMD_INT:
+        if (in_range(option, (double)*(int64_t *)option->value))
+            printf("%" PRId64, *(int64_t *)option->value);
+        break;
+    case CMD_REAL:
+        if (in_range(option, *(double *)option->value))
+            printf("%.17g", *(double *)option->value);
+        break;
+    case CMD_SIZE:
+        printf("%" PRIu64, *(uint64_t *)option->value);
+        break;
+    case CMD_TEXT:
+        printf("%s", *(const char **)option->value ? *(const char **)option->value : "");
+        break;
+    case CMD_CHOICE:
+        printf("%s", *(int *)option->value < 0 ? "" : option->choices[*(int *)option->value]);
+        break;
+    case CMD_PAIR:
+        if (in_range(option, pair[0]) && in_range(option, pair[1]))
+            printf("%.17g%c%.17g", pair[0], strchr(option->metavariable, ':') ? ':' : 'x', pair[1]);
+        break;
+    }
+}
+
 static noreturn void print_table(const struct table *table)
 {
     static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
-    printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\n");
+    printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\tdefault\n");
     for (size_t i = 0; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
         char letter[2] = {option->letter, 0};
@@ -299,7 +333,9 @@ static noreturn void print_table(const struct table *table)
                option->maximum, option->metavariable ? option->metavariable : "");
         for (int c = 0; option->type == CMD_CHOICE && option->choices[c]; c++)
             printf("%s%s", c ? "," : "", option->choices[c]);
-        printf("\t%s\t%s\n", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
+        printf("\t%s\t%s\t", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
+        print_default(option);
+        printf("\n");
     }
     cmd_close_stdout();
     exit(HATCH_OK);
@@ -386,8 +422,6 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
 {
     struct table table;
     make_table(program, &table);
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    common.threads = processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : processors;
     common.seed = 1;
     common.max_memory = (uint64_t)4 << 30;
     *args = (struct cmd_args){.operands = argv};
@@ -403,6 +437,9 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
     if (program->operands_max >= 0 && args->operand_count > program->operands_max)
         cmd_usage("one operand too many: %s", args->operands[program->operands_max]);
     args->output = common.output;
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    if (common.threads == 0)
+        common.threads = processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : processors;
     args->threads = (uint32_t)common.threads;
     args->max_memory = common.max_memory;
     args->seed = (uint64_t)common.seed;

@@ -43,6 +43,7 @@ reason() {
     channels-unequal) echo "tone.001: no channel Y" ;;
     nesting-broken) echo "tone.002: level 1: pixel \(3, 0\) gets lighter, .*: strokes do not nest" ;;
     nesting-broken-colour) echo "(tone.003: level 0: pixel \(1, 0\) gets lighter|coloured)" ;;
+    *) echo "no reason is known for $1" ;;
     esac
 }
 commands maps/good.exr >good.list

@@ -49,6 +49,7 @@ check_values() {
     awk -F'\t' 'NR > 1 && $3 ~ /^(int|real|size|pair)$/ {
         printf "%s %s %.17g %.17g\n", $2, $3, $5 * 2 + 1, $4 - 1}' options.tsv >numeric
     command=$1
+    [ -s numeric ] || fail "$1 has numeric options, --threads for one"
     bad=""
     while read -r name type beyond below; do
         [ "$type" = pair ] && set -- nan:nan 12x 1: :1 "$beyond:$beyond" "$below:$below" ||
@@ -99,6 +100,10 @@ check_manual() {
     tail -n +2 options.tsv | awk -F'\t' '$8 == "own" {print "--" $2}' | sort >own.list
     grep -o -e '--[a-z0-9-]*' manual.list | sort >named.list
     is "$1's manual lists every option of its own" "$(comm -23 own.list named.list)" ""
+    is "$1's manual has the table's ranges, defaults and choices" \
+        "$(perl "$TOP/tests/cli/manual_options.pl" options.tsv "$manual" 2>&1)" ""
+    is "and so has hatch(7), of the common ones" \
+        "$(perl "$TOP/tests/cli/manual_options.pl" options.tsv "$TOP/man/man7/hatch.7" 2>&1)" ""
 }
 
 # run OUTPUT [OPTION ...]: the line's command on $input

@@ -43,6 +43,7 @@ run_examples() {
 }
 for manual in "$TOP"/man/man[17]/*; do
     manual_examples "$manual" both >.lines
+    [ -s .lines ] || fail "$(basename "$manual") has examples"
     run_examples "$(basename "$manual")"
 done
 for manual in hatch-style layers seeds; do
@@ -61,6 +62,7 @@ is "seeds.5: the file is what its comment makes" $? 0
 cd .. || exit 1
 for command in $(ls "$BIN"); do
     "$command" --help | sed '1,/^examples:/d' >.lines
+    [ -s .lines ] || fail "$command --help has examples"
     run_examples "$command--help"
 done
 finish

@@ -34,6 +34,23 @@ rm -f picture.png
 refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
 refuses "samples that are no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
 refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
+
+# The message and the manual name the techniques that light pixels: those that do it, each with the file that it wants.
+tamvol -q map.exr -o volume.ktx2
+tamthresh -q map.exr -o thresholds.ktx2
+for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
+    for asset in map.exr volume.ktx2 thresholds.ktx2; do
+        try render-gl --size 32x24 -o lit.png torus.glb -q -t "$technique" --tam $asset --pixel-light
+        [ $status -eq 3 ] || break
+    done
+    [ $status -ne 0 ] || echo "$technique"
+done | sort >taken
+refuses "light at pixels of a technique without" 2 2 "not with tam-flat" $draw torus.glb -t tam-flat --tam map.exr --pixel-light
+is "those with it are named" "$(sed -n '1s/.*goes with \(.*\), not with tam-flat$/\1/p' .err | tr -d , | tr ' ' '\n' | sort)" \
+    "$(cat taken)"
+is "and in the manual" "$(awk '/^\.It/ {there = /pixel-light/} there && sub(/^\.Cm /, "")' "$TOP/man/man1/render-gl.1" |
+    tr ' ' '\n' | grep '[a-z]' | grep -v '^and$' | sort -u)" "$(cat taken)"
+
 refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
 refuses "shadows without edges" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
 refuses "haloes as wide as the picture" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33

@@ -91,29 +91,43 @@ meshgen teapot --faces 500000 -o large.glb
 draws "500,000 triangles" large.glb --size 320x240 --lines none
 ok "they show the teapot" between 0.5 0.99
 
-# Light: near things are as bright as far ones, once the exposure is chosen; nothing is black.
-for place in 1,1,0 0,0,0 0,0,1e-20 0,0,1e30; do
+# Light: near things are as bright as far ones, once the exposure is chosen; nothing is black. The square is 0.879 of the
+# picture and has a tone of 0.25 where it is lit, which leaves 0.783, and of 0.96 where it is not, which leaves 0.154.
+square="--technique gouraud --camera 0,0,4 --size 64x64 --tone-range .25:1"
+lit="0.77 0.79"
+unlit="0.14 0.16"
+for place in 1,1,0 0,0,0; do
     scene "$point" "$(at $place)" >light.gltf
-    draws "a lamp at $place" light.gltf --technique gouraud --camera 0,0,4 --size 64x64
-    ok "it makes a tone" between 0.05 1.01
+    draws "a lamp at $place, in the plane of the square" light.gltf $square
+    ok "it does not shine on it" between $unlit
+done
+for place in 0,0,1e-20 0,0,1 0,0,1e30; do
+    scene "$point" "$(at $place)" >light.gltf
+    draws "a lamp at $place" light.gltf $square
+    ok "it shines" between $lit
 done
 scene "$point" "$(at 0,0,1e30)" >far.gltf
-render-gl far.gltf --technique gouraud --camera 0,0,4 --size 64x64 -o far.png
+render-gl far.gltf $square -o far.png
 scene '{"type":"directional","intensity":1e30}' '{"extensions":{"KHR_lights_punctual":{"light":0}}}' \
     >sun.gltf
-draws "a sun of 1e30 lux" sun.gltf --technique gouraud --camera 0,0,4 --size 64x64
+draws "a sun of 1e30 lux" sun.gltf $square
 is "a lamp infinitely far away is a sun" "$(tone far.png)" "$(tone picture.png)"
+ok "which shines" between $lit
 scene '{"type":"spot","intensity":9,"spot":{"innerConeAngle":0,"outerConeAngle":0.0001}}' "$(at 0,0,2)" \
     >spot.gltf
-draws "a spot of no width" spot.gltf --technique gouraud --camera 0,0,4 --size 64x64
+draws "a spot of no width" spot.gltf $square
+ok "it lights no corner" between $unlit
 scene '{"type":"point","intensity":0}' "$(at 0,0,2)" >dark.gltf
-draws "a lamp that is off" dark.gltf --camera 0,0,4 --size 64x64
+draws "a lamp that is off" dark.gltf $square
+ok "it does not shine" between $unlit
 
-# Texture coordinates: all at one place, on one line, huge. Strokes are lost, the tone need not be.
+# Texture coordinates: all at one place, where one texel is read for all, and on one line, huge and tiny, where strokes are
+# lost but their tone, 0.5 of 0.879 of the picture, is not.
 corners="-1 -1 0 1 -1 0 1 1 0 -1 1 0"
 for uv in "0 0 0 0 0 0 0 0" "0 0 1 1 2 2 3 3" "0 1e30 1e30 1e30 1e30 0 0 0" "0 1e-30 1e-30 1e-30 1e-30 0 0 0"; do
     scene "$point" "$(at 0,0,2)" "$corners" "$uv" >uv.gltf
-    draws "texture coordinates $uv" uv.gltf --camera 0,0,4 --size 64x64
+    draws "texture coordinates $uv" uv.gltf --camera 0,0,4 --size 64x64 --lines none --tone-range .5:.5
+    [ "$uv" = "0 0 0 0 0 0 0 0" ] || ok "they have the tone" between 0.53 0.59
 done
 
 # Positions: tiny, huge, far from the origin. The picture is that of the plain square.

@@ -30,8 +30,11 @@ square plain.obj 0 0 1 0 1 1 0 1
 near "a square" 0.7 0.03 plain.obj $face
 square point.obj .5 .5 .5 .5 .5 .5 .5 .5
 near "texture coordinates of one point: no strokes" 1 0 point.obj $face
+# Strokes on a line have no width: what rounding leaves of the determinant makes specks, a thousandth of ink.
 square line.obj 0 0 1 1 1 1 0 0
-near "of one line: whatever is drawn is ink" 0.75 0.25 line.obj $face
+near "of one line: no strokes" 1 0.005 line.obj $face
+square along.obj 0 0 1 0 1 0 0 0
+near "of one along an axis: none at all" 1 0 along.obj $face
 square large.obj 0 0 1e30 0 1e30 1e30 0 1e30
 near "beyond all digits: no strokes" 1 0 large.obj $face
 square small.obj 0 0 1e-30 0 1e-30 1e-30 0 1e-30
@@ -39,7 +42,7 @@ near "before all digits: no strokes" 1 0 small.obj $face
 square mirrored.obj 1 0 0 0 0 1 1 1
 near "mirrored" 0.7 0.03 mirrored.obj $face
 square skewed.obj 0 0 1 0 3 .1 2 .1
-near "stretched and skewed" 0.7 0.05 skewed.obj $face
+near "stretched and skewed" 0.7 0.03 skewed.obj $face
 
 # A ground of 1000 units: beside the eye, behind it, and up to the horizon in a single pair of triangles.
 printf 'v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nvt 0 0\nvt 500 0\nvt 500 500\nvt 0 500\n' >ground.obj
@@ -64,6 +67,5 @@ for tile in 16 8; do
     near "a tile of $tile pixels black with strokes: a light tone is light" 0.95 0.015 plain.obj $face --stroke 20x1.5 \
         --seed-tile $tile --tone-range .05:.05
 done
-got=$(tone plain.obj $face --stroke 60x3 --seed-tile 40)
-ok "strokes larger than their tile" awk -v got="$got" 'BEGIN {exit !(got > 0.5 && got < 0.9)}'
+near "strokes larger than their tile" 0.7 0.02 plain.obj $face --stroke 60x3 --seed-tile 40
 finish

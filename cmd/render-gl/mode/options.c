@@ -28,11 +28,11 @@ static struct options chosen = {
 };
 
 /* Values that options_read turns into those of struct options. */
-static int technique, show;
+static int technique, show = -1; /* -1: nothing */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static bool show_given, technique_given, samples_given, time_given, fov_given, frames_given, from_given, specular_given;
+static bool technique_given, samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
 /* Before the techniques' own options, and after them. Those of --animate stand in the order in which the window's keys
  * go through them. */
@@ -52,14 +52,14 @@ static const struct cmd_option rest[] = {
      &chosen.hatch_turn_deg, NULL, NULL},
     {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &chosen.hatch_scale, NULL,
      NULL},
-    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI", "darkness of the lit and of the unlit (default 0: the map's darkest)",
-     chosen.tone_range, NULL, &chosen.tone_range_given},
+    {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
+     "darkness of the lit and of the unlit (default 0:1, or the map's darkest)", chosen.tone_range, NULL,
+     &chosen.tone_range_given},
     {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)", &chosen.tone_gamma, NULL, NULL},
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
      "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
-    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, NULL,
-     &show_given},
+    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, NULL, NULL},
     {0, "light", CMD_PAIR, -180, 180, "AZ:EL", "one light, degrees from the camera, for the scene's (default -40:40)",
      chosen.light_deg, NULL, &chosen.light_given},
     {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)", chosen.specular, NULL,
@@ -250,7 +250,7 @@ static void check_technique(void)
 {
     const char *name = chosen.technique->name;
     char able[256];
-    if (show_given && (technique_given || chosen.probe))
+    if (show >= 0 && (technique_given || chosen.probe))
         cmd_usage("--show goes with neither --technique nor --probe");
     if (!chosen.map_path && chosen.technique->asset)
         cmd_usage("technique %s needs %s: --tam FILE", name, chosen.technique->asset->name);
@@ -297,7 +297,7 @@ struct options *options_read(int argc, char **argv, const struct options_shown *
 {
     make_table(shown);
     cmd_begin(&program, argc, argv, args);
-    chosen.technique = show_given ? shown[show].technique : techniques[technique];
+    chosen.technique = show >= 0 ? shown[show].technique : techniques[technique];
     read_size();
     check_technique();
     check_frames(args);

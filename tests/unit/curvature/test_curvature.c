@@ -80,8 +80,9 @@ START_TEST(opposite_curvatures_are_uncertain)
 }
 END_TEST
 
-/* The standard error predicts the error, on clean and on noisy points: the median error of a normal distribution is
- * 0.67 standard deviations. */
+/* The standard error predicts the error, on clean and on noisy points. Half of a normal distribution is within 0.67
+ * standard deviations, 95 % within 1.96; the prediction may be up to twice the error. Measured: 0.31 to 0.56, and 1.08 to
+ * 1.87. */
 START_TEST(the_standard_error_predicts_the_error)
 {
     const float noises[3] = {0, 0.05f, 0.2f};
@@ -97,9 +98,10 @@ START_TEST(the_standard_error_predicts_the_error)
             hatch_vec_add_scaled(direction, -hatch_vec_dot(direction, normal), normal, laid);
             ratios.degrees[ratios.count++] = degrees_apart(laid, line) * PI / 180 / found.standard_error_rad[p];
         }
-        double median = percentile(&ratios, 0.5);
-        ck_assert_msg(median > 0.05 && median < 1.3, "noise %g: the error's median is %g of the standard error",
-                      (double)noises[n], median);
+        double median = percentile(&ratios, 0.5), most = percentile(&ratios, 0.95);
+        ck_assert_msg(median > 0.27 && median < 0.75 && most > 0.9 && most < 2.1,
+                      "noise %g: median and 95th percentile of the error are %g and %g standard errors",
+                      (double)noises[n], median, most);
     }
 }
 END_TEST

@@ -32,6 +32,7 @@ START_TEST(depth_and_distance_are_bounds)
         struct hatch_outline outline;
         hatch_outline_make(seed, 1, 0.05, &outline);
         ck_assert(outline.core_min > 0.2 && outline.reach_max < 0.5 && outline.steep >= 1);
+        uint32_t inside = 0, outside = 0;
         for (uint64_t i = 0; i < 2000; i++) {
             double uv[2] = {random_in(2, i, 0, 1), random_in(3, i, 0, 1)};
             double depth = hatch_outline_depth(&outline, uv);
@@ -42,7 +43,12 @@ START_TEST(depth_and_distance_are_bounds)
             ck_assert(gap <= 0 || hatch_outline_opacity(&outline, at) == 0);
             ck_assert((depth > 0) + (gap > 0) <= 1);
             ck_assert(depth > 0 || hatch_outline_opacity(&outline, uv) < 1 || depth > -1e-12);
+            inside += depth > 0;
+            outside += gap > 0;
         }
+        /* Of 2000 places the core's circle alone has some 700, the corners beyond the reach some 400. */
+        ck_assert_uint_gt(inside, 600);
+        ck_assert_uint_gt(outside, 350);
     }
 }
 END_TEST
@@ -67,7 +73,7 @@ START_TEST(the_raster_is_opaque_where_the_core_is)
     hatch_outline_make(4, 1, 0.05, &outline);
     HATCH_TEST_OK(hatch_outline_raster(&outline, 256, &keep, &mask, &err), &err);
     for (uint32_t level = 0; level < 3; level++) {
-        uint32_t side = 256u >> level;
+        uint32_t side = 256u >> level, met = 0;
         for (uint64_t i = 0; i < 4000; i++) {
             double uv[2] = {random_in(5, i, 0.05, 0.95), random_in(6, i, 0.05, 0.95)};
             if (hatch_outline_depth(&outline, uv) <= 0)
@@ -75,7 +81,9 @@ START_TEST(the_raster_is_opaque_where_the_core_is)
             int x = (int)floor(uv[0] * side - 0.5), y = (int)floor(uv[1] * side - 0.5);
             ck_assert_float_eq(mask.pixels[(size_t)y * side + (size_t)x], 1);
             ck_assert_float_eq(mask.pixels[(size_t)(y + 1) * side + (size_t)x + 1], 1);
+            met++;
         }
+        ck_assert_uint_gt(met, 1500); /* the core's circle alone: some 1700 of 4000 */
         for (uint32_t i = 0; i < side; i++)
             ck_assert(mask.pixels[i] == 0 && mask.pixels[(size_t)i * side] == 0 &&
                       mask.pixels[(size_t)(side - 1) * side + i] == 0);

@@ -53,6 +53,8 @@ START_TEST(what_is_lit_stays_paper)
     round_mask();
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
+    draw_in_tiles(names[_i], 160, 1, &image);
+    ck_assert_double_gt(frame_ink(&image), 0.1); /* where it is dark there are strokes */
     frame.shown.style.curve.high = 0;
     draw_in_tiles(names[_i], 160, 1, &image);
     for (size_t i = 0; i < 3u * 160 * 160; i++)
@@ -85,6 +87,15 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     frame.on_gpu.items[1].base_texture = 0;
     black_map();
     frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
+    struct hatch_item *items = frame.on_gpu.unit.items;
+    struct hatch_item bare = items[0];
+    struct scene_item bare_on_gpu = frame.on_gpu.items[0];
+    items[0] = items[1];
+    frame.on_gpu.items[0] = frame.on_gpu.items[1];
+    frame_draw(&frame, _i ? "tam-triple" : "tam", &view_facing, SIZE, SIZE, 1, &image);
+    ck_assert_double_gt(frame_ink(&image), 0.99); /* alone it would fill the picture */
+    items[0] = bare;
+    frame.on_gpu.items[0] = bare_on_gpu;
     frame_draw(&frame, _i ? "tam-triple" : "tam", &view_facing, SIZE, SIZE, 1, &image);
     for (size_t i = 0; i < 3u * SIZE * SIZE; i++)
         ck_assert_double_ge((double)image.pixels[i], 1 - 1.0 / 255);

@@ -1,4 +1,5 @@
-/* What a picture looks like from afar: its tone, its edges, its tiles. */
+/* What a picture looks like from afar: its tone, its edges, its tiles. tests/cli/render_tone.t has the tone of every
+ * technique. */
 #include <math.h>
 
 #include "filter/difference.h"
@@ -115,25 +116,6 @@ START_TEST(tiles_join_without_a_seam)
 }
 END_TEST
 
-/* The approximations have the tone too, from afar. */
-START_TEST(every_technique_has_the_tone)
-{
-    struct hatch_image tone;
-    begin();
-    struct hatch_view view = view_from(1);
-    set_repeat(&view);
-    frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tone);
-    for (uint32_t i = 0; techniques[i] != &technique_gouraud; i++) {
-        struct hatch_image image;
-        double threshold = strcmp(techniques[i]->name, "tam-threshold") == 0 ? 0.05 : 0.01;
-        frame_draw(&frame, techniques[i]->name, &view, WIDTH, HEIGHT, 2, &image);
-        double apart = fabs(hatch_image_mean(&image) - hatch_image_mean(&tone));
-        ck_assert_msg(apart < threshold, "%s: %g", techniques[i]->name, apart);
-    }
-    end();
-}
-END_TEST
-
 static Suite *suite(void)
 {
     Suite *made = suite_create("render tone");
@@ -141,7 +123,6 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_have_the_tone_of_the_light);
     tcase_add_test(tests, thresholded_strokes_have_smooth_edges);
     tcase_add_test(tests, tiles_join_without_a_seam);
-    tcase_add_test(tests, every_technique_has_the_tone);
     suite_add_tcase(made, tests);
     return made;
 }

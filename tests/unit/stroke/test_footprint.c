@@ -122,7 +122,7 @@ START_TEST(moving_by_whole_pixels_moves_the_pixels)
         float x = floorf(hatch_random_unit(3, 1, i) * 1024) / 1024, y = 0.5f + (float)i / 1024;
         uint32_t dx = (uint32_t)i * 37 % SIZE, dy = (uint32_t)i * 91 % SIZE;
         struct hatch_stroke stroke = stroke_at(x, y, 5 + 3 * (float)i, 2.5f, (float)i);
-        draw(stroke, &print);
+        ck_assert_double_gt(draw(stroke, &print), 10);
         to_picture(&print, a);
         stroke.x = fmodf(x + (float)dx / (float)SIZE, 1);
         stroke.y = fmodf(y + (float)dy / (float)SIZE, 1);
@@ -216,6 +216,7 @@ START_TEST(along_runs_from_start_to_end)
 {
     struct hatch_stroke stroke = stroke_at(0.5f, 0.5f, 64, 2, 0);
     draw(stroke, &print);
+    ck_assert_uint_eq(print.count, 2 * 64); /* two rows of whole pixels, from 32 to 95 */
     for (uint32_t i = 0; i < print.count; i++) {
         float x = (float)(print.at[i] % SIZE) + 0.5f;
         float want = (x - ((float)SIZE / 2 - 32)) / 64;
