@@ -81,8 +81,8 @@ START_TEST(opposite_curvatures_are_uncertain)
 END_TEST
 
 /* The standard error predicts the error, on clean and on noisy points. Half of a normal distribution is within 0.67
- * standard deviations, 95 % within 1.96; the prediction may be up to twice the error. Measured: 0.31 to 0.56, and 1.08 to
- * 1.87. */
+ * standard deviations, 95 % within 1.96; the prediction may be up to twice the error. Measured: 0.31 to 0.56, and 1.08
+ * to 1.87. */
 START_TEST(the_standard_error_predicts_the_error)
 {
     const float noises[3] = {0, 0.05f, 0.2f};

@@ -17,12 +17,12 @@ static uint64_t cut(void (*corner)(uint32_t i, uint32_t count, float *at), uint3
         corner(i, count, &positions[3 * (size_t)i]);
         vertex[i] = i;
     }
-    uint64_t work_before = faces.work_left;
+    uint64_t work_before = faces.steps_left;
     steps = 0;
     HATCH_TEST_OK(hatch_faces_add(&faces, positions, vertex, vertex, count, &err), &err);
     uint64_t taken = steps;
     ck_assert_uint_eq(faces.face_count, count - 2);
-    *visits = work_before - faces.work_left;
+    *visits = work_before - faces.steps_left;
     return taken;
 }
 

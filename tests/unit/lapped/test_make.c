@@ -46,7 +46,7 @@ static void check_isometric(const struct lapped_case *made, void (*flatten)(cons
             met++;
         }
     }
-    ck_assert_uint_ge(met, 3 * of->of.surface.face_count); /* more: patches overlap, and few sides lie on a seam */
+    ck_assert_uint_ge(met, 3 * made->field.surface.face_count); /* more: patches overlap, and few sides lie on a seam */
 }
 
 static void flat_plane(const double *p, double *u)

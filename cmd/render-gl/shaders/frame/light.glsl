@@ -53,5 +53,5 @@ vec2 ink_amounts(float lightness)
     if (counts.z == 2)
         amounts = vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0));
     amounts = mix(curve.xx, curve.yy, amounts);
-    return counts.z == 2 ? amounts : vec2(amounts.x, 0.0); // nobody has a second ink to lay a light tone with
+    return counts.z == 2 ? amounts : vec2(amounts.x, 0.0); // without a second ink, the range is that of the first
 }
