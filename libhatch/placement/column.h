@@ -3,7 +3,8 @@
 #define HATCH_PLACEMENT_COLUMN_H
 
 #include "placement/canvas.h"
-#include "placement/fill.h"
+#include "tam/sink.h"
+#include "tam/tam.h"
 
 /* Collects the metadata of a map.
  *   seed      random seed

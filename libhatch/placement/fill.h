@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "stroke/stroke.h"
 #include "placement/style.h"
+#include "tam/sink.h"
 #include "tam/tam.h"
 
 enum hatch_fill_method {
@@ -25,13 +26,6 @@ struct hatch_fill_options {
     bool color;    /* columns hold R, G and B, strokes have the colours of the style */
     bool ids;      /* columns also hold the channels id (0: no stroke) and t (0 .. 1 along the stroke); where strokes
                       cross, the first one drawn keeps the pixel */
-};
-
-/* Receives the columns of a map, lightest first. */
-struct hatch_tam_sink {
-    /* tone: index of the column. column: its images are valid until the call returns. */
-    enum hatch_status (*take)(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err);
-    void *context;
 };
 
 /* Fills a map and passes each column to sink. Deterministic for any number of threads.

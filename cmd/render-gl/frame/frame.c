@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "render-gl/frame/items.h"
+#include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 

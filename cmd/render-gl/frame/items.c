@@ -2,15 +2,8 @@
 
 #include <stdio.h>
 
+#include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
-
-/* The range of an item that one call draws. */
-struct part {
-    GLuint vertex_array;
-    uint32_t first, count;            /* indices */
-    const struct hatch_near_cut *cut; /* not NULL: its ranges of indices instead; or, with */
-    bool pieces;                      /* this, its pieces */
-};
 
 /* An item while it is drawn. */
 struct drawing {
@@ -112,81 +105,31 @@ static enum hatch_status prepare_pieces(struct frame *frame, const struct frame_
     return HATCH_OK;
 }
 
-static void use_item(const struct scene *scene, uint32_t index, float lightness, const struct gpu_program *program)
-{
-    const struct scene_item *item = &scene->items[index];
-    const struct hatch_item *unit = &scene->unit.items[index];
-    glUseProgram(program->name);
-    if (item->base_texture)
-        glBindTextureUnit(UNIT_BASE, item->base_texture);
-    if (item->normals)
-        glBindTextureUnit(UNIT_NORMALS, item->normals);
-    glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
-    glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);
-    glUniformMatrix3fv(UNIFORM_NORMAL_FROM_MESH, 1, GL_FALSE, unit->normal);
-    glVertexAttrib2fv(ATTRIBUTE_REPEAT, unit->repeat); /* where vertices have none */
-    glUniform4f(UNIFORM_BASE, lightness, item->base_lod, unit->alpha_cutoff, 0.0f);
-    glFrontFace(unit->mirrored ? GL_CW : GL_CCW);
-}
-
 static void use(const struct drawing *drawing, const struct gpu_program *program)
 {
-    use_item(drawing->frame->scene, drawing->index,
-             drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
-}
-
-static void draw_part(struct part part)
-{
-    glBindVertexArray(part.vertex_array);
-    if (part.pieces)
-        glDrawArrays(GL_TRIANGLES, part.cut->first, part.cut->count);
-    else if (part.cut)
-        glMultiDrawElements(GL_TRIANGLES, part.cut->counts, GL_UNSIGNED_INT, part.cut->offsets,
-                            (GLsizei)part.cut->range_count);
-    else
-        glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
-                       (const void *)(sizeof(uint32_t) * part.first));
+    frame_use_item(drawing->frame->scene, drawing->index,
+                   drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
 }
 
 /* Faces that may be seen from behind are drawn once for each side, because light is computed per vertex, and a vertex
  * has no side. */
-static void draw_sides(const struct drawing *drawing, struct part part, uint32_t pass)
+static void draw_sides(const struct drawing *drawing, struct frame_part part, uint32_t pass)
 {
     glUniform1i(UNIFORM_PASS, (GLint)pass);
     for (int behind = 0; behind <= (drawing->unit->double_sided ? 1 : 0); behind++) {
         glCullFace(behind ? GL_FRONT : GL_BACK);
         glUniform1f(UNIFORM_SIDE, behind ? -1.0f : 1.0f);
-        draw_part(part);
+        frame_part_draw(part);
     }
 }
 
 /* Makes ready to draw an item's pieces with a program. */
-static struct part use_pieces(const struct drawing *drawing, const struct hatch_near_cut *cut,
-                              const struct gpu_program *program)
+static struct frame_part use_pieces(const struct drawing *drawing, const struct hatch_near_cut *cut,
+                                    const struct gpu_program *program)
 {
     use(drawing, program);
     near_use(&drawing->frame->near, drawing->frame->scene, drawing->index);
-    return (struct part){.vertex_array = drawing->frame->near.array, .cut = cut, .pieces = true};
-}
-
-static struct part surface_of(const struct scene *scene, uint32_t index, const struct hatch_near_item *near)
-{
-    const struct hatch_unit_mesh *mesh = &scene->unit.meshes[scene->unit.items[index].mesh];
-    const struct scene_item *item = &scene->items[index];
-    return (struct part){.vertex_array = mesh->patches ? item->surface_array : item->vertex_array,
-                         .count = 3 * mesh->surface->face_count,
-                         .cut = near ? &near->surface : NULL};
-}
-
-void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2])
-{
-    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
-        const struct hatch_item *unit = &scene->unit.items[i];
-        const struct scene_item *item = &scene->items[i];
-        bool holes = !scene->unit.meshes[unit->mesh].patches && item->base_texture && unit->alpha_cutoff > 0;
-        use_item(scene, i, item->base_lightness, programs[holes]);
-        draw_part(surface_of(scene, i, NULL));
-    }
+    return (struct frame_part){.vertex_array = drawing->frame->near.array, .cut = cut, .pieces = true};
 }
 
 /* Draws paper where patches will be, at the depth of their faces: they are drawn at equal depth. */
@@ -197,9 +140,9 @@ static void draw_below_patches(const struct drawing *drawing)
     glCullFace(GL_BACK);
     if (drawing->unit->double_sided)
         glDisable(GL_CULL_FACE);
-    draw_part(surface_of(drawing->frame->scene, drawing->index, near));
+    frame_part_draw(frame_part_of_surface(drawing->frame->scene, drawing->index, near));
     if (near)
-        draw_part(use_pieces(drawing, &near->surface, drawing->shader->below[1]));
+        frame_part_draw(use_pieces(drawing, &near->surface, drawing->shader->below[1]));
     glEnable(GL_CULL_FACE);
 }
 
@@ -211,9 +154,9 @@ static void draw_patches_at_once(const struct drawing *drawing)
     bool blends = drawing->shading->patches == FRAME_PATCHES_BLEND;
     frame_pass_blend(blends ? FRAME_BLEND_OVER : FRAME_BLEND_REPLACE);
     draw_sides(drawing,
-               (struct part){.vertex_array = drawing->item->vertex_array,
-                             .count = drawing->frame->scene->meshes[drawing->unit->mesh].index_count,
-                             .cut = near ? &near->patches : NULL},
+               (struct frame_part){.vertex_array = drawing->item->vertex_array,
+                                   .count = drawing->frame->scene->meshes[drawing->unit->mesh].index_count,
+                                   .cut = near ? &near->patches : NULL},
                0);
 }
 
@@ -225,7 +168,8 @@ static void draw_patches_in_passes(const struct drawing *drawing)
     uint32_t begin = 0;
     for (uint32_t layer = 0; layer < patches->layer_count; layer++) {
         uint32_t end = patches->layer_end[layer];
-        const struct part part = {.vertex_array = drawing->item->vertex_array, .first = begin, .count = end - begin};
+        const struct frame_part part = {
+            .vertex_array = drawing->item->vertex_array, .first = begin, .count = end - begin};
         for (uint32_t pass = 0; pass < drawing->shading->pass_count; pass++) {
             frame_pass_blend(pass == 0   ? FRAME_BLEND_SET_ALPHA
                              : pass == 1 ? FRAME_BLEND_UNDER_ALPHA
@@ -253,7 +197,7 @@ static void draw_patches(const struct drawing *drawing)
 static void draw_ordinary(const struct drawing *drawing, uint32_t pass)
 {
     use(drawing, drawing->shader->programs[drawing->variant]);
-    draw_sides(drawing, surface_of(drawing->frame->scene, drawing->index, drawing->near), pass);
+    draw_sides(drawing, frame_part_of_surface(drawing->frame->scene, drawing->index, drawing->near), pass);
     if (drawing->near)
         draw_sides(
             drawing,

@@ -61,8 +61,4 @@ enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_s
 enum hatch_status frame_draw_items(struct frame *frame, const struct frame_shading *shading, const char *defines,
                                    struct frame_shader *shader, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws the depths of all items, in the pass that has begun.
- *   programs  for whole items, for items with holes */
-void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2]);
-
 #endif

@@ -1,0 +1,53 @@
+#include "render-gl/frame/parts.h"
+
+#include "render-gl/gpu/bindings.h"
+
+void frame_use_item(const struct scene *scene, uint32_t index, float lightness, const struct gpu_program *program)
+{
+    const struct scene_item *item = &scene->items[index];
+    const struct hatch_item *unit = &scene->unit.items[index];
+    glUseProgram(program->name);
+    if (item->base_texture)
+        glBindTextureUnit(UNIT_BASE, item->base_texture);
+    if (item->normals)
+        glBindTextureUnit(UNIT_NORMALS, item->normals);
+    glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
+    glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);
+    glUniformMatrix3fv(UNIFORM_NORMAL_FROM_MESH, 1, GL_FALSE, unit->normal);
+    glVertexAttrib2fv(ATTRIBUTE_REPEAT, unit->repeat); /* where vertices have none */
+    glUniform4f(UNIFORM_BASE, lightness, item->base_lod, unit->alpha_cutoff, 0.0f);
+    glFrontFace(unit->mirrored ? GL_CW : GL_CCW);
+}
+
+void frame_part_draw(struct frame_part part)
+{
+    glBindVertexArray(part.vertex_array);
+    if (part.pieces)
+        glDrawArrays(GL_TRIANGLES, part.cut->first, part.cut->count);
+    else if (part.cut)
+        glMultiDrawElements(GL_TRIANGLES, part.cut->counts, GL_UNSIGNED_INT, part.cut->offsets,
+                            (GLsizei)part.cut->range_count);
+    else
+        glDrawElements(GL_TRIANGLES, (GLsizei)part.count, GL_UNSIGNED_INT,
+                       (const void *)(sizeof(uint32_t) * part.first));
+}
+
+struct frame_part frame_part_of_surface(const struct scene *scene, uint32_t index, const struct hatch_near_item *near)
+{
+    const struct hatch_unit_mesh *mesh = &scene->unit.meshes[scene->unit.items[index].mesh];
+    const struct scene_item *item = &scene->items[index];
+    return (struct frame_part){.vertex_array = mesh->patches ? item->surface_array : item->vertex_array,
+                               .count = 3 * mesh->surface->face_count,
+                               .cut = near ? &near->surface : NULL};
+}
+
+void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2])
+{
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const struct hatch_item *unit = &scene->unit.items[i];
+        const struct scene_item *item = &scene->items[i];
+        bool holes = !scene->unit.meshes[unit->mesh].patches && item->base_texture && unit->alpha_cutoff > 0;
+        frame_use_item(scene, i, item->base_lightness, programs[holes]);
+        frame_part_draw(frame_part_of_surface(scene, i, NULL));
+    }
+}
