@@ -1,6 +1,6 @@
 # Draws the pictures of the README from nothing but the commands on PATH.
 #
-#     make -f gallery.mk OUT=docs
+#     make -f gallery.mk OUT=docs/pictures
 OUT  ?= .
 # What tamgen --replay draws, where it is at hand.
 DRAWING ?= tests/drawings/hatching.svg

@@ -27,7 +27,7 @@ static void open_outputs(struct job *job)
 int main(int argc, char **argv)
 {
     static struct job job;
-    job.options = options_read(argc, argv, shown, &job.args);
+    job.options = options_read(argc, argv, show_choices, &job.args);
     params_read(job.options);
     job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);

@@ -1,6 +1,6 @@
 /* Joins segments that meet at nodes into chains. */
-#ifndef RENDER_LINES_CHAIN_H
-#define RENDER_LINES_CHAIN_H
+#ifndef HATCH_LINE_CHAIN_H
+#define HATCH_LINE_CHAIN_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The edges of a mesh as lines see them: welded by position, without what noise makes. */
-#ifndef RENDER_LINES_EDGES_H
-#define RENDER_LINES_EDGES_H
+#ifndef HATCH_LINE_EDGES_H
+#define HATCH_LINE_EDGES_H
 
 #include "mesh/creases.h"
 #include "line/chain.h"

@@ -3,7 +3,7 @@
 #define HATCH_LINE_MARKS_H
 
 #include "scene/unit_scene.h"
-#include "scene/view.h"
+#include "view/view.h"
 
 /* A place and a direction on a face, in its barycentric coordinates, so that both move with it. */
 struct hatch_mark {

@@ -1,7 +1,7 @@
 /* What feature lines need of a mesh, found once: normals with creases, and the edges that are drawn
  * wherever one looks from. */
-#ifndef RENDER_LINES_MESH_H
-#define RENDER_LINES_MESH_H
+#ifndef HATCH_LINE_MESH_H
+#define HATCH_LINE_MESH_H
 
 #include "scene/scene.h"
 #include "line/chain.h"

@@ -1,6 +1,6 @@
 /* Tells edges that were meant from those that noise and untidy faces make. */
-#ifndef RENDER_LINES_PRUNE_H
-#define RENDER_LINES_PRUNE_H
+#ifndef HATCH_LINE_PRUNE_H
+#define HATCH_LINE_PRUNE_H
 
 #include "line/edges.h"
 

@@ -1,7 +1,7 @@
 /* Chains of segments as they lie in a picture: cut to what can be seen of them there, into pieces
  * short enough for each to be hidden or not. */
-#ifndef RENDER_LINES_STRIP_H
-#define RENDER_LINES_STRIP_H
+#ifndef HATCH_LINE_STRIP_H
+#define HATCH_LINE_STRIP_H
 
 #include "line/trace.h"
 

@@ -1,10 +1,10 @@
 /* Finds the lines of a posed mesh as they are seen from a place: silhouettes anew for each view,
  * creases and boundaries where they have moved to. */
-#ifndef RENDER_LINES_TRACE_H
-#define RENDER_LINES_TRACE_H
+#ifndef HATCH_LINE_TRACE_H
+#define HATCH_LINE_TRACE_H
 
 #include "line/mesh.h"
-#include "scene/view.h"
+#include "view/view.h"
 
 /* A mesh as it stands in a frame. */
 struct hatch_line_shape {

@@ -5,7 +5,7 @@
 #define HATCH_NEAR_NEAR_H
 
 #include "scene/unit_scene.h"
-#include "scene/view.h"
+#include "view/view.h"
 
 #define HATCH_NEAR_PIXELS 0.02 /* largest error of floats that is accepted, in pixels of the picture */
 

@@ -1,8 +1,8 @@
 /* Triangles cut finer and finer towards the eye, in numbers of twice a double's digits: so floats can
  * carry what is left of a piece's coordinates, however near a picture is taken. Only sums and halves make
  * a corner from two others: what lies on an edge is one to the bit in both faces. */
-#ifndef HATCH_MESH_PIECES_H
-#define HATCH_MESH_PIECES_H
+#ifndef HATCH_NEAR_PIECES_H
+#define HATCH_NEAR_PIECES_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* A plane below a scene, for shadows to fall on. */
-#ifndef RENDER_GROUND_H
-#define RENDER_GROUND_H
+#ifndef HATCH_SCENE_GROUND_H
+#define HATCH_SCENE_GROUND_H
 
 #include "scene/scene.h"
 

@@ -1,7 +1,7 @@
 /* Lapped parametrizations: a file has a mesh for each patch, thousands of them; here those of a node
  * become one mesh, and the surface that they cover is told from their overlaps. */
-#ifndef RENDER_PATCHES_H
-#define RENDER_PATCHES_H
+#ifndef HATCH_SCENE_PATCHES_H
+#define HATCH_SCENE_PATCHES_H
 
 #include "scene/scene.h"
 

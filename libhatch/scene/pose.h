@@ -1,8 +1,8 @@
 /* A scene at a moment: node matrices, and the vertices that nodes and skins put into the world.
  * World coordinates here are doubles, so that scenes of any scale and any distance from the origin
  * keep their digits; the GPU sees the unit scene: (world - center) / radius. */
-#ifndef RENDER_POSE_H
-#define RENDER_POSE_H
+#ifndef HATCH_SCENE_POSE_H
+#define HATCH_SCENE_POSE_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* Several scenes in one, side by side. */
-#ifndef RENDER_ROW_H
-#define RENDER_ROW_H
+#ifndef HATCH_SCENE_ROW_H
+#define HATCH_SCENE_ROW_H
 
 #include "scene/pose.h"
 

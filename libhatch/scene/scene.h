@@ -1,7 +1,7 @@
 /* A scene: what a glTF file describes, as values. Meshes, a tree of nodes, materials, cameras,
  * lights, animations, skins. Read by io/gltf/gltf.h, posed here. */
-#ifndef HATCH_MESH_SCENE_H
-#define HATCH_MESH_SCENE_H
+#ifndef HATCH_SCENE_SCENE_H
+#define HATCH_SCENE_SCENE_H
 
 #include "mesh/mesh.h"
 

@@ -8,7 +8,7 @@
 #define HATCH_SEED_SEEDS_H
 
 #include "base/bytes.h"
-#include "seed/cycle.h"
+#include "seed/cycle/cycle.h"
 
 #define HATCH_SEED_LAYERS_MAX 256u
 

@@ -1,10 +1,10 @@
 #!/bin/sh
-# chart.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. chart_SUBJECT.gp plots the
+# chart.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. charts/SUBJECT.gp plots the
 # file whose name stands in `data`, with the terminal and the output set before.
 set -eu
-for plot in "$(dirname "$0")"/chart_*.gp; do
+for plot in "$(dirname "$0")"/charts/*.gp; do
     [ -e "$plot" ] || continue
-    subject=$(basename "$plot" .gp | sed 's/^chart_//')
+    subject=$(basename "$plot" .gp)
     [ -e "$1/$subject.tsv" ] || { echo "$1/$subject.tsv: not measured yet (make bench)" >&2; continue; }
     for terminal in svg png; do
         kind=$terminal

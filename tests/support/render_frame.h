@@ -45,9 +45,9 @@ static inline const struct technique *frame_technique(const char *name)
     for (uint32_t i = 0; techniques[i]; i++)
         if (strcmp(techniques[i]->name, name) == 0)
             return techniques[i];
-    for (uint32_t i = 0; shown[i].name; i++)
-        if (strcmp(shown[i].name, name) == 0)
-            return shown[i].technique;
+    for (uint32_t i = 0; show_choices[i].name; i++)
+        if (strcmp(show_choices[i].name, name) == 0)
+            return show_choices[i].technique;
     ck_abort_msg("no technique %s", name);
     return NULL;
 }
@@ -74,19 +74,19 @@ static inline struct picture frame_picture(struct test_frame *frame, const char 
 static inline void frame_open_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
                                     const struct hatch_tam *map, struct test_frame *frame)
 {
-    struct hatch_err *err = &frame->err;
-    struct hatch_arena *keep = &frame->args.keep, *scratch = &frame->args.scratch;
+    struct hatch_err *error = &frame->err;
+    struct hatch_arena *lasting = &frame->args.keep, *temporary = &frame->args.scratch;
     const struct scene_source source = {&frame->scene, patches, *bounds};
-    HATCH_TEST_OK(gpu_context_open_headless(&frame->context, 2, err), err);
-    HATCH_TEST_OK(scene_upload(&source, keep, scratch, &frame->on_gpu, err), err);
-    HATCH_TEST_OK(scene_set_pose(&frame->on_gpu, HATCH_NONE, 0, scratch, err), err);
+    HATCH_TEST_OK(gpu_context_open_headless(&frame->context, 2, error), error);
+    HATCH_TEST_OK(scene_upload(&source, lasting, temporary, &frame->on_gpu, error), error);
+    HATCH_TEST_OK(scene_set_pose(&frame->on_gpu, HATCH_NONE, 0, temporary, error), error);
     memset(&frame->asset, 0, sizeof frame->asset);
     if (map)
         frame->asset.map = *map;
     frame->assets =
         (struct assets){.asset = &frame->asset, .limits = {.size_max_px = frame->context.size_max_px, .anisotropy = 1}};
     frame->shown = (struct frame){
-        .programs = {.scratch = scratch},
+        .programs = {.scratch = temporary},
         .style = {.inks = {.paper = {1, 1, 1}},
                   .curve = {.high = map ? (double)map->target[map->tones - 1] : 1.0, .gamma = 1},
                   .anisotropy = 1,
@@ -191,12 +191,12 @@ static inline struct hatch_view frame_view(struct test_frame *frame, double aspe
 static inline void frame_draw(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                               uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
-    struct hatch_err *err = &frame->err;
+    struct hatch_err *error = &frame->err;
     const struct picture picture = frame_picture(frame, technique);
     struct canvas canvas;
-    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, side, &canvas, err), err);
-    HATCH_TEST_OK(hatch_image_make(&frame->args.keep, width, height, "RGB", image, err), err);
-    HATCH_TEST_OK(picture_draw(&picture, view, &canvas, image, err), err);
+    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, side, &canvas, error), error);
+    HATCH_TEST_OK(hatch_image_make(&frame->args.keep, width, height, "RGB", image, error), error);
+    HATCH_TEST_OK(picture_draw(&picture, view, &canvas, image, error), error);
     canvas_free(&canvas);
 }
 

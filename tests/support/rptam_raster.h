@@ -9,7 +9,7 @@
 
 #include "math/vector.h"
 #include "mesh/mesh.h"
-#include "scene/view.h"
+#include "view/view.h"
 #include "seed/rptam.h"
 
 /* What is interpolated over a face. */

@@ -1,6 +1,6 @@
 /* Tonal art maps whose pixels are a function, for results known in closed form. */
-#ifndef SUPPORT_TAM_MADE_H
-#define SUPPORT_TAM_MADE_H
+#ifndef HATCH_TEST_TAM_MADE_H
+#define HATCH_TEST_TAM_MADE_H
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Tonal art maps for tests, filled with strokes of a style; columns are rounded as in a file. Call map_begin first and
  * map_end last. */
-#ifndef SUPPORT_TAM_MAP_H
-#define SUPPORT_TAM_MAP_H
+#ifndef HATCH_TEST_TAM_MAP_H
+#define HATCH_TEST_TAM_MAP_H
 
 #include <stdio.h>
 #include <stdlib.h>

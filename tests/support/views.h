@@ -2,7 +2,7 @@
 #ifndef HATCH_TEST_VIEWS_H
 #define HATCH_TEST_VIEWS_H
 
-#include "scene/view.h"
+#include "view/view.h"
 
 /* The square from -1 to 1 in x and y fills a square picture; v goes down, as the image's rows do. */
 static const struct hatch_view view_facing = {.eye = {0, 0, 2},

@@ -2,7 +2,7 @@
 #ifndef RENDER_FRAME_BLOCK_H
 #define RENDER_FRAME_BLOCK_H
 
-#include "scene/light.h"
+#include "view/light.h"
 
 #define FRAME_TONES_MAX 256u
 

@@ -6,7 +6,7 @@
 
 #include "render-gl/frame/canvas.h"
 #include "render-gl/frame/targets.h"
-#include "scene/view.h"
+#include "view/view.h"
 
 #define HALO_REACH_MAX_PX 64.0
 

@@ -6,7 +6,7 @@
 #include "render-gl/scene/material.h"
 #include "render-gl/scene/normals.h"
 #include "render-gl/scene/pose.h"
-#include "scene/exposure.h"
+#include "view/exposure.h"
 #include "shared/map.h"
 #include "shared/scene.h"
 

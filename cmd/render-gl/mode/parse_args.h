@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "line/mesh.h"
-#include "scene/view.h"
+#include "view/view.h"
 #include "shared/cmd.h"
 
 /* Parses a colour into linear light; dies on any other text as wrong usage of the option. */

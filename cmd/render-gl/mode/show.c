@@ -99,4 +99,4 @@ static const struct technique show_field = {
     .free = free_field,
 };
 
-const struct options_shown shown[] = {{"patches", &show_patches}, {"field", &show_field}, {NULL, NULL}};
+const struct options_shown show_choices[] = {{"patches", &show_patches}, {"field", &show_field}, {NULL, NULL}};

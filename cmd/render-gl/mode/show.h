@@ -5,6 +5,6 @@
 #include "render-gl/mode/options.h"
 
 /* The choices of --show; the last has no name. */
-extern const struct options_shown shown[];
+extern const struct options_shown show_choices[];
 
 #endif

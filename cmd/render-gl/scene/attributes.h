@@ -3,7 +3,7 @@
 #define RENDER_SCENE_ATTRIBUTES_H
 
 #include "render-gl/scene/scene.h"
-#include "scene/uv_repeat.h"
+#include "view/uv_repeat.h"
 
 /* Sets the repeats of every item of a posed scene, and uploads them. arena: keeps them. */
 enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_repeat *how, struct hatch_arena *arena,

@@ -1,4 +1,4 @@
-/* What a picture looks like from afar: its tone, its edges, its tiles. tests/cli/render_tone.t has the tone of every
+/* What a picture looks like from afar: its tone, its edges, its tiles. tests/cli/render-gl/tone.t has the tone of every
  * technique. */
 #include <math.h>
 

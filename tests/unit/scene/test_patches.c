@@ -53,15 +53,15 @@ START_TEST(joined_patches_are_the_surface)
 }
 END_TEST
 
-static enum hatch_status join(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
-                              struct hatch_err *err)
+static enum hatch_status join(void *context, struct hatch_arena *lasting, struct hatch_arena *temporary,
+                              struct hatch_err *why)
 {
-    struct hatch_scene *scene = context, before = *scene;
-    struct hatch_node node = scene->nodes[0];
-    enum hatch_status status = hatch_patches_join(scene, keep, scratch, &patches, err);
+    struct hatch_scene *given = context, before = *given;
+    struct hatch_node node = given->nodes[0];
+    enum hatch_status status = hatch_patches_join(given, lasting, temporary, &patches, why);
     if (status == HATCH_OK) {
-        *scene = before;
-        scene->nodes[0] = node;
+        *given = before;
+        given->nodes[0] = node;
     }
     return status;
 }

@@ -4,11 +4,11 @@
 #include "meshes.h"
 #include "scene/row.h"
 
-static enum hatch_status row(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
-                             struct hatch_err *err)
+static enum hatch_status row(void *context, struct hatch_arena *lasting, struct hatch_arena *temporary,
+                             struct hatch_err *why)
 {
     struct hatch_scene joined;
-    return hatch_scene_join_row(context, 2, false, keep, scratch, &joined, err);
+    return hatch_scene_join_row(context, 2, false, lasting, temporary, &joined, why);
 }
 
 START_TEST(scenes_stand_in_a_row)

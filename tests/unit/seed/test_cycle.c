@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "fail_alloc.h"
-#include "seed/cycle.h"
+#include "seed/cycle/cycle.h"
 
 static enum hatch_status make(enum hatch_cycle_method method, uint32_t count, uint64_t seed, uint8_t *crumbs,
                               struct hatch_err *error)

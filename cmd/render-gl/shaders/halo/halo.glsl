@@ -6,7 +6,7 @@ layout(std140, binding = BLOCK_HALOES) uniform Halo {
 };
 layout(binding = UNIT_HALO_BLOCKS) uniform sampler2D halo_blocks;  // the nearest depth of 8 by 8 cells
 layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 0 where nothing is
-layout(binding = UNIT_HALO_CELLS) uniform sampler2D halo_cells;  // x, y and depth of the nearest edge; depth 0 where none is
+layout(binding = UNIT_HALO_CELLS) uniform sampler2D halo_cells;  // x, y, depth of the nearest edge; depth 0: none
 
 const int BLOCK = 8;
 const float BESIDE_PX = 1.5; // edges as near as this to a line are its own

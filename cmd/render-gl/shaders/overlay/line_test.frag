@@ -3,7 +3,7 @@
 #include "halo/halo.glsl"
 
 layout(binding = UNIT_TONES) uniform sampler2D depths;
-layout(binding = UNIT_SOURCE) uniform sampler2D points; // pixels, the depth over which a surface hides it, the line's turn
+layout(binding = UNIT_SOURCE) uniform sampler2D points; // pixels; the depth beyond which it is hidden; the angle
 layout(location = UNIFORM_A) uniform float samples_per_pixel;
 
 out uint o_seen; // 1: visible, 2: a halo lies over it, 4: over more than half of it

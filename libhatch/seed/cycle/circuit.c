@@ -2,7 +2,7 @@
  * spanning tree of last exits towards a root and an order of the other exits at each vertex. A uniformly random tree
  * (Wilson, "Generating random spanning trees more quickly than the cover time", STOC 1996) and random orders yield a
  * uniformly random circuit. */
-#include "seed/cycle_parts.h"
+#include "seed/cycle/parts.h"
 
 #include <string.h>
 

@@ -10,7 +10,7 @@
  * matrix in different components exchange their heads, which keeps all sums. Every vertex is in two matrices, as a
  * head and as a tail, and the matrices are connected like the de Bruijn graph; after all matrices there is one
  * component. */
-#include "seed/cycle_parts.h"
+#include "seed/cycle/parts.h"
 
 #include <string.h>
 

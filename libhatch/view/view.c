@@ -1,4 +1,4 @@
-#include "scene/view.h"
+#include "view/view.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "scene/light.h"
+#include "view/light.h"
 
 #include <math.h>
 

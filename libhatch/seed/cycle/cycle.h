@@ -1,8 +1,8 @@
 /* Uniform cycles: cyclic sequences of crumbs (base-4 digits, 0 .. 3) in which every pattern of m crumbs appears
  * floor(N/4^m) or ceil(N/4^m) times, for every m (Recursive Procedural Tonal Art Maps, §4.1). The N rotations of a
  * cycle are the positions of a seed set (seed/seeds.h). */
-#ifndef HATCH_SEED_CYCLE_H
-#define HATCH_SEED_CYCLE_H
+#ifndef HATCH_SEED_CYCLE_CYCLE_H
+#define HATCH_SEED_CYCLE_CYCLE_H
 
 #include <stdbool.h>
 

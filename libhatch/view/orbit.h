@@ -1,8 +1,8 @@
 /* A view that a hand moves: around a point, nearer and further, sideways. */
-#ifndef RENDER_ORBIT_H
-#define RENDER_ORBIT_H
+#ifndef HATCH_VIEW_ORBIT_H
+#define HATCH_VIEW_ORBIT_H
 
-#include "scene/view.h"
+#include "view/view.h"
 
 #define HATCH_ORBIT_NEAREST 0x1p-44
 #define HATCH_ORBIT_FARTHEST 1e3

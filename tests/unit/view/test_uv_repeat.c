@@ -1,7 +1,7 @@
 /* How often a pattern repeats. */
 #include "lapped_scene.h"
 #include "meshes.h"
-#include "scene/uv_repeat.h"
+#include "view/uv_repeat.h"
 #include "views.h"
 
 /* Two spheres, one in a node that makes it three times as large. */

@@ -1,9 +1,9 @@
 /* How often the hatching pattern repeats over a mesh's texture coordinates. */
-#ifndef HATCH_SCENE_UV_REPEAT_H
-#define HATCH_SCENE_UV_REPEAT_H
+#ifndef HATCH_VIEW_UV_REPEAT_H
+#define HATCH_VIEW_UV_REPEAT_H
 
 #include "scene/unit_scene.h"
-#include "scene/view.h"
+#include "view/view.h"
 
 struct hatch_uv_repeat {
     double repeat;                 /* tiles per unit of u and of v; 0: chosen */

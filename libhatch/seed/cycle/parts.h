@@ -5,7 +5,7 @@
 #define HATCH_SEED_CYCLE_PARTS_H
 
 #include "base/random.h"
-#include "seed/cycle.h"
+#include "seed/cycle/cycle.h"
 
 /* A sequence of random numbers. */
 struct hatch_cycle_rng {

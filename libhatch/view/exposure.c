@@ -1,4 +1,4 @@
-#include "scene/exposure.h"
+#include "view/exposure.h"
 
 #include <math.h>
 

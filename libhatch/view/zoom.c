@@ -1,5 +1,5 @@
 /* Coming nearer to what the middle of a picture shows. */
-#include "scene/view.h"
+#include "view/view.h"
 
 #include <math.h>
 

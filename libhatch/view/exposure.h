@@ -1,8 +1,8 @@
 /* Auto exposure: the factor at which a scene's own lights just reach white. */
-#ifndef HATCH_SCENE_EXPOSURE_H
-#define HATCH_SCENE_EXPOSURE_H
+#ifndef HATCH_VIEW_EXPOSURE_H
+#define HATCH_VIEW_EXPOSURE_H
 
-#include "scene/light.h"
+#include "view/light.h"
 #include "scene/unit_scene.h"
 
 /* Computes the light that the scene's lamps give to its vertices at the present pose, and the exposure at which the

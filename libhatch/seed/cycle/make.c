@@ -1,8 +1,8 @@
-#include "seed/cycle.h"
+#include "seed/cycle/cycle.h"
 
 #include <assert.h>
 
-#include "seed/cycle_parts.h"
+#include "seed/cycle/parts.h"
 
 int hatch_cycle_order(uint32_t count)
 {

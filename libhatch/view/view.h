@@ -1,6 +1,6 @@
 /* Where the picture is taken from, in the unit scene (scene/pose.h). */
-#ifndef RENDER_VIEW_H
-#define RENDER_VIEW_H
+#ifndef HATCH_VIEW_VIEW_H
+#define HATCH_VIEW_VIEW_H
 
 #include "math/pair.h"
 #include "scene/pose.h"

@@ -8,7 +8,7 @@ SHADERS=$WORK/shaders
 spy=
 if command -v glslangValidator >/dev/null && [ -z "$SANITIZE" ]; then
     spy=$WORK/spy.so
-    ${CC:-cc} -shared -fPIC -o "$spy" "$TOP/tests/cli/shader_spy.c" -lepoxy
+    ${CC:-cc} -shared -fPIC -o "$spy" "$TOP/tests/cli/render-gl/shader_spy.c" -lepoxy
 fi
 mkdir "$SHADERS"
 drawn() {

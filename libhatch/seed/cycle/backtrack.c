@@ -1,7 +1,7 @@
 /* Algorithm 1 of the paper: appends crumbs while the pattern that they complete is unused; at a dead end removes the
  * last one. Line 14 as printed goes one step too far, because the last of those patterns is the first snippet, which is
  * used from the start: K - 1 patterns wrap around. */
-#include "seed/cycle_parts.h"
+#include "seed/cycle/parts.h"
 
 #include <string.h>
 

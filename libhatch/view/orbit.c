@@ -1,4 +1,4 @@
-#include "scene/orbit.h"
+#include "view/orbit.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* Lights of a posed scene, in the unit scene, as floats that shaders read. */
-#ifndef HATCH_SCENE_LIGHT_H
-#define HATCH_SCENE_LIGHT_H
+#ifndef HATCH_VIEW_LIGHT_H
+#define HATCH_VIEW_LIGHT_H
 
-#include "scene/view.h"
+#include "view/view.h"
 
 #define HATCH_LIGHTS_MAX 64u
 

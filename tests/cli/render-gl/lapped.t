@@ -34,7 +34,7 @@ is "its map and picture" "$(echo away/*)" "away/ball.png away/my.style.tam.exr"
 try make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb OUT='a way'
 is "a folder that make would take for two" "$status $(ls -d a way 2>/dev/null)" "2 "
 meshgen torus --faces 2000 -o smooth.glb
-perl "$TOP/tests/cli/bumpy.pl" <smooth.glb >bumpy.glb
+perl "$TOP/tests/cli/render-gl/bumpy.pl" <smooth.glb >bumpy.glb
 dirfield -q bumpy.glb | lapped-param -q -o bumpy.lapped.glb
 for file in smooth bumpy bumpy.lapped; do
     render-gl $file.glb -t gouraud --pixel-light --size 200x150 -o $file.png

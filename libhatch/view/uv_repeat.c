@@ -1,4 +1,4 @@
-#include "scene/uv_repeat.h"
+#include "view/uv_repeat.h"
 
 #include <math.h>
 #include <stdlib.h>
