@@ -16,7 +16,7 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
     SeedLayer layers[64];
 };
 layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels; // alpha here, to the right, below, and both
-layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // u, v, lives in four tiles, in the next level in four
+layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // u, v, lives in four tiles, in the next level
 layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists; // per texel: its first seed, the one after its last
 layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers; // of seeds in their set
 layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;   // progress at a tone; from it to the next
