@@ -230,10 +230,10 @@ static uint32_t count_lapped(const struct frame *frame, const struct frame_shadi
     return count;
 }
 
-enum hatch_status frame_draw_items(struct frame *frame, const struct frame_shading *shading, const char *defines,
+enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target *target,
+                                   const struct frame_shading *shading, const char *defines,
                                    struct frame_shader *shader, struct hatch_err *err)
 {
-    const struct gpu_target *target = &frame->request.canvas->samples;
     const struct drawing all = {.frame = frame, .shading = shading, .shader = shader};
     uint32_t lapped = count_lapped(frame, shading);
     bool ordinary = lapped < frame->scene->unit.item_count;

@@ -56,9 +56,12 @@ struct frame_shader {
 enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
                                        struct frame_shader *shader, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws every item into the canvas, with programs that are compiled. Between frame_begin and frame_end; compiles
- * variants for pieces, which most pictures do without. defines: as before. */
-enum hatch_status frame_draw_items(struct frame *frame, const struct frame_shading *shading, const char *defines,
+/* Draws every item into a target of the canvas's size in samples. Between frame_begin and frame_end; compiles variants
+ * for pieces, which most pictures do without.
+ *   target   the canvas's samples, or a target with depth that a technique has cleared
+ *   defines  as before */
+enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target *target,
+                                   const struct frame_shading *shading, const char *defines,
                                    struct frame_shader *shader, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

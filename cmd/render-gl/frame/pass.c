@@ -80,3 +80,9 @@ void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)
 {
     gpu_timer_end_pass(timer, pass->name);
 }
+
+void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer)
+{
+    gpu_dispatch(dispatch->program, dispatch->groups, dispatch->barrier);
+    gpu_timer_end_pass(timer, dispatch->name);
+}

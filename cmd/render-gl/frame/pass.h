@@ -3,7 +3,7 @@
 #ifndef RENDER_FRAME_PASS_H
 #define RENDER_FRAME_PASS_H
 
-#include "render-gl/gpu/program.h"
+#include "render-gl/gpu/compute.h"
 #include "render-gl/gpu/target.h"
 #include "render-gl/gpu/timer.h"
 
@@ -56,5 +56,16 @@ void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei i
 
 /* Ends a pass, for its time. timer may be NULL. */
 void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer);
+
+/* A compute pass. */
+struct frame_dispatch {
+    const char *name; /* in the report of --time */
+    const struct gpu_program *program;
+    GLuint groups[3];   /* work groups along each axis, at least 1 */
+    GLbitfield barrier; /* reads that wait for its writes: GL_TEXTURE_FETCH_BARRIER_BIT and so on */
+};
+
+/* Runs a compute pass, whose uniforms and images are set. timer may be NULL. */
+void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer);
 
 #endif

@@ -101,7 +101,7 @@ static void open_techniques(struct job *job)
     cmd_check(job_open(job, job->options->technique, &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (size_t i = 0; techniques[i]; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
-            if (*row->given)
+            if (options_is_given(row->name))
                 cmd_check(job_open(job, techniques[i], &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
 }
 

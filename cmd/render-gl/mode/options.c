@@ -138,11 +138,20 @@ const struct cmd_option *options_find(const char *name)
     return option;
 }
 
+bool options_is_given(const char *name)
+{
+    return *options_find(name)->given;
+}
+
+/* Every row gets a `given`. */
 static size_t add_rows(const struct cmd_option *rows, size_t count)
 {
-    for (; rows && rows->name; rows++) {
+    static bool given[ROWS_MAX];
+    for (; rows && rows->name; rows++, count++) {
         assert(count + 1 < ROWS_MAX);
-        table[count++] = *rows;
+        table[count] = *rows;
+        if (!rows->given)
+            table[count].given = &given[count];
     }
     return count;
 }
@@ -225,7 +234,7 @@ static void check_owners(void)
 {
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
-            if (*row->given && !has_option(chosen.technique, row))
+            if (options_is_given(row->name) && !has_option(chosen.technique, row))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
                           chosen.technique->name);
 }

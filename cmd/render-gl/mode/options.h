@@ -72,6 +72,9 @@ struct options *options_read(int argc, char **argv, const struct options_shown *
 /* The row of an option by its name, without dashes; it must exist. */
 const struct cmd_option *options_find(const char *name);
 
+/* Whether an option is on the command line. */
+bool options_is_given(const char *name);
+
 /* Whether feature lines are drawn over a technique. */
 bool options_draw_lines(const struct options *options, const struct technique *technique);
 

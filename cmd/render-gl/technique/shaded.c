@@ -27,5 +27,6 @@ enum hatch_status shaded_draw(struct technique_context *context, struct techniqu
                               struct hatch_err *err)
 {
     struct shaded_state *state = instance->state;
-    return frame_draw_items(context->frame, instance->technique->shading, state->defines, &state->shader, err);
+    return frame_draw_items(context->frame, &context->frame->request.canvas->samples, instance->technique->shading,
+                            state->defines, &state->shader, err);
 }
