@@ -99,6 +99,9 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
         *part = (struct lapped_param_part){
             .name = cmd_input_name(input), .mesh = &scene->meshes[i], .surface = &surfaces[i]};
         set_sizes(settings, &extent, i, part);
+        if (!(part->tile > 0 && isfinite(part->tile)))
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "mesh %u: zero or infinite size in the scene", i), part->name,
+                      &err);
         lapped_param_cover(args, settings, outline, part);
         part->atlas_side *= extent.scale[i];
         cmd_progress("patches", (double)(i + 1) / scene->mesh_count);

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "io/gltf/gltf.h"
 #include "io/mesh/file.h"
@@ -16,6 +17,10 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, uri);
     if (length < 0 || (size_t)length >= sizeof joined)
         return hatch_fail(err, HATCH_BAD_INPUT, "companion file: name too long");
+    /* Opening a pipe would wait for a writer, reading a device might never end. */
+    struct stat info;
+    if (stat(joined, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: is a pipe or a device, not a file", uri);
     enum hatch_status status = cmd_try_read(arena, joined, bytes, err);
     return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
 }
@@ -93,6 +98,11 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
 void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care, struct hatch_scene *scene)
 {
     struct hatch_mesh_notes notes = {0};
+    struct hatch_err err;
     cmd_read_scene_silently(args, path, care, scene, &notes);
+    if (scene->mesh_count == 0 && notes.primitives_skipped > 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces: %u set%s of points or lines", notes.primitives_skipped,
+                             notes.primitives_skipped == 1 ? "" : "s"),
+                  cmd_input_name(path), &err);
     cmd_warn_mesh(cmd_input_name(path), &notes);
 }

@@ -5,8 +5,9 @@
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define FLAT 0.01   /* sine of the angle up to which an edge lies in a face's plane */
-#define WITHIN 0.02 /* sine of the angle by which it must be clear of the face's own sides */
+#define FLAT 0.01         /* sine of the angle up to which an edge lies in a face's plane */
+#define WITHIN 0.02       /* sine of the angle by which it must be clear of the face's own sides */
+#define CORNERS_MAX 1000u /* at a point: no split quadrangle has as many, and each edge would look at all of them */
 
 /* Corners by point: those at point p are corners[first[p]] .. corners[first[p + 1] - 1]. */
 struct around {
@@ -59,6 +60,8 @@ static bool covered_from(const struct hatch_mesh *mesh, const struct hatch_line_
     hatch_vec_sub(b, a, direction);
     hatch_vec_normalize(direction);
     uint32_t point = edges->point[from];
+    if (around->first[point + 1] - around->first[point] > CORNERS_MAX)
+        return false;
     for (uint32_t i = around->first[point]; i < around->first[point + 1]; i++)
         if (runs_within(mesh, around->corners[i], direction))
             return true;

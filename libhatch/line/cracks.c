@@ -2,8 +2,9 @@
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define COS_STRAIGHT 0.9998 /* a path this straight lies on the edge that it goes along */
-#define PATH_MAX 256u       /* edges of a path */
+#define COS_STRAIGHT 0.9998  /* a path this straight lies on the edge that it goes along */
+#define PATH_MAX 256u        /* edges of a path */
+#define BOUNDARIES_MAX 1000u /* at a node: no crack has as many, and each would look at all of them */
 
 /* Boundary segments by node: those at node n are numbers[first[n]] .. numbers[first[n + 1] - 1]. */
 struct meeting {
@@ -34,6 +35,8 @@ static enum hatch_status list_meeting(const struct hatch_line_graph *graph, cons
 static uint32_t step(const struct meeting *meeting, uint32_t other_than, const double direction[3], uint32_t *node)
 {
     const struct hatch_line_graph *graph = meeting->graph;
+    if (meeting->first[*node + 1] - meeting->first[*node] > BOUNDARIES_MAX)
+        return UINT32_MAX;
     for (uint32_t i = meeting->first[*node]; i < meeting->first[*node + 1]; i++) {
         uint32_t segment = meeting->numbers[i];
         const uint32_t *ends = &graph->ends[2 * (size_t)segment];

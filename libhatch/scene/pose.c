@@ -199,7 +199,8 @@ enum hatch_status hatch_pose_bounds(struct hatch_pose *pose, const struct hatch_
         bounds->center[k] = 0.5 * box.high[k] + 0.5 * box.low[k];
         square += half * half;
     }
-    bounds->radius = square > 0 && isfinite(square) ? sqrt(square) : 1.0;
-    bounds->empty = !box.any;
+    bool shows = square > 0 && isfinite(square);
+    bounds->radius = shows ? sqrt(square) : 1.0;
+    bounds->empty = !shows;
     return HATCH_OK;
 }

@@ -1,10 +1,11 @@
 #!/bin/sh
-# one.sh EXPECT FOLDER FILE COMMAND ...: gives FILE to a command and prints one TAP line without a
-# number. OUT among the words is an output file, IN the input. EXPECT: as in the manifest's README.
+# one.sh EXPECT SAYS FIGURES FOLDER FILE COMMAND ...: runs a command on FOLDER/FILE and prints one TAP line without a
+# number. The word IN of the command stands for the input, OUT for an output file. make.pl documents EXPECT, SAYS and
+# FIGURES.
 set -u
-expect=$1 folder=$2 file=$3
-shift 3
-name="$1 $2: $file: $expect"
+expect=$1 says=$2 figures=$3 folder=$4 file=$5
+shift 5
+name="$file ($expect): $*"
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 count=$#
@@ -20,38 +21,57 @@ while [ $count -gt 0 ]; do
     count=$((count - 1))
 done
 
-# Address space is what a shell can bound; sanitizers and OpenGL drivers reserve more than they use.
+# A shell can limit the address space only; sanitizers and OpenGL drivers reserve more than they use. OpenImageIO, which
+# reads formats other than PNG and EXR, reserves 400 MB when it is loaded.
 if [ -z "${SANITIZE:-}" ] && [ "$1" != render-gl ]; then
-    ulimit -v $((512 * 1024))
+    case $file in
+    *.jpg | *.tif | *.bmp | *.gif | *.tga | *.hdr | *.ppm) ulimit -v $((1024 * 1024)) ;;
+    *) ulimit -v $((512 * 1024)) ;;
+    esac
 fi
-# Of a processor, which a busy machine does not change; the other limit ends what waits for ever.
+# Processor time does not depend on other load; the second limit ends commands that wait forever.
 seconds=5
 [ -z "${SANITIZE:-}" ] || seconds=30
-(ulimit -t "$seconds" && exec timeout 600 "$@") >"$work/said" 2>"$work/words" </dev/null
+(ulimit -t "$seconds" && exec timeout 600 "$@" --threads 2) >"$work/said" 2>"$work/words" </dev/null
 status=$?
 
 complaint() {
-    # in one write: another runs beside this one
+    # in one write, because another one.sh runs in parallel
     printf 'not ok - %s\n# %s (exit %s)\n%s\n' "$name" "$1" "$status" \
-        "$(head -n 3 "$work/words" | sed 's/^/# /')"
+        "$(head -n 3 "$work/words" | cut -c 1-500 | sed 's/^/# /')"
     exit 0
 }
 refused() {
-    [ "$(wc -l <"$work/words")" -eq 1 ] || complaint "more or less than one line"
-    grep -qF "$(basename "$file")" "$work/words" || complaint "the file is not named"
-    [ -z "$(ls "$work" | grep -v -e said -e words)" ] || complaint "an output was left"
+    [ "$(wc -l <"$work/words")" -eq 1 ] || complaint "not one line"
+    grep -qF "${file##*/}" "$work/words" || complaint "the file is not named"
+    for left in "$work"/* "$work"/.[!.]*; do
+        case ${left##*/} in said | words | '*' | '.[!.]*') ;; *) complaint "an output was left: ${left##*/}" ;; esac
+    done
     [ ! -s "$work/said" ] || complaint "something on standard output"
 }
 accepted() {
     [ -s "$work/said" ] || ls "$work"/out* >/dev/null 2>&1 || complaint "no output"
-    # an infinite ratio of two equal pictures is right, a NaN never is
+    # The PSNR of equal images is infinite, but nothing is NaN.
     if cat "$work"/out.tsv "$work/said" 2>/dev/null | LC_ALL=C grep -aqiw nan; then
         complaint "the output is NaN"
     fi
-    # which refuses numbers that are none
+    # hatchstat refuses files with NaN or infinite values.
     if [ -e "$work/out.glb" ] && ! "$BIN/hatchstat" mesh "$work/out.glb" >"$work/read" 2>&1; then
-        complaint "the output cannot be read again: $(head -n 1 "$work/read")"
+        complaint "the output cannot be read: $(head -n 1 "$work/read")"
     fi
+    [ "$figures" = - ] || compare
+}
+compare() {
+    other=$(awk -F '\t' -v wanted="$figures" '
+        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
+        NR == 2 {
+            count = split(wanted, figure, ",")
+            for (i = 1; i <= count; i++) {
+                split(figure[i], part, "=")
+                if (!(part[1] in at) || $at[part[1]] + 0 != part[2] + 0) print figure[i] ": is " $at[part[1]] " "
+            }
+        }' "$work/out.tsv")
+    [ -z "$other" ] || complaint "wrong figures: $(printf %s "$other" | tr '\n' ' ')"
 }
 case $expect.$status in
 ERR.3 | ERR.5 | EITHER.3 | EITHER.5) refused ;;
@@ -62,4 +82,6 @@ WARN.0)
     ;;
 *) complaint "unexpected exit status" ;;
 esac
+# without the names of command and file, which may contain the same words
+[ "$says" = - ] || sed 's/^[^:]*: [^:]*: //' "$work/words" | grep -qE -e "$says" || complaint "does not say: $says"
 echo "ok - $name"

@@ -5,15 +5,6 @@
 table=$TOP/tests/cli/commands.tsv
 tab=$(printf '\t')
 
-# As another user than root, who may read and write everything; false where that cannot be had.
-unprivileged() {
-    if [ "$(id -u)" -ne 0 ]; then
-        "$@"
-    else
-        setpriv --reuid=65534 --regid=65534 --clear-groups "$@"
-    fi
-}
-
 check_help() {
     try "$1" --help
     count_lines .out

@@ -69,7 +69,12 @@ exr_result_t hatch_exr_open_read(struct hatch_exr_stream *stream, exr_context_t 
     set.read_fn = read_at;
     set.size_fn = size_of_file;
     set.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-    return exr_start_read(context, "memory", &set);
+    exr_result_t result = exr_start_read(context, "memory", &set);
+    if (result != EXR_ERR_SUCCESS || stream->first.status == HATCH_OK)
+        return result;
+    /* The core has reported an invalid attribute and replaced it by a default, e.g. unknown compression by ZIP. */
+    exr_finish(context);
+    return EXR_ERR_INVALID_ATTR;
 }
 
 exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t *context)

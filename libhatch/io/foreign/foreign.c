@@ -37,6 +37,13 @@ static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_p
     return HATCH_OK;
 }
 
+/* The plugin's message becomes the error; running out of memory is a limit, all else is the file's fault. */
+static enum hatch_status fail_plugin(const char *message, struct hatch_err *err)
+{
+    bool out_of_memory = strcmp(message, HATCH_OIIO_OUT_OF_MEMORY) == 0;
+    return hatch_fail(err, out_of_memory ? HATCH_LIMIT : HATCH_BAD_INPUT, "%s", message);
+}
+
 /* Values have 8 or 16 bits; each of them is a multiple of 1 / 65535. */
 static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
@@ -69,7 +76,7 @@ static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, voi
     struct hatch_image made;
     HATCH_TRY(hatch_image_make(arena, info->width, info->height, names[info->channels], &made, err));
     if (!plugin->read(opened, made.pixels, message, sizeof message))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s", message);
+        return fail_plugin(message, err);
     if (info->is_encoded)
         HATCH_TRY(decode_srgb(scratch, &made, err));
     *image = made;
@@ -93,7 +100,7 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     char message[HATCH_ERR_TEXT_MAX] = "";
     void *opened = plugin->open(file.data, file.size, name, &info, message, sizeof message);
     if (!opened)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s", message);
+        return fail_plugin(message, err);
     enum hatch_status status = read_opened(plugin, opened, &info, arena, scratch, image, err);
     plugin->close(opened);
     return status;

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 
 #include <OpenImageIO/filesystem.h>
@@ -35,6 +36,15 @@ std::string extension_of(const char *name)
     return has_extension ? OIIO::Strutil::lower(path.substr(dot + 1)) : std::string();
 }
 
+/* OpenImageIO allocates a whole tile, however small the image is: a file of 200 bytes could ask for any amount of
+ * memory. Ordinary tiles have at most 2048 x 2048 pixels. */
+bool tiles_are_plausible(const OIIO::ImageSpec &spec)
+{
+    const uint64_t ordinary_pixels = 1 << 22;
+    uint64_t image_pixels = static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height);
+    return spec.tile_width == 0 || spec.tile_pixels() <= ordinary_pixels + 4 * image_pixels;
+}
+
 bool is_encoded(const OIIO::ImageSpec &spec)
 {
     if (spec.format.basetype != OIIO::TypeDesc::UINT8 && spec.format.basetype != OIIO::TypeDesc::UINT16)
@@ -48,6 +58,7 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
     try {
         OIIO::attribute("threads", 1);
         OIIO::attribute("exr_threads", 1);
+        OIIO::attribute("tiff:multithread", 0); /* the multithreaded reader ignores damaged tiles */
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         auto image = std::make_unique<Image>(data, data_size);
@@ -76,9 +87,17 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
             set_message("not a two-dimensional image", message, size);
             return nullptr;
         }
+        if (!tiles_are_plausible(spec)) {
+            set_message("tiles of " + std::to_string(spec.tile_width) + "x" + std::to_string(spec.tile_height) +
+                            " pixels, the image has " + std::to_string(spec.width) + "x" + std::to_string(spec.height),
+                        message, size);
+            return nullptr;
+        }
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
                  static_cast<uint32_t>(spec.nchannels), is_encoded(spec)};
         return image.release();
+    } catch (const std::bad_alloc &) {
+        set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
     } catch (const std::exception &error) {
         set_message(error.what(), message, size);
     } catch (...) {
@@ -87,16 +106,31 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
     return nullptr;
 }
 
+/* Reads by rows where possible: read_image leaves damaged strips of deflated TIFF files black and reports nothing.
+ * Rows of separate planes would decode each strip again for every row. */
+bool read_pixels(OIIO::ImageInput &reader, float *pixels)
+{
+    const OIIO::ImageSpec spec = reader.spec();
+    if (spec.tile_width > 0 || spec.get_string_attribute("planarconfig") == "separate")
+        return reader.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, pixels);
+    size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels);
+    for (int y = 0; y < spec.height; y++)
+        if (!reader.read_scanline(spec.y + y, spec.z, OIIO::TypeFloat, pixels + row * static_cast<size_t>(y)))
+            return false;
+    return true;
+}
+
 int read_image(void *opened, float *pixels, char *message, size_t size)
 {
     try {
         OIIO::ImageInput &reader = *static_cast<Image *>(opened)->reader;
-        int channels = reader.spec().nchannels;
-        bool done = reader.read_image(0, 0, 0, channels, OIIO::TypeFloat, pixels);
+        bool done = read_pixels(reader, pixels);
         std::string error = reader.geterror();
         if (done && error.empty())
             return 1;
         set_message(error, message, size);
+    } catch (const std::bad_alloc &) {
+        set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
     } catch (const std::exception &error) {
         set_message(error.what(), message, size);
     } catch (...) {

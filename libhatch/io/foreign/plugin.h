@@ -12,6 +12,7 @@ extern "C" {
 
 #define HATCH_OIIO_PLUGIN_TABLE "hatch_oiio_plugin_table"
 #define HATCH_OIIO_VERSION 1u
+#define HATCH_OIIO_OUT_OF_MEMORY "out of memory while decoding" /* the message of that failure */
 
 struct hatch_oiio_info {
     uint32_t width, height, channels;

@@ -1,5 +1,6 @@
 #include "io/gltf/reader.h"
 
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -160,6 +161,25 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
     return parsed ? HATCH_OK : fail_with(text, err);
 }
 
+/* Products of finite transforms may overflow. */
+enum hatch_status check_transforms(Reader &r)
+{
+    size_t count = r.scene->node_count;
+    float *world = HATCH_NEW(r.scratch, float, 16 * count, r.err);
+    if (!world)
+        return HATCH_LIMIT;
+    hatch_scene_pose(r.scene, HATCH_NONE, 0, world);
+    size_t at = 0;
+    while (at < 16 * count && std::isfinite(world[at]))
+        at++;
+    if (at == 16 * count)
+        return HATCH_OK;
+    for (size_t i = 0; i < r.model.nodes.size(); i++)
+        if (r.node_of[i] == at / 16)
+            return bad(r, place("node", i), "its transform in the scene is not finite");
+    return bad(r, "nodes", "the transform of an instance is not finite");
+}
+
 enum hatch_status read_all(Reader &r)
 {
     if (r.model.asset.version.compare(0, 2, "2.") != 0)
@@ -176,6 +196,7 @@ enum hatch_status read_all(Reader &r)
     HATCH_TRY(read_meshes(r, &first_mesh));
     HATCH_TRY(attach_to_nodes(r, first_mesh));
     HATCH_TRY(add_instances(r));
+    HATCH_TRY(check_transforms(r));
     return read_animations(r);
 }
 
