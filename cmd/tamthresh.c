@@ -19,9 +19,9 @@ static const struct cmd_option options[] = {
      &bins, NULL, &bins_given},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "exact runs instead: all changes of every texel, in a buffer", &exact, NULL,
      NULL},
-    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "IMAGE for the modulation channel, a factor of light", &modulation_path,
+    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image as the modulation, a factor of light", &modulation_path,
      NULL, NULL},
-    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "IMAGE for the outline mask, an opacity", &mask_path, NULL, NULL},
+    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, an opacity", &mask_path, NULL, NULL},
     {0},
 };
 

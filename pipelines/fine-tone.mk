@@ -1,12 +1,12 @@
-# One shape, one map of 255 tones, three ways to draw it: six columns blended, as a volume, by thresholds.
+# Draws one shape with one map of 255 tones in three ways: six columns blended, as a volume, as threshold textures.
 # (Webb et al., "Fine Tone Control in Hardware Hatching", Figure 4.)
 #
 #     make -f fine-tone.mk                                     fine-tam.png fine-volume.png fine-threshold.png
-#     make -f fine-tone.mk STYLE=wash COLOUR=1                 fine-volume.png alone: thresholds are grey
+#     make -f fine-tone.mk STYLE=wash COLOUR=1                 fine-volume.png only: threshold textures have no colour
 #     make -f fine-tone.mk SHAPE='sphere --uv whole' MODULATE=earth.jpg OPTIONS='--tone-gamma 4 --pixel-light'
-#     make -f fine-tone.mk SCENE=model.glb                     a scene of yours
+#     make -f fine-tone.mk SCENE=model.glb                     your own scene
 #
-# The commands are looked for on PATH. Copy this file and change it.
+# The commands are found on PATH. Copy this file and change it.
 SHAPE    ?= sphere
 SCENE    ?=
 STYLE    ?= ink
@@ -32,7 +32,7 @@ scene := $(if $(SCENE),"$(SCENE)",$(OUT)/fine.glb)
 light := $(if $(MODULATE),--modulate "$(MODULATE)")
 draw   = render-gl $(scene) --technique $(1) --tam "$(2)" --size $(SIZE) $(light) $(OPTIONS) -o $@
 
-# What the files between are made of stands in a file of its own, which changes with it.
+# This file holds the variables from which intermediate files are made; it is rewritten when one of them changes.
 words  := $(OUT)/fine.words
 wanted := $(SHAPE); $(STYLE) $(TONES) $(SEED) $(TAM); $(VOLUME); $(BINS)
 

@@ -1,8 +1,8 @@
-# Draws the pictures of the README from nothing but the commands on PATH.
+# Draws the pictures of the README with the commands on PATH.
 #
 #     make -f gallery.mk OUT=docs/pictures
 OUT  ?= .
-# What tamgen --replay draws, where it is at hand.
+# Drawing for tamgen --replay; replay.png is left out if this file is missing.
 DRAWING ?= tests/drawings/hatching.svg
 SIZE ?= 640x480
 
@@ -11,7 +11,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-# Large intermediate files stay out of the folder of pictures.
+# Folder of large intermediate files; another one than OUT keeps them away from the pictures.
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
@@ -47,7 +47,7 @@ $(OUT)/replay.png: $(DRAWING)
 	mkdir -p $(OUT)
 	tamgen --replay $< --fit --quiet --size 128 --contact-sheet $@ -o /dev/null
 
-# rptam.mk and fine-tone.mk stand beside this file.
+# rptam.mk and fine-tone.mk are in the folder of this file.
 $(OUT)/zoom-0.png:
 	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))rptam.mk OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/zoom-?.png $(OUT)

@@ -1,11 +1,11 @@
-# Draws a glTF scene with strokes: one picture, or the frames of its animation, or a turntable.
+# Draws a glTF scene with strokes: one picture, the frames of its animation, or a turntable.
 #
 #     make -f gltf.mk SCENE=duck.glb
 #     make -f gltf.mk SCENE=walk.glb FRAMES=48 STYLE=pencil      walk-000.png ... walk-047.png
 #     make -f gltf.mk SCENE=duck.glb FRAMES=90 TURN=1 STYLE=./my.style
 #
-# The scene's surfaces need texture coordinates: strokes run along them. The commands are looked for on
-# PATH. Copy this file and change it.
+# The surfaces of the scene need texture coordinates, which strokes follow. The commands are found on PATH.
+# Copy this file and change it.
 SCENE     ?= $(error SCENE=FILE names the scene to draw)
 STYLE     ?= ink
 TECHNIQUE ?= tam
@@ -21,10 +21,10 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-# A style may be a file of yours; the map of another style or seed has another name.
+# STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
-# A file's name may hold spaces, which make would take for two files: the shell takes it apart.
+# The shell computes the name, because make would split a file name at spaces.
 name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
 
 .PHONY: picture

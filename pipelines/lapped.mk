@@ -1,15 +1,15 @@
-# Draws any surface with strokes that follow its form: a scan, a model without texture coordinates.
+# Draws any surface with strokes that follow its form, such as a scan or a model without texture coordinates.
 #
 #     make -f lapped.mk MESH=bunny.ply                        bunny.png
-#     make -f lapped.mk MESH=bunny.ply STYLE=pencil TURN=90   and once around it: bunny-000.png ... bunny-089.png
+#     make -f lapped.mk MESH=bunny.ply STYLE=pencil TURN=90   also once around it: bunny-000.png ... bunny-089.png
 #     make -f lapped.mk MESH=walk.glb FRAMES=48               the scene's animation: walk-000.png ...
-#     make -f lapped.mk MESH=bunny.ply STYLE=./my.style       a style of yours
+#     make -f lapped.mk MESH=bunny.ply STYLE=./my.style       your own style
 #     make -f lapped.mk MESHES='bunny.ply horse.ply'          both in one picture: row.png
 #     make -f lapped.mk MESH=bunny.ply FIELD='--direction min' LAPPED='--size .2' OPTIONS='--hatch-turn 30'
 #
-# dirfield finds the directions, lapped-param covers the surface with patches along them, render-gl draws.
-# With SHOW=1 pictures of the directions and of the patches stand beside. The commands are looked for on
-# PATH. Copy this file and change it.
+# dirfield computes the directions, lapped-param covers the surface with patches along them, render-gl draws.
+# SHOW=1 also draws pictures of the directions and of the patches. The commands are found on PATH. Copy this
+# file and change it.
 MESH      ?= $(error MESH=FILE names the mesh to draw)
 MESHES    ?=
 STYLE     ?= ink
@@ -29,11 +29,11 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-# A style may be a file of yours; the map of another style or seed has another name.
+# STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 cover = dirfield $(FIELD) "$(1)" | lapped-param --seed $(SEED) $(LAPPED)
-# A file's name may hold spaces, which make would take for two files: the shell takes it apart.
+# The shell computes the name, because make would split a file name at spaces.
 name = name=$$(basename -- "$(1)") && name="$(OUT)/$${name%.*}"
 
 .PHONY: all picture row
@@ -56,7 +56,7 @@ ifneq ($(SHOW),)
 endif
 endif
 
-# Several files are put side by side, all as large as the first.
+# Several meshes are drawn side by side, all as large as the first.
 lapped := $(foreach m,$(MESHES),$(OUT)/$(basename $(notdir $(m))).lapped.glb)
 row: $(map) $(lapped)
 	$(draw) -o "$(OUT)/row.png" $(lapped)

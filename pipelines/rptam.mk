@@ -1,15 +1,15 @@
 # Draws one place of a model at four distances, each 16 times nearer than the one before, with strokes that
-# keep their size: zoom-0.png to zoom-3.png. And, with FRAMES, an octave of the way in.
+# keep their size: zoom-0.png to zoom-3.png. With FRAMES also the frames of one octave of the zoom.
 #
 #     make -f rptam.mk                                       the teapot
 #     make -f rptam.mk STYLE=pencil LAYERS=3 SEEDS=100
-#     make -f rptam.mk FRAMES=48                             zoom-way-000.png ...: to be looped
+#     make -f rptam.mk FRAMES=48                             zoom-way-000.png ..., which can be looped
 #     make -f rptam.mk FRAMES=48 OPTIONS='--animate stroke=20x1..60x2'
 #     make -f rptam.mk MODEL=horse.glb CAMERA=1,1,6:0,0,0 NEAREST=1000000
 #
-# CAMERA is a place and what is looked at, in the model's coordinates; the way leads to the surface that the picture's
-# middle shows. The model needs texture coordinates; dirfield and lapped-param give it some. The commands are looked
-# for on PATH. Copy this file and change it.
+# CAMERA is the position of the camera and the point it looks at, in the coordinates of the model; the zoom leads to the
+# point of the surface in the middle of the picture. The model needs texture coordinates; dirfield and lapped-param make
+# them. The commands are found on PATH. Copy this file and change it.
 MODEL   ?= $(OUT)/teapot.glb
 CAMERA  ?= 0.9,0.8,5.42:0,0.1,1.02
 NEAREST ?= 4096

@@ -1,9 +1,9 @@
-# Draws the teapot with strokes, from nothing: shape, style, tonal art map, picture.
+# Draws the teapot with strokes: makes the shape and a tonal art map from a style, then the picture.
 #
 #     make -f teapot.mk                           teapot.png, in ink
-#     make -f teapot.mk STYLE=charcoal OUT=/tmp   another style, elsewhere
+#     make -f teapot.mk STYLE=charcoal OUT=/tmp   another style, in another folder
 #
-# The commands are looked for on PATH. Copy this file and change it.
+# The commands are found on PATH. Copy this file and change it.
 STYLE     ?= ink
 TECHNIQUE ?= tam
 SIZE      ?= 1280x720
@@ -15,7 +15,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-# A style may be a file of yours; the map of another style or seed has another name.
+# STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 
 .PHONY: picture

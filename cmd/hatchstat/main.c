@@ -15,14 +15,17 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: style of the strokes (default: the one that the map names)",
      &values.style, NULL, NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: tamgen's --set", &values.settings, NULL, NULL},
-    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: tamgen's --brush", &values.brush, NULL, NULL},
+    {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: the --set with which tamgen made the map", &values.settings, NULL,
+     NULL},
+    {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: the --brush with which tamgen made the map", &values.brush, NULL,
+     NULL},
     {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with, 1 .. 1000 (default 8)",
      &values.throws, NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a limit is missed, see the manual",
      &values.check, NULL, NULL},
-    {'R', "reference", CMD_TEXT, 0, 0, "FILE", "field: mesh with the true field; ink: picture; tones: map of FILE",
-     &values.reference, NULL, NULL},
+    {'R', "reference", CMD_TEXT, 0, 0, "FILE",
+     "field: mesh with the true field; ink: picture to compare with; tones: the map of FILE", &values.reference, NULL,
+     NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: share of the points, most confident first, 0.001 .. 1 (default 1)",
      &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: number of sampled places, 1 .. 1e9 (default 100000)",
@@ -60,9 +63,12 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
-    .summary = "measure pictures (diff A B, frames A B ..., ink FILE ...), meshes (mesh FILE ...), "
-               "direction fields (field FILE ...), lapped patches (lapped FILE), "
-               "tonal art maps (tam FILE), their volumes and thresholds (tones FILE), seed sets (seeds FILE)",
+    .summary = "measure files; SUBJECT and FILE are one of:\n"
+               "  diff A B, frames A B ..., ink FILE ...      pictures\n"
+               "  mesh FILE ..., field FILE ...               meshes and their direction fields\n"
+               "  lapped FILE                                 lapped textures\n"
+               "  tam FILE, tones FILE                        tonal art maps; volumes and threshold textures\n"
+               "  seeds FILE                                  seed sets",
     .examples = examples,
     .options = options,
     .operands_min = 1,

@@ -26,8 +26,8 @@ static const struct cmd_option options[] = {
      "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, &tile_given},
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "irregularity of the outline; 0: a circle (default 0.3)", &roughness,
      NULL, NULL},
-    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE", "width of the outline's soft border, in patches (default 0.045)",
-     &feather, NULL, NULL},
+    {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE",
+     "width of the outline's soft border over the outline's side (default 0.045)", &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the outline's image (default 1024)", &mask_size,
      NULL, &mask_given},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh, without a mask", &atlas, NULL,
@@ -56,7 +56,7 @@ static const struct cmd_program program = {
 static void read_options(const struct cmd_args *args, struct lapped_param_options *settings)
 {
     if (atlas && (mask_given || tile_given))
-        cmd_usage("--%s does not go with --atlas", mask_given ? "mask-size" : "tile");
+        cmd_usage("--atlas excludes --%s", mask_given ? "mask-size" : "tile");
     *settings = (struct lapped_param_options){
         .lapped = {.size = size,
                    .curved = curved,
@@ -125,7 +125,7 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
         cmd_note("mesh %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
     cmd_note("%u %s, overlap %.2f; %u end inside their outline, %u enlarged to contain a face", patches,
              cmd_plural(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
-    cmd_note("each face was solved for %.1f times", solved_faces / faces);
+    cmd_note("texture coordinates were computed %.1f times per face", solved_faces / faces);
 }
 
 int main(int argc, char **argv)

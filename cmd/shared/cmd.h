@@ -58,7 +58,7 @@ struct cmd_option {
 struct cmd_program {
     const char *name;            /* "tamgen" */
     const char *operands;        /* "[FILE]", "A B", ""; several forms are separated by newlines */
-    const char *summary;         /* one line */
+    const char *summary;         /* one line or several */
     const char *const *examples; /* NULL-terminated shell commands, about two */
     const struct cmd_option *options;
     int operands_min, operands_max; /* operands_max -1: any number */

@@ -50,20 +50,23 @@ static void make_table(const struct cmd_program *program, struct table *table)
                                        NULL, NULL});
     if (program->reports)
         add(table, (struct cmd_option){0, "json", CMD_FLAG, 0, 0, NULL, "report as JSON", &common.json, NULL, NULL});
-    add(table, (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N", "threads (default: one per processor)",
-                                   &common.threads, NULL, NULL});
+    add(table, (struct cmd_option){'j', "threads", CMD_INT, 1, THREADS_MAX, "N",
+                                   "number of threads (default: one for each processor)", &common.threads, NULL, NULL});
     add(table, (struct cmd_option){0, "max-memory", CMD_SIZE, 1 << 20, 0x1p53, "BYTES",
-                                   "memory limit, with K, M or G (default 4G)", &common.max_memory, NULL, NULL});
+                                   "memory limit; K, M or G may follow the number (default 4G)", &common.max_memory,
+                                   NULL, NULL});
+    add(table, (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "print no warnings and no progress",
+                                   &common.quiet, NULL, NULL});
+    add(table, (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "print details on standard error",
+                                   &common.verbose, NULL, NULL});
     add(table,
-        (struct cmd_option){'q', "quiet", CMD_FLAG, 0, 0, NULL, "no warnings, no progress", &common.quiet, NULL, NULL});
-    add(table,
-        (struct cmd_option){'v', "verbose", CMD_FLAG, 0, 0, NULL, "report details", &common.verbose, NULL, NULL});
-    add(table, (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print this and exit", &common.help, NULL, NULL});
+        (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print the help and exit", &common.help, NULL, NULL});
     add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL, "print the version and exit", &common.version,
                                    NULL, NULL});
     /* For scripts: not in --help, which is for people. */
-    add(table, (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL, "print all options as TSV and exit",
-                                   &common.options_table, NULL, NULL});
+    add(table,
+        (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL,
+                            "print all options as tab-separated values and exit", &common.options_table, NULL, NULL});
 }
 
 static noreturn void refuse(const struct cmd_option *option, const char *text, const char *want)

@@ -13,7 +13,7 @@ static const char *const layout_choices[] = {"rgb", "array", "dds", "png", "exr"
 static const struct cmd_option options[] = {
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout,
      layout_choices, NULL},
-    {'i', "ink", CMD_INT, 0, 1, "N", "number for ink; paper is the other one (default 0)", &ink, NULL, &ink_given},
+    {'i', "ink", CMD_INT, 0, 1, "N", "value of ink, 0 or 1; paper has the other (default 0)", &ink, NULL, &ink_given},
     {0},
 };
 
