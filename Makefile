@@ -176,7 +176,7 @@ $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES) gl,$(libs_$(a))) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl prop golden stability bad fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl prop stability bad fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)

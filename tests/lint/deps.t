@@ -39,6 +39,42 @@ bad=$(find libhatch -name '*.[ch]' -o -name '*.cc' | sort | while read -r file; 
 done)
 is "modules include only what DEPS allows" "$bad" ""
 
+rooms=$(grep -v '^#' cmd/render-gl/DEPS)
+is "DEPS of render-gl lists its rooms" "$(echo "$rooms" | sort)" \
+    "$(find cmd/render-gl -mindepth 2 -name '*.c' | cut -d/ -f3 | sort -u)"
+bad=""
+below=" "
+for room in $rooms; do
+    below="$below$room "
+    bad="$bad$(includes $(find "cmd/render-gl/$room" -name '*.[ch]') | while read -r file header; do
+        case $header in
+        render-gl/*/*)
+            other=${header#render-gl/}
+            case $below in *" ${other%%/*} "*) ;; *) echo "$file: $header" ;; esac
+            ;;
+        render-gl/*) echo "$file: $header stands in no room" ;;
+        esac
+    done)"
+done
+is "rooms of render-gl include only those above them in DEPS" "$bad" ""
+is "no file leads back to itself by includes" "$(perl tests/lint/circles.pl $(ours | grep -E '^(libhatch|cmd)/'))" ""
+
+# Beside its file, its shaders and the list, a technique is known by what it says of itself.
+names=$(sed -n 's/^ *X(\([a-z_]*\)).*/\1/p' cmd/render-gl/technique/list.h)
+is "the list has techniques" "$(echo "$names" | grep -c .)" "$(grep -c '^const struct technique technique_' \
+    cmd/render-gl/technique/*.c | awk -F: '{sum += $2} END {print sum - 1}')"
+bad=""
+for name in $names; do
+    dashed=$(echo "$name" | tr _ -)
+    bad="$bad$(grep -rnE "technique_$name\\b|\"$dashed\"" cmd/render-gl libhatch |
+        grep -vE "^cmd/render-gl/technique/$name(_[a-z]*)?\.[ch]:|CMD_TEXT")"
+    case $dashed in
+    *-*) bad="$bad$(grep -rnE "(^|[^-a-z])$dashed([^-a-z]|\$)" cmd libhatch |
+        grep -vE "^cmd/render-gl/(technique/$name\.c|shaders/)")" ;;
+    esac
+done
+is "no technique is named outside of its file, its shaders and the list" "$bad" ""
+
 bad=$(includes $(ours) | grep -E '<(epoxy|GL|GLES[23]?|EGL|GLFW|KHR)/' | grep -vE '^(cmd/render-gl/|tests/cli/render-gl/shader_spy\.c)')
 is "OpenGL stands only in cmd/render-gl and in what listens to its calls" "$bad" ""
 

@@ -11,6 +11,8 @@ is "no function over 60 lines" "$(awk '
     /^\}/ {if (begin && FNR - begin > 60) print FILENAME ":" begin ": " FNR - begin; begin = 0}' \
     $(echo "$sources" | grep -E '\.(c|cc)$'))" ""
 is "no line over 120 columns" "$(awk 'length($0) > 120 {print FILENAME ":" FNR}' $sources)" ""
+is "no folder of sources with more than 22 files" "$(find libhatch cmd tests -path tests/fuzz/corpus -prune -o -type f -print |
+    sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 22')" ""
 is "the Makefile stays one page or three" "$(wc -l <Makefile | awk '$1 > 220')" ""
 
 texts=$(find . -path ./build -prune -o -path ./.git -prune -o -path ./tests/lint -prune -o -type f \
