@@ -107,12 +107,12 @@ static uint32_t sum(const uint8_t *visible, uint32_t count)
 }
 
 /* visible: becomes what is left of it. */
-static void smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+static void smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                    uint8_t *visible)
 {
     uint8_t seen[268];
     memcpy(seen, visible, sizeof seen);
-    hatch_line_strips_smooth(strips, gap_px, crumb_px, trim_px, seen, visible);
+    hatch_line_strips_smooth(strips, gap_px, speck_px, trim_px, seen, visible);
 }
 
 START_TEST(gaps_are_closed_and_crumbs_are_dropped)

@@ -95,7 +95,7 @@ START_TEST(smooth_and_faceted_silhouettes_join)
     uint32_t closed = 0;
     for (uint32_t i = 0; i < chains.count; i++)
         closed += chains.chains[i].closed;
-    ck_assert_uint_gt(lines.hard_count, 400);
+    ck_assert_uint_gt(lines.hard_edge_count, 400);
     ck_assert_uint_eq(closed, chains.count);
 }
 END_TEST

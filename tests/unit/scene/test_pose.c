@@ -49,7 +49,7 @@ static void pose_triangle(const float weights[4], double at[3])
                                        .mesh_count = n == 0,
                                        .skin = n == 0 ? 0 : HATCH_NONE};
     HATCH_TEST_OK(hatch_pose_make(&scene, &keep, &pose, &err), &err);
-    hatch_pose_at(&pose, HATCH_NONE, 0);
+    hatch_pose_set(&pose, HATCH_NONE, 0);
     hatch_pose_vertices(&pose, 0, 0, positions, NULL);
     memcpy(at, positions, 3 * sizeof *at);
 }
@@ -87,11 +87,11 @@ START_TEST(targets_move_before_joints_do)
         memcpy(data[1] + 6 * v, moves, sizeof moves);
         memcpy(data[2] + 6 * v, moves, sizeof moves);
     }
-    ck_assert(hatch_pose_shapes(&scene, 0, &shown.mesh));
+    ck_assert(hatch_pose_deforms(&scene, 0, &shown.mesh));
     HATCH_TEST_OK(hatch_pose_make(&scene, &keep, &pose, &err), &err);
     for (double t = 0; t <= 1; t += 0.25) {
         double length = sqrt(1 + 16 * t * t + 4 * t * t);
-        hatch_pose_at(&pose, 0, t);
+        hatch_pose_set(&pose, 0, t);
         hatch_pose_vertices(&pose, 0, 0, positions, normals);
         ck_assert_double_eq(positions[0], 5);
         ck_assert_double_eq(positions[1], 4 * t);
