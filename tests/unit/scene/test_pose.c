@@ -9,14 +9,15 @@
         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1                                                                 \
     }
 
-/* Node 0 shows a triangle with a skin of nodes 1 and 2, of which the second stands 5 to the right. */
+/* Node 0 has a triangle with a skin of nodes 1 and 2; node 2 is 5 to the right. */
 static struct hatch_node nodes[3];
 static uint32_t joints[2] = {1, 2};
 static float bind[2][16] = {IDENTITY, IDENTITY};
 static struct hatch_skin skin = {2, joints, bind[0]};
 static struct hatch_scene_mesh shown;
 
-/* At one second a target counts 1 and moves up by 4, one counts 2 and moves to the front by 1; normals with them. */
+/* At one second the first target has weight 1 and moves up by 4, the second has weight 2 and moves to the front by 1;
+ * so do normals. */
 static float times[2] = {0, 1}, counts[4] = {0, 0, 1, 2};
 static struct hatch_animation_channel channel = {0, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, counts, 2};
 static struct hatch_animation animation = {1, &channel, 1};
