@@ -35,8 +35,9 @@ static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uin
             loose[point[i / 3]] && step > 0 ? (float)(floor((double)positions[i] / step + shift) * step) : positions[i];
 }
 
-/* Joins loose points within a distance of about WELD and renumbers the points: those in one cell of either of two
- * grids, of which one is shifted by half a cell. of_vertex  in and out: point of each vertex */
+/* Joins loose points within a distance of about WELD and renumbers the points: joins those in one cell of either of two
+ * grids, of which one is shifted by half a cell.
+ *   of_vertex  in and out: point of each vertex */
 static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose, struct hatch_arena *scratch,
                               uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
 {

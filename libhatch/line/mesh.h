@@ -9,7 +9,7 @@
 /* Kinds of feature lines, as bits. */
 enum hatch_line_kind {
     HATCH_LINES_NONE = 0,
-    HATCH_LINES_SILHOUETTES = 1, /* where the surface turns away */
+    HATCH_LINES_SILHOUETTES = 1, /* between parts that face the eye and parts that face away */
     HATCH_LINES_CREASES = 2,     /* edges sharper than an angle, and edges of more than two faces */
     HATCH_LINES_BOUNDARIES = 4,  /* edges where the surface ends */
     HATCH_LINES_ALL = 7

@@ -6,14 +6,18 @@
 
 /* Finds creases to remove: chains with a free end that are short (in segments, or relative to the mesh) or crooked,
  * then chains whose end became free by that; and loops of two or three segments. Scanned or coarse surfaces have single
- * edges above any angle, while a modelled edge continues, closes, or ends at others. bounds  per segment: not 0: a
- * boundary, which is kept size    of the mesh, in units of the nodes pruned  per segment, in and out: 1: removed */
+ * edges above any angle, while a modelled edge continues, closes, or ends at others.
+ *   bounds  per segment: not 0: a boundary, which is kept
+ *   size    of the mesh, in units of the nodes
+ *   pruned  per segment, in and out: 1: removed */
 enum hatch_status hatch_line_prune(const struct hatch_line_graph *graph, const uint8_t *bounds, double size,
                                    struct hatch_arena *arena, struct hatch_arena *scratch, uint8_t *pruned,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Finds cracks: boundaries that coincide, a long edge and the straight path of short ones between its ends
- * (T-junctions). bounds  per segment: not 0: a boundary pruned  per segment: set to 1 for segments of a crack */
+/* Finds cracks (T-junctions): boundaries that coincide, a long edge and the straight path of short ones between its
+ * ends.
+ *   bounds  per segment: not 0: a boundary
+ *   pruned  per segment: set to 1 for segments of a crack */
 enum hatch_status hatch_line_find_cracks(const struct hatch_line_graph *graph, const uint8_t *bounds,
                                          struct hatch_arena *scratch, uint8_t *pruned,
                                          struct hatch_err *err) HATCH_MUST_USE;

@@ -7,11 +7,9 @@
 #include "line/trace.h"
 
 #define BULGE_MAX 0.12 /* largest distance of a point from its edge, in lengths of the edge: an arc of 51° */
-#define BACK_LEAST                                                                                                     \
-    0.5               /* extent of the surface behind an edge's end, in lengths of the edge, from which the normal at  \
-                       * the end has its full weight */
-#define RING_SEEN 64u /* neighbours of a vertex that are examined, about */
-#define SLACK_PX 2.0  /* of all segments, besides the depth of coarse faces */
+#define BACK_LEAST 0.5 /* lengths of an edge that the surface behind its end must extend for normal_weight 1 */
+#define RING_SEEN 64u  /* neighbours of a vertex that are examined, about */
+#define SLACK_PX 2.0   /* of all segments, besides the depth of coarse faces */
 #define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* plus a point: key of the node at the point */
 
 struct work {
@@ -77,7 +75,8 @@ static double root(const struct work *w, uint32_t low, uint32_t high)
 }
 
 /* Returns the weight of the normal at an edge's end for the shape of the edge, 0 .. 1: where the faces behind the end
- * are short, as at a chamfer, the normal turns mostly because of them. along  vector from the end to the other one */
+ * are short, as at a chamfer, the normal turns mostly because of them.
+ *   along  vector from the end to the other one */
 static double normal_weight(const struct work *w, uint32_t end, const double along[3])
 {
     const struct hatch_line_ring *ring = &w->shape->lines->ring;
@@ -96,8 +95,9 @@ static double normal_weight(const struct work *w, uint32_t end, const double alo
 }
 
 /* Computes a point of the silhouette at an edge, in the unit scene: on the cubic that is orthogonal to the normals at
- * the edge's ends, where that is outside the edge. t         position along the edge, 0 .. 1 straight  true: on the
- * edge itself */
+ * the edge's ends, where that is outside the edge.
+ *   t         position along the edge, 0 .. 1
+ *   straight  true: on the edge itself */
 static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight, double out[3])
 {
     double p[2][3], n[2][3], along[3], back[3], bulge[3] = {0, 0, 0}, mean[3], unit[3];
@@ -150,8 +150,8 @@ static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bo
 }
 
 /* Returns the slack of a segment across a face. On a coarse mesh the smooth silhouette is beside that of the polygons,
- * and so behind some of them: by up to about half the depth of the face that it crosses. share  barycentric coordinates
- * of the middle of the segment */
+ * and so behind some of them: by up to about half the depth of the face that it crosses.
+ *   share  barycentric coordinates of the middle of the segment */
 static double face_depth(const struct work *w, uint32_t face, const double share[3])
 {
     const uint32_t *i = &w->shape->lines->mesh.indices[3 * (size_t)face];

@@ -4,9 +4,7 @@
 
 #include "math/vector.h"
 
-#define SLACK_PX                                                                                                       \
-    1.5               /* distance from a line within which the faces at the line must not hide it, even where they     \
-                       * rise with their full slope */
+#define SLACK_PX 1.5  /* distance from an edge within which its own faces, at their full slope, must not hide it */
 #define SLOPE_MAX 4.0 /* limit of that slope: steeper faces recede from the line, or are seen from behind */
 
 double hatch_line_depth(const struct hatch_view *view, const double point[3])
@@ -35,8 +33,7 @@ static void corner_at(const struct hatch_line_shape *shape, uint32_t vertex, dou
     transform(shape->to_unit, p, out);
 }
 
-/* Returns the cosine of the angle between a face's normal and the direction to the eye; over 0: its front is visible.
- */
+/* Returns the cosine between a face's normal and the direction to the eye; over 0: its front is visible. */
 static double facing(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye, uint32_t face)
 {
     const struct hatch_view *view = eye->view;

@@ -41,8 +41,9 @@ enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *sh
                                                struct hatch_line_trace *trace, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Replaces the segments of a silhouette by curves through its smooth nodes: each segment at a visible turn becomes
- * four. trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and smooth NULL chains  of trace;
- * replaced by those of the new trace, in arena */
+ * four.
+ *   trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and smooth NULL
+ *   chains  of trace; replaced by those of the new trace, in arena */
 enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch_line_chains *chains,
                                     struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
 

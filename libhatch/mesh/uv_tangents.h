@@ -13,7 +13,8 @@ enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_
                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns the largest distance of TEXCOORD_0 from 0 0, converted to a length on the mesh, which bounds the rounding
- * errors of texture coordinates; 0 where texture coordinates have no area. mesh  has TEXCOORD_0 */
+ * errors of texture coordinates; 0 where texture coordinates have no area.
+ *   mesh  has TEXCOORD_0 */
 double hatch_uv_reach(const struct hatch_mesh *mesh);
 
 #endif

@@ -7,9 +7,8 @@
 
 /* The patches of one mesh of a scene. */
 struct hatch_patch_mesh {
-    uint32_t patch_count; /* 0: an ordinary mesh; all other members are zero */
-    uint32_t
-        *first_vertex; /* patch_count + 1: first vertex of each patch in the joined mesh, and the end of the last */
+    uint32_t patch_count;   /* 0: an ordinary mesh; all other members are zero */
+    uint32_t *first_vertex; /* per patch, and the end of the last: its first vertex in the joined mesh */
     uint32_t layer_count;
     uint32_t *layer_end;       /* per layer: one past its last index in the joined mesh */
     struct hatch_mesh surface; /* the covered surface: each face and vertex once, without texture coordinates */

@@ -5,8 +5,7 @@
 #include <string.h>
 
 /* Offsets in a node's 16 floats of `world` while a pose is computed: they hold its local translation, rotation and
- * scale until a pass over the nodes, parents first, replaces them by the world matrix. So no scratch memory is needed.
- */
+ * scale until a pass over the nodes, parents first, replaces them by the world matrix. No scratch memory is needed. */
 enum { LOCAL_TRANSLATION = 0, LOCAL_ROTATION = 3, LOCAL_SCALE = 7 };
 
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,

@@ -61,8 +61,7 @@ struct hatch_node {
     float matrix[16];                /* column-major; see has_matrix */
     bool has_matrix;                 /* matrix replaces translation, rotation and scale */
     uint32_t first_mesh, mesh_count; /* range in scene.meshes */
-    float *weights;  /* of its meshes' morph targets at rest, minus the weights already applied to the meshes; NULL: all
-                        0 */
+    float *weights;  /* of its meshes' morph targets at rest, minus those already applied to the meshes; NULL: all 0 */
     uint32_t skin;   /* index, or HATCH_NONE */
     uint32_t camera; /* index, or HATCH_NONE */
     uint32_t light;  /* index, or HATCH_NONE */
@@ -136,8 +135,10 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
                                       struct hatch_scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors:
- * front faces are clockwise then. animation  index, or HATCH_NONE: the rest pose time_s     any; wrapped to 0 ..
- * duration_s world      out: 16 per node, column-major */
+ * front faces are clockwise then.
+ *   animation  index, or HATCH_NONE: the rest pose
+ *   time_s     any; wrapped to 0 .. duration_s
+ *   world      out: 16 per node, column-major */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
 
 /* Computes the weights of the morph targets of a node's meshes at a time of an animation.
@@ -148,13 +149,16 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
                          uint32_t count, double *weights);
 
 /* Computes the skinning matrices of a skin (glTF 2.0 §3.7.3): joint world matrix × inverse bind matrix. They replace
- * the matrix of the skinned node. world   from hatch_scene_pose joints  out: 16 per joint, column-major */
+ * the matrix of the skinned node.
+ *   world   from hatch_scene_pose
+ *   joints  out: 16 per joint, column-major */
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
 /* Joins the meshes of all nodes at rest to one mesh in world coordinates, with POSITION, and NORMAL and TEXCOORD_0
  * where all meshes have them. Skinned meshes keep their bind pose. Faces under a mirroring matrix change their winding,
- * so that they stay counter-clockwise. mesh  out: in arena HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also
- * when it has more than 2^32 / 3 faces. */
+ * so that they stay counter-clockwise.
+ *   mesh  out: in arena
+ * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also when there are too many faces for one mesh. */
 enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;

@@ -1,8 +1,7 @@
 /* A posed scene as a list of items to draw: one item for each mesh of each node.
  *
  * World coordinates are doubles, so that scenes of any scale and at any distance from the origin keep their precision.
- * Items are placed in the unit scene, (world - center) / radius of the scene's bounds, which floats and GPUs resolve.
- */
+ * Items are placed in the unit scene, (world - center) / radius of the scene's bounds, for floats and GPUs. */
 #ifndef HATCH_SCENE_UNIT_SCENE_H
 #define HATCH_SCENE_UNIT_SCENE_H
 

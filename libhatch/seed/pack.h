@@ -12,8 +12,8 @@ struct hatch_rptam_layer_block {
     float tone[4];   /* amount = x * progress + y; least progress with strokes; number of further lists, for smaller
                         strokes */
     float stroke[4]; /* texels per pixel, along and across; texels of the image minus 1, along and across */
-    int32_t at[4];   /* first list; lists along the tile's side; first texel of the stroke; where strokes differ: number
-                        of   images << HATCH_RPTAM_IMAGES_SHIFT | number of seed points, else 0 */
+    int32_t at[4];   /* first list; lists along the tile's side; first texel of the stroke; where strokes differ: images
+                        << HATCH_RPTAM_IMAGES_SHIFT | seed points (their numbers), else 0 */
     float thin[4];   /* x, y: least factors of a stroke's length and width when it fades by size */
 };
 
@@ -21,8 +21,7 @@ struct hatch_rptam_layer_block {
 struct hatch_rptam_block {
     float front[4]; /* of the fading front: 2 p (1 - p) with the overlap p; its linear part: start, factor, constant */
     float fade[4];  /* weight = x * front + y + z * life in steps (+ w in the next level) */
-    float
-        law[4]; /* 1: HATCH_FADE_WEIGHTED; 1: HATCH_FADE_PAPER; unused; entries of the progress table per unit of ink */
+    float law[4]; /* 1: HATCH_FADE_WEIGHTED; 1: HATCH_FADE_PAPER; unused; tones of the progress table per unit of ink */
     int32_t counts[4]; /* number of layers; unused */
     struct hatch_rptam_layer_block layers[HATCH_RPTAM_LAYERS_MAX];
 };
@@ -42,8 +41,7 @@ struct hatch_rptam_packed {
 };
 
 /* Packs a model.
- *   all  true: every list has all strokes that may reach into the tile, which is slow to draw: for tests of the lists
- */
+ *   all  true: every list has all strokes that may reach into the tile, for tests of the lists; slow to draw */
 enum hatch_status hatch_rptam_pack(const struct hatch_rptam *rptam, bool all, struct hatch_arena *arena,
                                    struct hatch_rptam_packed *packed, struct hatch_err *err) HATCH_MUST_USE;
 

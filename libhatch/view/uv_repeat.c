@@ -127,7 +127,8 @@ static void add_face(struct survey *survey, size_t face, const struct hatch_uv_r
 
 /* Chooses the repeats of a chart. The direction with fewer pixels is chosen first, and the other one repeats more
  * often, so that strokes are not stretched. Repeats below 1 make seams of closed surfaces visible; they are used only
- * where otherwise no stroke would be drawn. target  log2 of the repeats at which texels of level 0 are pixels */
+ * where otherwise no stroke would be drawn.
+ *   target  log2 of the repeats at which texels of level 0 are pixels */
 static void choose(const double target[2], uint32_t levels, float repeat[2])
 {
     int fewer = target[1] < target[0];
@@ -226,8 +227,8 @@ static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struc
                                      struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct survey all = {.mesh = NULL};
-    double *steps = HATCH_NEW(scratch, double, scene->item_count,
-                              err); /* per item: length of a unit of texture coordinates; 0: no patches */
+    /* Per item: length of a unit of texture coordinates; 0: no patches. */
+    double *steps = HATCH_NEW(scratch, double, scene->item_count, err);
     if (!steps)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < scene->item_count; i++) {

@@ -33,9 +33,8 @@ struct fit {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
     int turns;
-    double left, right, down,
-        up;         /* of the sides of the frustum: max(±x + z·tan), which the eye's position must satisfy */
-    double nearest; /* largest z */
+    double left, right, down, up; /* per side of the frustum: max(±x + z·tan), a bound on the eye's position */
+    double nearest;               /* largest z */
     bool any;
 };
 

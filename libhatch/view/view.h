@@ -68,8 +68,7 @@ struct hatch_pair hatch_view_to_unit(const struct hatch_bounds *bounds, int axis
 /* Turns the view about the vertical axis through the origin of the unit scene. */
 void hatch_view_turn(struct hatch_view *view, double angle_rad);
 
-/* Makes the near plane of a perspective view automatic, at most HATCH_VIEW_NEAR away; to be called when the view moves.
- */
+/* Makes the near plane of a perspective view automatic, at most HATCH_VIEW_NEAR away; for views that move. */
 void hatch_view_set_near_automatic(struct hatch_view *view);
 
 /* Sets the axes of an upright view.
@@ -93,12 +92,16 @@ double hatch_view_float_error(const struct hatch_view *view, const struct hatch_
 bool hatch_view_sees(const struct hatch_view *view, const double point[3]);
 
 /* Returns the length of a unit of the unit scene at a point, in pixels; points behind the camera count by their
- * distance from it. height_px  of the picture */
+ * distance from it.
+ *   height_px  of the picture */
 double hatch_view_pixels_per_unit(const struct hatch_view *view, const double point[3], double height_px);
 
 /* Moves the eye along the view axis until its distance to the face in the middle of the picture is 1 / factor of what
  * it was; where there is no face, the distance to the pivot. The half height of an orthographic view is divided
- * instead. pose    left at the moment moment  of which begin_s is used factor  over 0 */
+ * instead.
+ *   pose    left at the moment
+ *   moment  of which begin_s is used
+ *   factor  over 0 */
 enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
                                   const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
                                   struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
