@@ -89,8 +89,8 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
         for (int k = 0; k < 3; k++) /* large coordinates are moved to the node, to keep their precision */
             scene->nodes[0].translation[k] = (float)origin[k];
-        scene->meshes[0].loose = format == HATCH_MESH_STL;
-        if (scene->meshes[0].loose)
+        scene->meshes[0].is_soup = format == HATCH_MESH_STL;
+        if (scene->meshes[0].is_soup)
             notes->vertices_apart = 0;
     }
 }

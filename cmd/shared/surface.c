@@ -91,7 +91,7 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
         const struct hatch_scene_mesh *from = &scene->meshes[i];
         cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);
         /* Vertices at one position are no defect if their attributes may differ. */
-        if (from->loose || from->mesh.attribute_count > 1)
+        if (from->is_soup || from->mesh.attribute_count > 1)
             notes.welded = 0;
         if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has already reported these */
             notes.edges_cut = notes.points_split = notes.contrary = 0;

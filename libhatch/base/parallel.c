@@ -15,8 +15,8 @@ struct hatch_pool {
     pthread_mutex_t lock;
     pthread_cond_t changed; /* a job was queued, all jobs ended, or the pool closes */
     struct job queue[QUEUE_LENGTH];
-    uint32_t first, queued;
-    uint32_t running; /* indices being run */
+    uint32_t first, queued; /* index of the oldest job, number of jobs in queue */
+    uint32_t running;       /* indices being run */
     bool closing;
     uint32_t worker_count;
     pthread_t *workers;

@@ -3,18 +3,18 @@
 #include "math/vector.h"
 
 #define OPEN UINT32_MAX
-#define STRAIGHTEST_MAX 16u /* ends at a node up to which every pair is looked at */
+#define PAIRED_ENDS_MAX 16u /* at nodes with more ends no chain continues: the time to pair them is cubic */
 
-/* End e of segment s is number 2 * s + e. */
+/* Ends of segments are numbered: end e of segment s is 2 * s + e. */
 struct work {
     const struct hatch_line_graph *graph;
-    uint32_t *first; /* per node, into ends_at; node_count + 2 */
-    uint32_t *ends_at;
-    uint32_t *link; /* per end: the end that goes on, or OPEN */
-    uint8_t *taken; /* per segment */
+    uint32_t *first;   /* per node: its range in ends_at; node_count + 2 */
+    uint32_t *ends_at; /* ends, by node */
+    uint32_t *link;    /* per end: the end with which the chain continues, or OPEN */
+    uint8_t *taken;    /* per segment: 1: it is in a chain */
 };
 
-/* A counting sort; while it places, first[node + 1] is where the next end at the node goes. */
+/* Sorts ends by node (a counting sort); meanwhile first[node + 1] is the position of the node's next end. */
 static void list_ends(struct work *w)
 {
     const struct hatch_line_graph *graph = w->graph;
@@ -29,7 +29,7 @@ static void list_ends(struct work *w)
     }
 }
 
-/* The cosine between the ways in which two ends leave their node. */
+/* Returns the cosine of the angle between two segments at a common node: -1 where they are straight. */
 static double cosine(const struct hatch_line_graph *graph, uint32_t a, uint32_t b)
 {
     double away[2][3];
@@ -43,11 +43,12 @@ static double cosine(const struct hatch_line_graph *graph, uint32_t a, uint32_t 
     return hatch_vec_dot(away[0], away[1]);
 }
 
+/* Pairs the ends at a node, the straightest pair first. */
 static void link_node(struct work *w, uint32_t node)
 {
     const uint32_t *ends = &w->ends_at[w->first[node]];
     uint32_t count = w->first[node + 1] - w->first[node];
-    for (uint32_t pairs = count / 2; pairs > 0 && (count == 2 || count <= STRAIGHTEST_MAX); pairs--) {
+    for (uint32_t pairs = count / 2; pairs > 0 && (count == 2 || count <= PAIRED_ENDS_MAX); pairs--) {
         uint32_t best[2] = {OPEN, OPEN};
         double least = 2;
         for (uint32_t i = 0; i < count; i++)
@@ -68,13 +69,14 @@ static void link_node(struct work *w, uint32_t node)
     }
 }
 
-static bool goes_on(const struct work *w, uint32_t end)
+/* Returns whether other segments meet the node of an end. */
+static bool is_joined(const struct work *w, uint32_t end)
 {
     uint32_t node = w->graph->ends[end];
     return w->first[node + 1] - w->first[node] > 1;
 }
 
-/* Follows the chain that begins with an end. */
+/* Writes the chain that starts at an end. */
 static void walk(struct work *w, uint32_t begin, uint32_t first, struct hatch_line_chains *chains)
 {
     struct hatch_line_chain *chain = &chains->chains[chains->count];
@@ -93,8 +95,8 @@ static void walk(struct work *w, uint32_t begin, uint32_t first, struct hatch_li
         }
         end = next;
     }
-    chain->joined[0] = goes_on(w, begin);
-    chain->joined[1] = goes_on(w, end ^ 1);
+    chain->joined[0] = is_joined(w, begin);
+    chain->joined[1] = is_joined(w, end ^ 1);
     chains->count++;
 }
 

@@ -1,4 +1,4 @@
-/* Joins segments that meet at nodes into chains. */
+/* Joins line segments that meet at nodes to chains. */
 #ifndef HATCH_LINE_CHAIN_H
 #define HATCH_LINE_CHAIN_H
 
@@ -6,31 +6,29 @@
 
 #include "base/arena.h"
 
-/* Segment s runs from node ends[2 * s] to node ends[2 * s + 1]. */
 struct hatch_line_graph {
     uint32_t node_count, segment_count;
-    const double *nodes; /* 3 per node */
-    const uint32_t *ends;
+    const double *nodes;  /* positions: 3 per node */
+    const uint32_t *ends; /* 2 per segment: its first and last node */
 };
 
-/* chain->segment_count segments are segments[first] onwards, the nodes between and around them
- * nodes[first + the chain's own number] onwards, one more than segments. A closed one ends with the
- * node with which it begins. */
+/* A chain of segments. Chain i of struct hatch_line_chains has the segments from segments[first] and the nodes from
+ * nodes[first + i]: segment_count + 1 nodes, in order. The last node of a closed chain is the first one. */
 struct hatch_line_chain {
     uint32_t first, segment_count;
     bool closed;
-    bool joined[2]; /* other lines go on where it begins and ends */
+    bool joined[2]; /* other segments meet its first, its last node */
 };
 
 struct hatch_line_chains {
     uint32_t count;
     struct hatch_line_chain *chains;
-    uint32_t *nodes, *segments;
+    uint32_t *nodes, *segments; /* indices into the graph, of all chains */
 };
 
-/* Every segment is in one chain. Where two segments meet, one chain goes through; where more meet,
- * they are paired beginning with the straightest pair. Segments without length are allowed.
- * arena and scratch must not be the same. */
+/* Joins segments to chains; every segment is in one chain. At a node of two segments the chain continues; at a node of
+ * more, segments are paired, the straightest pair first. Segments may have no length.
+ *   arena   for the chains; not the scratch arena */
 enum hatch_status hatch_line_chains_make(const struct hatch_line_graph *graph, struct hatch_arena *arena,
                                          struct hatch_arena *scratch, struct hatch_line_chains *chains,
                                          struct hatch_err *err) HATCH_MUST_USE;

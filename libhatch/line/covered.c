@@ -1,15 +1,16 @@
-/* Boundaries within other faces: quadrangles are at times given as more triangles than they need, which
- * overlap, and then a diagonal ends a triangle but no surface. */
+/* Boundaries within other faces. Quadrangles are sometimes stored as overlapping triangles; a diagonal is then the side
+ * of one triangle only, but not a boundary of the surface. */
 #include <math.h>
 
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define FLAT 0.01         /* sine of the angle up to which an edge lies in a face's plane */
-#define WITHIN 0.02       /* sine of the angle by which it must be clear of the face's own sides */
-#define CORNERS_MAX 1000u /* at a point: no split quadrangle has as many, and each edge would look at all of them */
+#define FLAT 0.01         /* sine of the largest angle between an edge and the plane of a face that contains it */
+#define WITHIN 0.02       /* sine of the least angle between the edge and the sides of the face */
+#define CORNERS_MAX 1000u /* largest number at a point: quadrangles have fewer, and each edge would test all of them   \
+                           */
 
-/* Corners by point: those at point p are corners[first[p]] .. corners[first[p + 1] - 1]. */
+/* Face corners by point: those at point p are corners[first[p]] .. corners[first[p + 1] - 1]. */
 struct around {
     uint32_t *first, *corners;
 };
@@ -30,7 +31,7 @@ static enum hatch_status list_around(const struct hatch_line_edges *edges, uint3
     return HATCH_OK;
 }
 
-/* Does a direction from a corner of a face run within the face? */
+/* Returns whether a direction from a corner of a face points into the face. */
 static bool runs_within(const struct hatch_mesh *mesh, uint32_t corner, const double direction[3])
 {
     double p[3][3], sides[2][3], normal[3], cross[2][3];
@@ -49,7 +50,7 @@ static bool runs_within(const struct hatch_mesh *mesh, uint32_t corner, const do
            hatch_vec_dot(cross[1], normal) > WITHIN;
 }
 
-/* Does some face at the side's begin cover the way to its end? */
+/* Returns whether a face at corner `from` contains the start of the edge to corner `to`. */
 static bool covered_from(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
                          const struct around *around, uint32_t from, uint32_t to)
 {

@@ -1,44 +1,47 @@
-/* Boundaries that only look like some. */
+/* Cracks: boundaries that coincide. */
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define COS_STRAIGHT 0.9998  /* a path this straight lies on the edge that it goes along */
-#define PATH_MAX 256u        /* edges of a path */
-#define BOUNDARIES_MAX 1000u /* at a node: no crack has as many, and each would look at all of them */
+#define COS_STRAIGHT 0.9998  /* cosine of the largest angle between an edge and the segments of a path along it */
+#define PATH_MAX 256u        /* segments of a path */
+#define BOUNDARIES_MAX 1000u /* largest number at a node: cracks have fewer, and each path would test all of them */
 
-/* Boundary segments by node: those at node n are numbers[first[n]] .. numbers[first[n + 1] - 1]. */
-struct meeting {
+/* Boundary segments by node: those at node n are segments[first[n]] .. segments[first[n + 1] - 1]. */
+struct boundaries {
     const struct hatch_line_graph *graph;
-    uint32_t *first, *numbers;
+    uint32_t *first, *segments;
 };
 
-static enum hatch_status list_meeting(const struct hatch_line_graph *graph, const uint8_t *bounds,
-                                      struct hatch_arena *scratch, struct meeting *meeting, struct hatch_err *err)
+static enum hatch_status list_boundaries(const struct hatch_line_graph *graph, const uint8_t *bounds,
+                                         struct hatch_arena *scratch, struct boundaries *boundaries,
+                                         struct hatch_err *err)
 {
     size_t ends = 2 * (size_t)graph->segment_count;
-    meeting->graph = graph;
-    meeting->first = HATCH_NEW(scratch, uint32_t, (size_t)graph->node_count + 2, err);
-    meeting->numbers = meeting->first ? HATCH_NEW(scratch, uint32_t, ends, err) : NULL;
-    if (!meeting->numbers)
+    boundaries->graph = graph;
+    boundaries->first = HATCH_NEW(scratch, uint32_t, (size_t)graph->node_count + 2, err);
+    boundaries->segments = boundaries->first ? HATCH_NEW(scratch, uint32_t, ends, err) : NULL;
+    if (!boundaries->segments)
         return HATCH_LIMIT;
     for (size_t i = 0; i < ends; i++)
-        meeting->first[graph->ends[i] + 2] += bounds[i / 2] != 0;
+        boundaries->first[graph->ends[i] + 2] += bounds[i / 2] != 0;
     for (uint32_t node = 0; node < graph->node_count; node++)
-        meeting->first[node + 2] += meeting->first[node + 1];
+        boundaries->first[node + 2] += boundaries->first[node + 1];
     for (size_t i = 0; i < ends; i++)
         if (bounds[i / 2])
-            meeting->numbers[meeting->first[graph->ends[i] + 1]++] = (uint32_t)(i / 2);
+            boundaries->segments[boundaries->first[graph->ends[i] + 1]++] = (uint32_t)(i / 2);
     return HATCH_OK;
 }
 
-/* The boundary, other than one, that leaves a node in a direction; *node moves to its end. */
-static uint32_t step(const struct meeting *meeting, uint32_t other_than, const double direction[3], uint32_t *node)
+/* Returns a boundary other than `other_than` that leaves a node in a direction, or UINT32_MAX.
+ *   node  in and out: moves to the boundary's other end */
+static uint32_t follow(const struct boundaries *boundaries, uint32_t other_than, const double direction[3],
+                       uint32_t *node)
 {
-    const struct hatch_line_graph *graph = meeting->graph;
-    if (meeting->first[*node + 1] - meeting->first[*node] > BOUNDARIES_MAX)
+    const struct hatch_line_graph *graph = boundaries->graph;
+    if (boundaries->first[*node + 1] - boundaries->first[*node] > BOUNDARIES_MAX)
         return UINT32_MAX;
-    for (uint32_t i = meeting->first[*node]; i < meeting->first[*node + 1]; i++) {
-        uint32_t segment = meeting->numbers[i];
+    for (uint32_t i = boundaries->first[*node]; i < boundaries->first[*node + 1]; i++) {
+        uint32_t segment = boundaries->segments[i];
         const uint32_t *ends = &graph->ends[2 * (size_t)segment];
         uint32_t far = ends[ends[0] == *node];
         double along[3];
@@ -52,18 +55,19 @@ static uint32_t step(const struct meeting *meeting, uint32_t other_than, const d
     return UINT32_MAX;
 }
 
-/* Follows the straight path beside a segment. false when it does not arrive at the segment's end. */
-static bool find_path(const struct meeting *meeting, uint32_t segment, uint32_t *path, uint32_t *count)
+/* Follows the straight path along a segment; false when it does not reach the segment's end.
+ *   path  out: room for PATH_MAX segments */
+static bool find_path(const struct boundaries *boundaries, uint32_t segment, uint32_t *path, uint32_t *count)
 {
-    const uint32_t *ends = &meeting->graph->ends[2 * (size_t)segment];
-    const double *nodes = meeting->graph->nodes;
+    const uint32_t *ends = &boundaries->graph->ends[2 * (size_t)segment];
+    const double *nodes = boundaries->graph->nodes;
     double direction[3];
     uint32_t node = ends[0];
     hatch_vec_sub(&nodes[3 * (size_t)ends[1]], &nodes[3 * (size_t)ends[0]], direction);
     double length = hatch_vec_normalize(direction);
     *count = 0;
     while (node != ends[1] && *count < PATH_MAX) {
-        path[*count] = step(meeting, segment, direction, &node);
+        path[*count] = follow(boundaries, segment, direction, &node);
         if (path[*count] == UINT32_MAX ||
             hatch_vec_distance(&nodes[3 * (size_t)ends[0]], &nodes[3 * (size_t)node]) > 1.001 * length)
             return false;
@@ -76,11 +80,11 @@ enum hatch_status hatch_line_find_cracks(const struct hatch_line_graph *graph, c
                                          struct hatch_arena *scratch, uint8_t *pruned, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct meeting meeting;
-    enum hatch_status status = list_meeting(graph, bounds, scratch, &meeting, err);
+    struct boundaries boundaries;
+    enum hatch_status status = list_boundaries(graph, bounds, scratch, &boundaries, err);
     for (uint32_t s = 0; s < graph->segment_count && status == HATCH_OK; s++) {
         uint32_t path[PATH_MAX], count;
-        if (!bounds[s] || !find_path(&meeting, s, path, &count))
+        if (!bounds[s] || !find_path(&boundaries, s, path, &count))
             continue;
         pruned[s] = 1;
         for (uint32_t i = 0; i < count; i++)

@@ -1,4 +1,4 @@
-/* The edges of a mesh as lines see them: welded by position, without what noise makes. */
+/* The edges of a mesh for feature lines: of faces welded by position, without creases due to noise. */
 #ifndef HATCH_LINE_EDGES_H
 #define HATCH_LINE_EDGES_H
 
@@ -6,24 +6,28 @@
 #include "line/chain.h"
 
 struct hatch_line_edges {
-    uint32_t *point; /* per corner */
+    uint32_t *point; /* per face corner: number of its welded point */
     uint32_t point_count;
-    struct hatch_edges edges;
-    uint8_t *kinds; /* per edge, enum hatch_edge_kind */
+    struct hatch_edges edges; /* between points */
+    uint8_t *kinds;           /* per edge, enum hatch_edge_kind */
 };
 
-/* Welds and classifies. Creases and cracks that nobody meant (line/prune.h) count as
- * smooth. crease_rad: 0 .. π. normals_meant: the mesh's normals are its maker's; an edge that they
- * smooth over is then a crease only beyond 60 degrees, as no tessellated curve turns. arena and scratch
- * must not be the same. */
-enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
+/* Welds a mesh and classifies its edges. Accidental creases and cracks (line/prune.h) are smooth edges.
+ *   crease_rad        least angle between the faces at a crease, 0 .. π
+ *   normals_authored  the mesh's normals come from its author, not from its faces: an edge that they smooth over is a
+ *                     crease only beyond 60 degrees, more than tessellated curves turn
+ *   arena             for the edges; not the scratch arena */
+enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_edges *edges, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Does one normal serve both faces of an edge, at either end? */
+/* Returns whether both faces of an edge have the same normal at one of its ends or at both.
+ *   mesh  has NORMAL
+ *   edge  of two faces or more */
 bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge);
 
-/* The corners at both ends of an edge on one of its sides, the lower point first. */
+/* Returns the face corners at both ends of a side, the one with the lower point first.
+ *   point  as in struct hatch_line_edges */
 void hatch_line_side_corners(const uint32_t *point, uint32_t side, uint32_t corners[2]);
 
 #endif

@@ -6,10 +6,11 @@
 #include "mesh/fans.h"
 #include "line/prune.h"
 
-#define WELD 4e-5              /* of the mesh's size: a twentieth of a pixel in a picture of it */
-#define COS_SAME_NORMAL 0.9999 /* of two normals that are one but for rounding */
-#define SMOOTHED_CREASE_RAD 1.0471975511965976
+#define WELD 4e-5 /* distance for loose welding, in sizes of the mesh: a twentieth of a pixel in a picture of it */
+#define COS_SAME_NORMAL 0.9999 /* cosine of the largest angle between normals that are equal except for rounding */
+#define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees */
 
+/* Returns the diagonal of the mesh's bounding box. */
 static double size_of(const struct hatch_mesh *mesh)
 {
     float low[3], high[3];
@@ -21,7 +22,10 @@ static double size_of(const struct hatch_mesh *mesh)
     return hatch_vec_distance(a, b);
 }
 
-/* Positions on a grid, shifted by a share of its step, where the vertex's point is loose. */
+/* Rounds the positions of loose points to a grid; other positions are copied.
+ *   point  per vertex: its point
+ *   loose  per point
+ *   shift  of the grid, in steps */
 static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose, double step, double shift,
                  float *snapped)
 {
@@ -31,8 +35,9 @@ static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uin
             loose[point[i / 3]] && step > 0 ? (float)(floor((double)positions[i] / step + shift) * step) : positions[i];
 }
 
-/* Numbers points anew: loose ones that lie as close as WELD says become one. Neighbours that one grid's
- * cells part are together in the other's. */
+/* Joins loose points within a distance of about WELD and renumbers the points: joins those in one cell of either of two
+ * grids, of which one is shifted by half a cell.
+ *   of_vertex  in and out: point of each vertex */
 static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose, struct hatch_arena *scratch,
                               uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
 {
@@ -63,7 +68,8 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loos
     return HATCH_OK;
 }
 
-/* The edges between points; of_vertex: the point of each vertex. */
+/* Finds the edges between points.
+ *   of_vertex  point of each vertex */
 static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_t *of_vertex, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
@@ -80,7 +86,7 @@ static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_
     return hatch_edges_find(&faces, arena, scratch, &made->edges, err);
 }
 
-/* Marks the points at the ends of edges of one face. Returns whether there are any. */
+/* Marks the points at the ends of boundary edges as loose. Returns whether there are any. */
 static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
 {
     bool any = false;
@@ -94,8 +100,8 @@ static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
     return any;
 }
 
-/* Many programs write each part of a surface by itself and round its border by itself, so vertices at
- * boundaries are welded once more, loosely. */
+/* Welds, finds and classifies edges. Many programs write parts of a surface separately, with different rounding along
+ * their borders, so points at boundaries are welded a second time, with a tolerance. */
 static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
@@ -136,7 +142,7 @@ bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hat
     return same_normal(mesh, a[0], b[0]) || same_normal(mesh, a[1], b[1]);
 }
 
-/* Makes creases smooth that the mesh's maker smoothed, but for sharp ones. */
+/* Changes creases that authored normals smooth over to smooth edges, except for sharp ones. */
 static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                        struct hatch_line_edges *edges, struct hatch_err *err)
 {
@@ -151,7 +157,8 @@ static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hat
     return HATCH_OK;
 }
 
-/* All that is not smooth as a graph whose nodes are points; edge_of: per segment. */
+/* Makes a graph of all edges that are not smooth; its nodes are the points.
+ *   edge_of  out: per segment: its edge */
 static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
                                     struct hatch_arena *arena, struct hatch_line_graph *graph, uint32_t **edge_of,
                                     struct hatch_err *err)
@@ -179,14 +186,14 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
-static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
+static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
                               struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
                               struct hatch_err *err)
 {
     struct hatch_line_graph graph;
     uint32_t *edge_of;
     HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
-    if (normals_meant && hatch_mesh_find(mesh, "NORMAL", 3))
+    if (normals_authored && hatch_mesh_find(mesh, "NORMAL", 3))
         HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
     HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
@@ -204,13 +211,13 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, 
     return HATCH_OK;
 }
 
-enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_meant,
+enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_edges *edges, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_line_edges made;
-    enum hatch_status status = find(mesh, crease_rad, normals_meant, arena, scratch, &made, err);
+    enum hatch_status status = find(mesh, crease_rad, normals_authored, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *edges = made;

@@ -5,9 +5,9 @@
 #include "line/trace.h"
 #include "math/vector.h"
 
-#define GAP_PX 4.0   /* hidden for shorter than this: a surface that grazes the line */
-#define CRUMB_PX 6.0 /* visible for shorter than this, and alone: noise */
-#define TRIM_PX 1.0  /* visible because the test looks around itself */
+#define GAP_PX 4.0   /* shorter hidden gaps are closed: a surface that grazes the line */
+#define SPECK_PX 6.0 /* shorter isolated visible parts are hidden, at line width 0 */
+#define TRIM_PX 1.0  /* visible at a hidden part only because the visibility test covers several pixels */
 
 /* The strips of one item's features, or of its silhouettes. */
 struct hatch_line_part {
@@ -15,10 +15,11 @@ struct hatch_line_part {
     struct hatch_line_part *next;
 };
 
-/* Skins and morph targets shape a mesh from where it lies in the file, other nodes place it by its origin. */
+/* Returns the edges for an item: deformed items need positions as in the file, other items positions relative to the
+ * mesh's origin. */
 static struct hatch_line_mesh *mesh_of(const struct hatch_lines *lines, const struct hatch_item *item)
 {
-    return &lines->meshes[2 * (size_t)item->mesh + (item->shaped ? 1 : 0)];
+    return &lines->meshes[2 * (size_t)item->mesh + (item->deformed ? 1 : 0)];
 }
 
 enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,
@@ -35,7 +36,7 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
         struct hatch_line_mesh *mesh = mesh_of(&made, item);
         if (mesh->mesh.face_count)
             continue;
-        const double *origin = item->shaped ? zero : scene->meshes[item->mesh].origin;
+        const double *origin = item->deformed ? zero : scene->meshes[item->mesh].origin;
         const struct hatch_line_choice choice = {style->kinds, style->crease_rad,
                                                  scene->scene->meshes[item->mesh].had_normals};
         HATCH_TRY(hatch_line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch, mesh, err));
@@ -44,9 +45,9 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
     return HATCH_OK;
 }
 
-/* The item's mesh at the pose: shaped ones are posed anew, others keep their vertices. */
-static enum hatch_status place(const struct hatch_lines *lines, const struct hatch_item *item,
-                               struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
+/* Poses the mesh of an item; only deformed items get new vertices. */
+static enum hatch_status pose_item(const struct hatch_lines *lines, const struct hatch_item *item,
+                                   struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
 {
     const struct hatch_line_mesh *mesh = mesh_of(lines, item);
     *shape = (struct hatch_line_shape){.lines = mesh,
@@ -56,7 +57,7 @@ static enum hatch_status place(const struct hatch_lines *lines, const struct hat
                                        .double_sided = item->double_sided};
     for (int i = 0; i < 16; i++)
         shape->to_unit[i] = (double)item->to_unit[i];
-    if (!item->shaped)
+    if (!item->deformed)
         return HATCH_OK;
     size_t count = 3 * (size_t)mesh->mesh.vertex_count;
     double *positions = HATCH_NEW(arena, double, count, err);
@@ -75,7 +76,7 @@ static enum hatch_status place(const struct hatch_lines *lines, const struct hat
     return HATCH_OK;
 }
 
-/* What tracing the items of a frame works with. */
+/* State of tracing a frame. */
 struct tracing {
     const struct hatch_lines *lines;
     struct hatch_line_eye eye;
@@ -104,7 +105,7 @@ static enum hatch_status add_item(struct tracing *tracing, const struct hatch_it
     struct hatch_arena *arena = tracing->arena;
     struct hatch_line_shape shape;
     struct hatch_line_trace trace;
-    HATCH_TRY(place(lines, item, arena, &shape, err));
+    HATCH_TRY(pose_item(lines, item, arena, &shape, err));
     if (shape.lines->feature_count) {
         HATCH_TRY(hatch_line_trace_features(&shape, &tracing->eye, arena, &trace, err));
         HATCH_TRY(add_trace(tracing, &trace, &shape.lines->chains, err));
@@ -147,7 +148,7 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
                                    const uint8_t *seen, struct hatch_arena *arena, struct hatch_line_segment **segments,
                                    size_t *count, struct hatch_err *err)
 {
-    double crumb_px = CRUMB_PX + 2 * lines->style.width_px;
+    double speck_px = SPECK_PX + 2 * lines->style.width_px;
     size_t at = 0;
     uint8_t *visible = HATCH_NEW(arena, uint8_t, frame->sample_count, err);
     *segments = visible ? HATCH_NEW(arena, struct hatch_line_segment, frame->sample_count, err) : NULL;
@@ -155,7 +156,7 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
         return HATCH_LIMIT;
     *count = 0;
     for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
-        hatch_line_strips_smooth(&part->strips, GAP_PX, crumb_px, TRIM_PX, seen + at, visible + at);
+        hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px, TRIM_PX, seen + at, visible + at);
         *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, *segments + *count);
         at += part->strips.piece_count;
     }

@@ -1,5 +1,5 @@
 /* Feature lines of a posed scene: silhouettes, creases and boundaries, from meshes to segments in the picture. The
- * renderer tests which samples are hidden, and draws the segments. */
+ * caller tests the visibility of the samples, and draws the segments. */
 #ifndef HATCH_LINE_LINES_H
 #define HATCH_LINE_LINES_H
 
@@ -7,40 +7,41 @@
 #include "scene/unit_scene.h"
 
 struct hatch_line_style {
-    uint32_t kinds;    /* enum hatch_line_kind, joined; HATCH_LINES_NONE: no lines */
+    uint32_t kinds;    /* bits of enum hatch_line_kind */
     double width_px;   /* over 0 */
-    double crease_rad; /* edges that turn by more are creases; 0 .. π */
+    double crease_rad; /* least angle between the faces at a crease, 0 .. π */
 };
 
+/* The edges of a scene, for all views and poses. */
 struct hatch_lines {
     struct hatch_line_style style;
     struct hatch_unit_scene *scene;
     struct hatch_arena *scratch;
-    struct hatch_line_mesh *meshes; /* of each of the scene's meshes two: about its origin, and for shaped items */
+    struct hatch_line_mesh *meshes; /* 2 per mesh of the scene: relative to its origin, and for deformed items */
 };
 
-/* A frame's lines. All of them are tested together, so that a GPU is waited for only once. */
+/* The lines of a frame. All samples are in one array, so that a GPU can test them in one pass. */
 struct hatch_line_frame {
     size_t sample_count;
     struct hatch_line_sample *samples; /* where visibility is to be tested */
-    struct hatch_line_part *parts;
+    struct hatch_line_part *parts;     /* internal */
 };
 
-/* Finds the edges of a scene's meshes, once for all views and poses.
+/* Finds the edges of a scene's meshes, for all views and poses.
  *   scene, scratch  kept by reference
- *   arena           keeps the edges */
+ *   arena           for the edges */
 enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_lines *lines,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Traces the lines of the posed scene in a tile of a picture. Items whose shape holes of a texture cut out have none.
- *   arena  keeps the frame; not the scratch arena of hatch_lines_make */
+/* Traces the lines of the posed scene in a tile of a picture. Items with cut_out set have no lines.
+ *   arena  for the frame; not the scratch arena of hatch_lines_make */
 enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,
                                     const struct hatch_tile *tile, struct hatch_arena *arena,
                                     struct hatch_line_frame *frame, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Joins the visible pieces of a frame's lines to segments. Closes short gaps, drops short crumbs.
- *   seen      per sample, sums of enum hatch_line_seen
+/* Joins the visible pieces of a frame's lines to segments. Closes short gaps and drops short isolated parts.
+ *   seen      per sample: bits of enum hatch_line_seen
  *   segments  out: in arena, *count of them */
 enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct hatch_line_frame *frame,
                                    const uint8_t *seen, struct hatch_arena *arena, struct hatch_line_segment **segments,

@@ -5,25 +5,25 @@
 #include "base/random.h"
 #include "math/vector.h"
 
-#define SPACING_PX 11.0
-#define LENGTH 0.9 /* of the spacing */
+#define SPACING_PX 11.0 /* least distance between marks */
+#define LENGTH 0.9      /* of a mark, in spacings */
 #define MARKS_MAX 200000u
-#define TRIES 8  /* places looked at for each that there is room for */
-#define CELLS 96 /* along a side of the grid around the unit scene */
+#define TRIES 8  /* random positions per square of the spacing */
+#define CELLS 96 /* along a side of the grid over the unit scene */
 
 static const struct hatch_mesh *surface_of(const struct hatch_unit_scene *scene, const struct hatch_item *item)
 {
     return scene->meshes[item->mesh].surface;
 }
 
-/* Where marks have been put, so that others keep away: lists in the cells of a grid. */
+/* The marks made so far, in lists per cell of a grid, for tests of distance. */
 struct spread {
     struct hatch_marks *marks;
     double spacing;
-    uint32_t *head; /* of each cell: mark + 1 */
-    uint32_t *next; /* of each mark: mark + 1 */
-    double *place;  /* of each mark, and its face's normal: 6 */
-    uint64_t tried;
+    uint32_t *head; /* per cell: its first mark + 1; 0: none */
+    uint32_t *next; /* per mark: the next one in its cell + 1; 0: none */
+    double *place;  /* 6 per mark: position, and normal of its face */
+    uint64_t tried; /* number of random positions so far */
 };
 
 static void corners_of(const struct hatch_marks *marks, const struct hatch_mesh *surface, uint32_t face,
@@ -39,7 +39,8 @@ static int cell_along(double at)
     return cell < 0 ? 0 : cell >= CELLS ? CELLS - 1 : (int)cell;
 }
 
-/* Is there no mark so close? On a thin sheet each side has marks of its own. */
+/* Returns whether no mark is within the spacing. Marks on faces of opposite direction do not count, so that both sides
+ * of a thin sheet have marks. */
 static bool is_free(const struct spread *spread, const double place[6])
 {
     int low[3], high[3];
@@ -58,8 +59,8 @@ static bool is_free(const struct spread *spread, const double place[6])
     return true;
 }
 
-/* The direction at a place of a face, in the file's coordinates; that of corners which point the other way
- * is turned round. false where there is none. */
+/* Computes the direction and confidence at a mark's position from those of the face's corners, whose signs are first
+ * made consistent. Returns false where the direction is undefined. */
 static bool direction_at(const struct hatch_mesh *surface, struct hatch_mark *mark)
 {
     const float *directions = hatch_mesh_find(surface, "_HATCH_DIR", 4);
@@ -88,8 +89,9 @@ static bool direction_at(const struct hatch_mesh *surface, struct hatch_mark *ma
     return det > 0 && isfinite(along[0]) && isfinite(along[1]) && (along[0] != 0 || along[1] != 0);
 }
 
-static void try_place(struct spread *spread, const struct hatch_mesh *surface, uint32_t face,
-                      const double *const corner[3])
+/* Adds a mark at a random position of a face, unless another one is too close or there is no direction. */
+static void try_mark(struct spread *spread, const struct hatch_mesh *surface, uint32_t face,
+                     const double *const corner[3])
 {
     struct hatch_marks *marks = spread->marks;
     struct hatch_mark mark = {.face = face};
@@ -124,7 +126,8 @@ static double area_of(const double *const corner[3])
     return 0.5 * hatch_vec_length(normal);
 }
 
-/* All faces, or their area alone where spread is NULL. */
+/* Makes marks on all faces with directions; returns the area of these faces.
+ *   spread  NULL: computes the area only */
 static double visit_faces(struct hatch_marks *marks, struct spread *spread)
 {
     const struct hatch_unit_scene *scene = marks->scene;
@@ -142,7 +145,7 @@ static double visit_faces(struct hatch_marks *marks, struct spread *spread)
             if (!spread || !isfinite(here))
                 continue;
             for (owed += TRIES * here / (spread->spacing * spread->spacing); owed >= 1; owed--)
-                try_place(spread, surface, face, corner);
+                try_mark(spread, surface, face, corner);
         }
         marks->item_end[i] = marks->count;
     }
@@ -158,7 +161,7 @@ static enum hatch_status spread_marks(struct hatch_marks *marks, const struct ha
                             .spacing = SPACING_PX / hatch_view_pixels_per_unit(view, middle, height_px)};
     if (!(spread.spacing > 0) || !isfinite(spread.spacing))
         spread.spacing = 0.02;
-    /* Marks stand about as dense as circles of half the spacing around them can be packed. */
+    /* Limits the number of marks, of which there are about area / spacing². */
     spread.spacing = fmax(spread.spacing, sqrt(area / MARKS_MAX));
     marks->half_length = 0.5 * LENGTH * spread.spacing;
     spread.head = HATCH_NEW(scratch, uint32_t, (size_t)CELLS * CELLS * CELLS, err);

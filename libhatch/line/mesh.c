@@ -6,7 +6,7 @@
 #include "line/edges.h"
 #include "mesh/remap.h"
 
-/* Does one normal serve both faces of some crease? */
+/* Returns whether the mesh's normals smooth over a crease. */
 static bool smooths_creases(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges)
 {
     for (uint32_t e = 0; e < edges->edges.count; e++)
@@ -15,10 +15,10 @@ static bool smooths_creases(const struct hatch_mesh *mesh, const struct hatch_li
     return false;
 }
 
-/* The mesh with the attributes that lines use, and normals that jump at creases. */
-static enum hatch_status take(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
-                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
-                              struct hatch_err *err)
+/* Copies the attributes that lines need, with normals that are discontinuous at creases. */
+static enum hatch_status select_attributes(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
+                                           struct hatch_arena *arena, struct hatch_arena *scratch,
+                                           struct hatch_mesh *mesh, struct hatch_err *err)
 {
     static const char *const used[] = {"POSITION",           "NORMAL",          "JOINTS_0", "WEIGHTS_0",
                                        HATCH_MORPH_POSITION, HATCH_MORPH_NORMAL};
@@ -41,18 +41,18 @@ static enum hatch_status take(const struct hatch_mesh *from, const struct hatch_
     return HATCH_OK;
 }
 
-/* One vertex for each position and normal. taken: what take() made. */
-static enum hatch_status join_vertices(const struct hatch_mesh *taken, const double origin[3],
+/* Joins vertices that are equal in position and normal, and subtracts the origin. */
+static enum hatch_status join_vertices(const struct hatch_mesh *selected, const double origin[3],
                                        struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                        struct hatch_err *err)
 {
     struct hatch_remap weld;
     struct hatch_mesh made;
-    HATCH_TRY(hatch_remap_by_normal(taken, scratch, arena, &weld, err));
-    HATCH_TRY(hatch_mesh_make(arena, weld.count, taken->face_count, &made, err));
+    HATCH_TRY(hatch_remap_by_normal(selected, scratch, arena, &weld, err));
+    HATCH_TRY(hatch_mesh_make(arena, weld.count, selected->face_count, &made, err));
     for (size_t i = 0; i < 3 * (size_t)made.face_count; i++)
-        made.indices[i] = weld.number[taken->indices[i]];
-    HATCH_TRY(hatch_remap_attributes(taken, weld.first, arena, &made, err));
+        made.indices[i] = weld.number[selected->indices[i]];
+    HATCH_TRY(hatch_remap_attributes(selected, weld.first, arena, &made, err));
     float *position = made.attributes[0].data;
     for (size_t i = 0; i < 3 * (size_t)made.vertex_count; i++)
         position[i] = (float)((double)position[i] - origin[i % 3]);
@@ -60,16 +60,16 @@ static enum hatch_status join_vertices(const struct hatch_mesh *taken, const dou
     return HATCH_OK;
 }
 
-/* What lines use of an edge. */
-struct use {
-    uint32_t a[2], b[2]; /* corners at its ends: of its first face, of its second */
-    bool smooth;         /* across it, so that a silhouette crosses it without a jump */
+/* The role of an edge. */
+struct edge_use {
+    uint32_t a[2], b[2]; /* face corners at its ends: of its first face, of its second */
+    bool smooth;         /* normals are continuous: a silhouette crosses it without a gap */
     bool hard;           /* a silhouette may run along it */
-    bool feature;
+    bool feature;        /* it is drawn in every view */
 };
 
-static struct use use_of(const struct hatch_line_edges *edges, const struct hatch_mesh *mesh, uint32_t edge,
-                         uint32_t kinds)
+static struct edge_use use_of(const struct hatch_line_edges *edges, const struct hatch_mesh *mesh, uint32_t edge,
+                              uint32_t kinds)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     const uint32_t *indices = mesh->indices;
@@ -77,31 +77,33 @@ static struct use use_of(const struct hatch_line_edges *edges, const struct hatc
     uint32_t kind = edges->kinds[edge] == HATCH_EDGE_CREASE     ? HATCH_LINES_CREASES
                     : edges->kinds[edge] == HATCH_EDGE_BOUNDARY ? HATCH_LINES_BOUNDARIES
                                                                 : HATCH_LINES_NONE;
-    struct use use = {.feature = kind & kinds};
+    struct edge_use use = {.feature = kind & kinds};
     hatch_line_side_corners(edges->point, sides[0], use.a);
     hatch_line_side_corners(edges->point, sides[count > 1 ? 1 : 0], use.b);
     use.smooth = count == 2 && indices[use.a[0]] == indices[use.b[0]] && indices[use.a[1]] == indices[use.b[1]];
-    /* Where more than two faces meet it is not told which two make a surface; such an edge is smooth
-     * only between sheets that lie on one another, and each sheet's silhouette crosses it. */
+    /* An edge of more than two faces is ambiguous. If it counts as smooth, sheets coincide there, and the silhouette of
+     * each crosses it. */
     use.hard = count == 2 && !use.smooth;
     return use;
 }
 
-/* points: of the features' ends. */
+/* Adds an edge to the hard edges and to the features.
+ *   points  out: 2 per feature: the points at its ends */
 static void add_edge(const struct hatch_line_edges *edges, uint32_t edge, uint32_t kinds, uint32_t *points,
                      struct hatch_line_mesh *lines)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     const uint32_t *indices = lines->mesh.indices, *point = edges->point;
     uint32_t count = edges->edges.first[edge + 1] - edges->edges.first[edge];
-    struct use use = use_of(edges, &lines->mesh, edge, kinds);
+    struct edge_use use = use_of(edges, &lines->mesh, edge, kinds);
     const uint32_t *a = use.a, *b = use.b;
     for (uint32_t i = 0; i < count && !use.smooth; i++)
         lines->hard_sides[sides[i] / 3] |= (uint8_t)(1u << sides[i] % 3);
     if (use.hard)
-        lines->hards[lines->hard_count++] = (struct hatch_line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
-                                                                          .high = {indices[a[1]], indices[b[1]]},
-                                                                          .points = {point[a[0]], point[a[1]]}};
+        lines->hard_edges[lines->hard_edge_count++] =
+            (struct hatch_line_hard_edge){.low = {indices[a[0]], indices[b[0]]},
+                                          .high = {indices[a[1]], indices[b[1]]},
+                                          .points = {point[a[0]], point[a[1]]}};
     if (!use.feature)
         return;
     points[2 * lines->feature_count] = point[a[0]];
@@ -116,16 +118,16 @@ static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32
                                     struct hatch_arena *scratch, struct hatch_line_mesh *lines, uint32_t **points,
                                     struct hatch_err *err)
 {
-    size_t hards = 0, features = 0;
+    size_t hard_edges = 0, features = 0;
     for (uint32_t e = 0; e < edges->edges.count; e++) {
-        struct use use = use_of(edges, &lines->mesh, e, kinds);
-        hards += use.hard;
+        struct edge_use use = use_of(edges, &lines->mesh, e, kinds);
+        hard_edges += use.hard;
         features += use.feature;
     }
     *points = HATCH_NEW(scratch, uint32_t, 2 * features, err);
     lines->hard_sides = *points ? HATCH_NEW(arena, uint8_t, lines->mesh.face_count, err) : NULL;
-    lines->hards = lines->hard_sides ? HATCH_NEW(arena, struct hatch_line_hard_edge, hards, err) : NULL;
-    lines->features = lines->hards ? HATCH_NEW(arena, struct hatch_line_feature, features, err) : NULL;
+    lines->hard_edges = lines->hard_sides ? HATCH_NEW(arena, struct hatch_line_hard_edge, hard_edges, err) : NULL;
+    lines->features = lines->hard_edges ? HATCH_NEW(arena, struct hatch_line_feature, features, err) : NULL;
     if (!lines->features)
         return HATCH_LIMIT;
     for (uint32_t e = 0; e < edges->edges.count; e++)
@@ -133,13 +135,13 @@ static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32
     return HATCH_OK;
 }
 
-/* Chains the features; their nodes are the points that they touch. */
+/* Joins the features to chains; nodes are the points at their ends. */
 static enum hatch_status chain_features(const struct hatch_line_edges *edges, const uint32_t *points,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     size_t ends_count = 2 * (size_t)lines->feature_count;
-    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, edges->point_count, err); /* number + 1 */
+    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, edges->point_count, err); /* per point: node + 1; 0: none */
     uint32_t *ends = node_of ? HATCH_NEW(scratch, uint32_t, ends_count, err) : NULL;
     double *nodes = ends ? HATCH_NEW(scratch, double, 3 * ends_count, err) : NULL;
     lines->node_vertices = nodes ? HATCH_NEW(arena, uint32_t, ends_count, err) : NULL;
@@ -162,11 +164,11 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
                               const struct hatch_line_choice *choice, struct hatch_arena *arena,
                               struct hatch_arena *scratch, struct hatch_line_mesh *lines, struct hatch_err *err)
 {
-    struct hatch_mesh taken;
+    struct hatch_mesh selected;
     struct hatch_line_edges edges;
-    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_meant, scratch, arena, &edges, err));
-    HATCH_TRY(take(from, &edges, scratch, arena, &taken, err));
-    HATCH_TRY(join_vertices(&taken, origin, arena, scratch, &lines->mesh, err));
+    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_authored, scratch, arena, &edges, err));
+    HATCH_TRY(select_attributes(from, &edges, scratch, arena, &selected, err));
+    HATCH_TRY(join_vertices(&selected, origin, arena, scratch, &lines->mesh, err));
     HATCH_TRY(hatch_line_ring_make(&lines->mesh, arena, scratch, &lines->ring, err));
     uint32_t *points;
     HATCH_TRY(sort_edges(&edges, choice->kinds, arena, scratch, lines, &points, err));
@@ -179,7 +181,7 @@ enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const doub
                                        struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_line_mesh made = {.hard_count = 0};
+    struct hatch_line_mesh made = {.hard_edge_count = 0};
     enum hatch_status status = make(from, origin, choice, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

@@ -1,67 +1,69 @@
-/* What feature lines need of a mesh, found once: normals with creases, and the edges that are drawn
- * wherever one looks from. */
+/* The view-independent data of a mesh for feature lines: normals that are split at creases, and the edges that are
+ * drawn in every view. */
 #ifndef HATCH_LINE_MESH_H
 #define HATCH_LINE_MESH_H
 
 #include "scene/scene.h"
 #include "line/chain.h"
 
-/* Which lines; bits. */
+/* Kinds of feature lines, as bits. */
 enum hatch_line_kind {
     HATCH_LINES_NONE = 0,
-    HATCH_LINES_SILHOUETTES = 1, /* where the surface turns away */
+    HATCH_LINES_SILHOUETTES = 1, /* between parts that face the eye and parts that face away */
     HATCH_LINES_CREASES = 2,     /* edges sharper than an angle, and edges of more than two faces */
     HATCH_LINES_BOUNDARIES = 4,  /* edges where the surface ends */
     HATCH_LINES_ALL = 7
 };
 
-/* An edge along which normals jump: the silhouette may run along it. */
+/* An edge across which normals are discontinuous: the silhouette may run along it. */
 struct hatch_line_hard_edge {
-    uint32_t low[2], high[2]; /* the vertices at both ends: of its first face, of its second */
-    uint32_t points[2];       /* numbers of the ends, whatever the normal */
+    uint32_t low[2], high[2]; /* vertices at its two ends: [0] of its first face, [1] of its second */
+    uint32_t points[2];       /* welded points at its low and high end */
 };
 
-/* An edge that is always drawn where it can be seen. */
+/* An edge that is drawn wherever it is visible. */
 struct hatch_line_feature {
-    uint32_t ends[2];  /* vertices */
-    uint32_t faces[2]; /* the second HATCH_NONE at a boundary */
-    bool more_faces;   /* than these two meet there */
+    uint32_t ends[2];  /* vertices of lines->mesh */
+    uint32_t faces[2]; /* faces at the edge; the second is HATCH_NONE at a boundary */
+    bool more_faces;   /* more than two faces meet there */
 };
 
-/* Which of a mesh's lines are wanted. */
+/* The lines to find. */
 struct hatch_line_choice {
-    uint32_t kinds;     /* enum hatch_line_kind, joined */
-    double crease_rad;  /* 0 .. π: edges that turn by more are creases */
-    bool normals_meant; /* the mesh's normals are its maker's, not made from its faces */
+    uint32_t kinds;        /* bits of enum hatch_line_kind */
+    double crease_rad;     /* least angle between the faces at a crease, 0 .. π */
+    bool normals_authored; /* as for hatch_line_edges_find */
 };
 
-/* The neighbours of vertex v are neighbours[first[v]] up to first[v + 1]: none where they do not go all around it. */
+/* The neighbours of each vertex; vertices that faces do not surround completely have none. */
 struct hatch_line_ring {
-    uint32_t *first, *neighbours;
+    uint32_t *first;      /* per vertex, and the end of the last: its range in neighbours */
+    uint32_t *neighbours; /* vertices */
 };
 
 struct hatch_line_mesh {
-    struct hatch_mesh mesh; /* a vertex for each position and normal; positions minus the origin */
-    uint8_t *hard_sides;    /* per face: bit c is set where the surface is not smooth across side c */
+    struct hatch_mesh mesh; /* one vertex per pair of position and normal; positions minus the origin */
+    uint8_t *hard_sides;    /* per face: bit c is set where normals are discontinuous across side c */
     struct hatch_line_ring ring;
-    uint32_t hard_count, feature_count;
-    struct hatch_line_hard_edge *hards;
+    uint32_t hard_edge_count, feature_count;
+    struct hatch_line_hard_edge *hard_edges;
     struct hatch_line_feature *features;
     uint32_t node_count;
-    uint32_t *node_vertices;         /* the vertex at each node of the chains */
+    uint32_t *node_vertices;         /* per node of the chains: its vertex */
     struct hatch_line_chains chains; /* of features */
 };
 
-/* Welds, finds edges and their kinds, and chains those that are wanted. Where the mesh's normals smooth
- * over a crease, all its normals are made anew: a silhouette would cross the faces of a box otherwise.
- * origin: subtracted from positions; of a skinned
- * mesh 0 0 0. arena and scratch must not be the same. */
+/* Welds a mesh, finds and classifies its edges, and joins features to chains. Where the mesh's normals smooth over a
+ * crease, all normals are computed again from the faces, as the silhouette of a box would run across its faces.
+ *   origin  subtracted from positions; 0 0 0 for a deformed mesh
+ *   arena   for the result; not the scratch arena */
 enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],
                                        const struct hatch_line_choice *choice, struct hatch_arena *arena,
                                        struct hatch_arena *scratch, struct hatch_line_mesh *lines,
                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* arena and scratch must not be the same. */
+/* Finds the neighbours of each vertex.
+ *   arena  for the result; not the scratch arena */
 enum hatch_status hatch_line_ring_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                        struct hatch_arena *scratch, struct hatch_line_ring *ring,
                                        struct hatch_err *err) HATCH_MUST_USE;

@@ -1,15 +1,15 @@
-/* Curves through the corners of silhouettes. */
+/* Replaces polylines of silhouettes by curves. */
 #include <math.h>
 #include <string.h>
 
 #include "math/vector.h"
 #include "line/trace.h"
 
-#define PARTS 4u
-#define COS_LEAST 0.9994 /* turns of less than 2 degrees look straight already */
-#define COS_MOST 0.57    /* turns of more than 55 degrees may be meant */
-#define REACH 0.5        /* of a segment's length: as far a line is followed to see how the segment bends */
-#define STEPS_MOST 16u
+#define PARTS 4u            /* segments of a curve */
+#define COS_TURN_MIN 0.9994 /* turns below 2 degrees look straight */
+#define COS_TURN_MAX 0.57   /* turns above 55 degrees may be corners of the surface */
+#define REACH 0.5 /* how far the line beyond a segment's end is followed for the tangent, in lengths of the segment */
+#define STEPS_MAX 16u
 
 struct work {
     const struct hatch_line_trace *from;
@@ -23,13 +23,14 @@ static const double *node_at(const struct work *w, uint32_t node)
     return &w->from->nodes[3 * (size_t)node];
 }
 
-/* Along a chain from its node i, the first that is so far away. NULL where it ends or has a corner before. */
+/* Returns the first node along a chain that is at least `distance` from node i; NULL where the chain ends or has a
+ * corner before. */
 static const double *reach(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes,
                            uint32_t i, bool forward, double distance)
 {
     const double *from = node_at(w, nodes[i]);
     uint32_t count = chain->segment_count;
-    for (uint32_t step = 0; step < STEPS_MOST; step++) {
+    for (uint32_t step = 0; step < STEPS_MAX; step++) {
         if (!w->from->smooth[nodes[i]] || (!chain->closed && i == (forward ? count : 0)))
             return NULL;
         if (forward)
@@ -42,9 +43,9 @@ static const double *reach(const struct work *w, const struct hatch_line_chain *
     return NULL;
 }
 
-/* The direction in which a segment leaves its first node i (or comes to its last): that of the circle through the
- * segment's ends and what lies about as far on the other side, since a short neighbour says nothing of how a long
- * segment bends. false where the chain ends or has a corner, or is straight. */
+/* Computes the tangent of a segment at its first node i (or its last): that of the circle through the segment's ends
+ * and a point about as far on the other side of the node, as a short neighbour would not represent how a long segment
+ * bends. Returns false where the chain ends, has a corner, or is straight. */
 static bool tangent(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes, uint32_t i,
                     bool first, double out[3])
 {
@@ -59,9 +60,10 @@ static bool tangent(const struct work *w, const struct hatch_line_chain *chain, 
     double cosine = hatch_vec_dot(a, b);
     for (int k = 0; k < 3; k++)
         out[k] = a[k] * length_b + b[k] * length_a;
-    return cosine < COS_LEAST && cosine > COS_MOST && hatch_vec_normalize(out) > 0;
+    return cosine < COS_TURN_MIN && cosine > COS_TURN_MAX && hatch_vec_normalize(out) > 0;
 }
 
+/* Appends a segment to a chain. */
 static void add(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, uint32_t end, float slack)
 {
     uint32_t segment = w->trace.segment_count++;
@@ -70,7 +72,7 @@ static void add(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes,
     nodes[++chain->segment_count] = end;
 }
 
-/* The cubic with both tangents, in parts. */
+/* Appends the cubic with both tangents, except for its last segment. */
 static void add_curve(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, const double *p, const double *q,
                       const double tangents[2][3], float slack)
 {

@@ -6,28 +6,26 @@
 #include "base/keys.h"
 #include "line/trace.h"
 
-#define BULGE_MAX 0.12 /* how far from an edge a point may lie, in lengths of the edge: an arc of 51° */
-#define BACK_LEAST                                                                                                     \
-    0.5               /* lengths of an edge that the surface goes on behind its end: else the normal there tells       \
-                       * of less than the edge's length */
-#define RING_SEEN 64u /* neighbours */
-#define SLACK_PX 2.0
-#define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* with a point's number: a node that is a point */
+#define BULGE_MAX 0.12 /* largest distance of a point from its edge, in lengths of the edge: an arc of 51° */
+#define BACK_LEAST 0.5 /* lengths of an edge that the surface behind its end must extend for normal_weight 1 */
+#define RING_SEEN 64u  /* neighbours of a vertex that are examined, about */
+#define SLACK_PX 2.0   /* of all segments, besides the depth of coarse faces */
+#define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* plus a point: key of the node at the point */
 
 struct work {
     const struct hatch_line_shape *shape;
     const struct hatch_line_eye *eye;
-    double local_eye[3]; /* where positions are; of an orthographic view the direction to it */
-    double one;          /* 1; of an orthographic view 0 */
-    float *facing;       /* per vertex: normal · direction to the eye */
-    uint32_t *crossed;   /* faces */
+    double local_eye[3]; /* eye in the coordinates of positions; orthographic: direction to it */
+    double eye_w;        /* homogeneous coordinate of local_eye: 1; orthographic: 0 */
+    float *facing;       /* per vertex: normal · vector to the eye */
+    uint32_t *crossed;   /* faces that the silhouette crosses */
     uint32_t crossed_count;
-    struct hatch_keys keys;
+    struct hatch_keys keys; /* of nodes: pairs of vertices, or points */
     struct hatch_line_trace trace;
 };
 
-/* Undoes to_unit on a point (one 1) or a direction (one 0). false when it cannot be undone. */
-static bool to_local(const double m[16], const double in[3], double one, double out[3])
+/* Applies the inverse of a matrix to a point (w 1) or a direction (w 0). Returns false when the matrix is singular. */
+static bool to_local(const double m[16], const double in[3], double w, double out[3])
 {
     double columns[3][3], cross[3][3], from[3];
     for (int c = 0; c < 3; c++)
@@ -37,7 +35,7 @@ static bool to_local(const double m[16], const double in[3], double one, double 
         hatch_vec_cross(columns[(c + 1) % 3], columns[(c + 2) % 3], cross[c]);
     double determinant = hatch_vec_dot(columns[0], cross[0]);
     for (int k = 0; k < 3; k++)
-        from[k] = in[k] - one * m[12 + k];
+        from[k] = in[k] - w * m[12 + k];
     for (int k = 0; k < 3; k++)
         out[k] = hatch_vec_dot(cross[k], from) / determinant;
     return isfinite(out[0] + out[1] + out[2]);
@@ -46,14 +44,14 @@ static bool to_local(const double m[16], const double in[3], double one, double 
 static void find_facing(const struct work *w)
 {
     const float *p = w->shape->positions, *n = w->shape->normals;
-    float e[3], one = (float)w->one;
+    float e[3], eye_w = (float)w->eye_w;
     hatch_vec_round(w->local_eye, e);
     for (size_t v = 0; v < w->shape->lines->mesh.vertex_count; v++)
-        w->facing[v] = n[3 * v] * (e[0] - one * p[3 * v]) + n[3 * v + 1] * (e[1] - one * p[3 * v + 1]) +
-                       n[3 * v + 2] * (e[2] - one * p[3 * v + 2]);
+        w->facing[v] = n[3 * v] * (e[0] - eye_w * p[3 * v]) + n[3 * v + 1] * (e[1] - eye_w * p[3 * v + 1]) +
+                       n[3 * v + 2] * (e[2] - eye_w * p[3 * v + 2]);
 }
 
-static bool away(const struct work *w, uint32_t vertex)
+static bool faces_away(const struct work *w, uint32_t vertex)
 {
     return w->facing[vertex] < 0;
 }
@@ -63,22 +61,23 @@ static void list_crossed(struct work *w)
     const struct hatch_mesh *mesh = &w->shape->lines->mesh;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         const uint32_t *i = &mesh->indices[3 * (size_t)f];
-        int count = away(w, i[0]) + away(w, i[1]) + away(w, i[2]);
+        int count = faces_away(w, i[0]) + faces_away(w, i[1]) + faces_away(w, i[2]);
         w->crossed[w->crossed_count] = f;
         w->crossed_count += count == 1 || count == 2;
     }
 }
 
-/* Where along an edge the facing is zero; the ends' facings have different signs. */
+/* Returns the position along an edge, 0 .. 1, where facing is zero; its signs differ at the ends. */
 static double root(const struct work *w, uint32_t low, uint32_t high)
 {
     double a = (double)w->facing[low], b = (double)w->facing[high];
     return a / (a - b);
 }
 
-/* How far an end's normal says how an edge bends, 0 to 1: where a short face lies behind it, as at a chamfer, most
- * of the turn is that face's. along: from the end. */
-static double say(const struct work *w, uint32_t end, const double along[3])
+/* Returns the weight of the normal at an edge's end for the shape of the edge, 0 .. 1: where the faces behind the end
+ * are short, as at a chamfer, the normal turns mostly because of them.
+ *   along  vector from the end to the other one */
+static double normal_weight(const struct work *w, uint32_t end, const double along[3])
 {
     const struct hatch_line_ring *ring = &w->shape->lines->ring;
     const float *positions = w->shape->positions;
@@ -95,7 +94,10 @@ static double say(const struct work *w, uint32_t end, const double along[3])
     return fmin(1, back / (BACK_LEAST * square));
 }
 
-/* The share t of an edge, on the cubic that has its ends' normals where that bulges outwards. */
+/* Computes a point of the silhouette at an edge, in the unit scene: on the cubic that is orthogonal to the normals at
+ * the edge's ends, where that is outside the edge.
+ *   t         position along the edge, 0 .. 1
+ *   straight  true: on the edge itself */
 static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight, double out[3])
 {
     double p[2][3], n[2][3], along[3], back[3], bulge[3] = {0, 0, 0}, mean[3], unit[3];
@@ -107,7 +109,8 @@ static void point_on(const struct work *w, uint32_t low, uint32_t high, double t
     }
     hatch_vec_sub(p[1], p[0], along);
     hatch_vec_sub(p[0], p[1], back);
-    double rise[2] = {hatch_vec_dot(along, n[0]) * say(w, low, along), hatch_vec_dot(back, n[1]) * say(w, high, back)};
+    double rise[2] = {hatch_vec_dot(along, n[0]) * normal_weight(w, low, along),
+                      hatch_vec_dot(back, n[1]) * normal_weight(w, high, back)};
     hatch_vec_add_scaled(bulge, -(1 - t) * (1 - t) * t * rise[0], n[0], bulge);
     hatch_vec_add_scaled(bulge, -(1 - t) * t * t * rise[1], n[1], bulge);
     hatch_vec_add_scaled(n[0], 1, n[1], mean);
@@ -123,7 +126,7 @@ static void point_on(const struct work *w, uint32_t low, uint32_t high, double t
         out[r] = m[r] * unit[0] + m[4 + r] * unit[1] + m[8 + r] * unit[2] + m[12 + r];
 }
 
-/* The node that a key names, made at its first mention. */
+/* Finds the node with a key, or adds it. */
 static enum hatch_status add_node(struct work *w, uint64_t key, const double at[3], bool smooth, uint32_t *node,
                                   struct hatch_err *err)
 {
@@ -136,7 +139,7 @@ static enum hatch_status add_node(struct work *w, uint64_t key, const double at[
     return HATCH_OK;
 }
 
-/* The node where the silhouette crosses the edge between two vertices. */
+/* Finds or adds the node where the silhouette crosses the edge between two vertices. */
 static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bool straight, uint32_t *node,
                                       struct hatch_err *err)
 {
@@ -146,9 +149,9 @@ static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bo
     return add_node(w, hatch_keys_pair(low, high), at, !straight, node, err);
 }
 
-/* On a coarse mesh the smooth silhouette lies beside the polygons' own, and so behind some of them: up
- * to about half as deep as the face that it crosses reaches along the view. share: of the corners in
- * the middle of the segment. */
+/* Returns the slack of a segment across a face. On a coarse mesh the smooth silhouette is beside that of the polygons,
+ * and so behind some of them: by up to about half the depth of the face that it crosses.
+ *   share  barycentric coordinates of the middle of the segment */
 static double face_depth(const struct work *w, uint32_t face, const double share[3])
 {
     const uint32_t *i = &w->shape->lines->mesh.indices[3 * (size_t)face];
@@ -159,7 +162,7 @@ static double face_depth(const struct work *w, uint32_t face, const double share
     hatch_vec_sub(p[1], p[0], e1);
     hatch_vec_sub(p[2], p[0], e2);
     for (int k = 0; k < 3; k++)
-        to_eye[k] = w->local_eye[k] - w->one * p[0][k];
+        to_eye[k] = w->local_eye[k] - w->eye_w * p[0][k];
     double a = hatch_vec_dot(e1, e1), b = hatch_vec_dot(e1, e2), c = hatch_vec_dot(e2, e2);
     double x = hatch_vec_dot(e1, to_eye), y = hatch_vec_dot(e2, to_eye);
     double determinant = a * c - b * b;
@@ -194,7 +197,7 @@ static enum hatch_status cross_face(struct work *w, uint32_t face, struct hatch_
     double share[3] = {0, 0, 0};
     for (uint32_t c = 0; c < 3 && count < 2; c++) {
         uint32_t a = i[c], b = i[(c + 1) % 3];
-        if (away(w, a) == away(w, b))
+        if (faces_away(w, a) == faces_away(w, b))
             continue;
         bool straight = w->shape->lines->hard_sides[face] >> c & 1;
         HATCH_TRY(add_crossing(w, a, b, straight, &nodes[count++], err));
@@ -208,14 +211,14 @@ static enum hatch_status cross_face(struct work *w, uint32_t face, struct hatch_
     return HATCH_OK;
 }
 
-/* Along a hard edge both sides' facings are linear: the silhouette runs where their signs differ,
- * between the edge's ends and the places where one side's silhouette arrives. */
+/* Adds the silhouette along a hard edge. The facing of either side is linear along it; the silhouette runs where their
+ * signs differ, between the ends of the edge and the points where a side's facing is zero. */
 static enum hatch_status follow_edge(struct work *w, const struct hatch_line_hard_edge *edge, struct hatch_err *err)
 {
     double at[3], roots[2];
     uint32_t stops[4], count = 0, sides[2], root_count = 0;
     for (uint32_t i = 0; i < 2; i++)
-        if (away(w, edge->low[i]) != away(w, edge->high[i])) {
+        if (faces_away(w, edge->low[i]) != faces_away(w, edge->high[i])) {
             roots[root_count] = root(w, edge->low[i], edge->high[i]);
             sides[root_count++] = i;
         }
@@ -223,13 +226,13 @@ static enum hatch_status follow_edge(struct work *w, const struct hatch_line_har
         sides[0] = 1;
         sides[1] = 0;
     }
-    if (away(w, edge->low[0]) != away(w, edge->low[1])) {
+    if (faces_away(w, edge->low[0]) != faces_away(w, edge->low[1])) {
         point_on(w, edge->low[0], edge->high[0], 0, true, at);
         HATCH_TRY(add_node(w, POINTS_KEY | edge->points[0], at, false, &stops[count++], err));
     }
     for (uint32_t i = 0; i < root_count; i++)
         HATCH_TRY(add_crossing(w, edge->low[sides[i]], edge->high[sides[i]], true, &stops[count++], err));
-    if (away(w, edge->high[0]) != away(w, edge->high[1])) {
+    if (faces_away(w, edge->high[0]) != faces_away(w, edge->high[1])) {
         point_on(w, edge->low[0], edge->high[0], 1, true, at);
         HATCH_TRY(add_node(w, POINTS_KEY | edge->points[1], at, false, &stops[count++], err));
     }
@@ -240,10 +243,12 @@ static enum hatch_status follow_edge(struct work *w, const struct hatch_line_har
     return HATCH_OK;
 }
 
-static bool followed(const struct work *w, const struct hatch_line_hard_edge *edge)
+/* Returns whether the silhouette runs along a part of an edge. */
+static bool has_silhouette(const struct work *w, const struct hatch_line_hard_edge *edge)
 {
-    bool first = away(w, edge->low[0]);
-    return away(w, edge->low[1]) != first || away(w, edge->high[0]) != first || away(w, edge->high[1]) != first;
+    bool first = faces_away(w, edge->low[0]);
+    return faces_away(w, edge->low[1]) != first || faces_away(w, edge->high[0]) != first ||
+           faces_away(w, edge->high[1]) != first;
 }
 
 static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -257,8 +262,8 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
     find_facing(w);
     list_crossed(w);
     size_t segments = w->crossed_count;
-    for (uint32_t i = 0; i < lines->hard_count; i++)
-        segments += followed(w, &lines->hards[i]) ? 2 : 0;
+    for (uint32_t i = 0; i < lines->hard_edge_count; i++)
+        segments += has_silhouette(w, &lines->hard_edges[i]) ? 2 : 0;
     w->trace.nodes = HATCH_NEW(arena, double, 6 * segments, err);
     w->trace.ends = w->trace.nodes ? HATCH_NEW(arena, uint32_t, 2 * segments, err) : NULL;
     w->trace.slack = w->trace.ends ? HATCH_NEW(arena, float, segments, err) : NULL;
@@ -268,9 +273,9 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
     HATCH_TRY(hatch_keys_make(scratch, &w->keys, err));
     for (uint32_t i = 0; i < w->crossed_count; i++)
         HATCH_TRY(cross_face(w, w->crossed[i], err));
-    for (uint32_t i = 0; i < lines->hard_count; i++)
-        if (followed(w, &lines->hards[i]))
-            HATCH_TRY(follow_edge(w, &lines->hards[i], err));
+    for (uint32_t i = 0; i < lines->hard_edge_count; i++)
+        if (has_silhouette(w, &lines->hard_edges[i]))
+            HATCH_TRY(follow_edge(w, &lines->hard_edges[i], err));
     return HATCH_OK;
 }
 
@@ -279,10 +284,10 @@ enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *sh
                                                struct hatch_line_trace *trace, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct work work = {.shape = shape, .eye = eye, .one = eye->view->orthographic ? 0 : 1};
+    struct work work = {.shape = shape, .eye = eye, .eye_w = eye->view->orthographic ? 0 : 1};
     const double *from = eye->view->orthographic ? eye->view->back : eye->view->eye;
     enum hatch_status status = HATCH_OK;
-    if (to_local(shape->to_unit, from, work.one, work.local_eye))
+    if (to_local(shape->to_unit, from, work.eye_w, work.local_eye))
         status = find(&work, arena, scratch, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

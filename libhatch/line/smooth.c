@@ -1,18 +1,20 @@
-/* From pieces that are hidden or not to lines without crumbs. */
+/* Cleans up the visibility of pieces, and joins visible ones to segments. */
 #include <math.h>
 #include <string.h>
 
 #include "line/strip.h"
 
+/* Values of visible[] besides 0 and HATCH_LINE_VISIBLE. */
 #define TRIMMED 2u
-#define CUT 3u /* visible, but for a halo */
+#define COVERED 3u /* visible except for a halo */
 
-/* A closed strip is gone round from where visibility changes, so that no run is cut in two. */
+/* Returns piece i of a strip, counted from piece `start` and wrapping around. */
 static uint32_t piece_at(const struct hatch_line_strip *strip, uint32_t start, uint32_t i)
 {
     return strip->first + (start + i) % strip->count;
 }
 
+/* Returns the piece to start at, such that no run of a closed strip is split: one where visibility changes. */
 static uint32_t start_of(const struct hatch_line_strip *strip, const uint8_t *visible)
 {
     for (uint32_t i = 1; i < strip->count && strip->closed; i++)
@@ -27,8 +29,8 @@ static double length_of(const struct hatch_line_piece *piece)
     return sqrt(x * x + y * y);
 }
 
-/* Turns runs of `value` round that are shorter than short_px. A run that the strip's end cuts off is
- * as long as anything if the line is joined there, and stays; a gap at a free end stays, too. */
+/* Inverts runs of `value` that are shorter than short_px. Runs at an end of the strip are kept where the line may
+ * continue there, as their length is unknown; gaps at free ends are kept, too. */
 static void drop_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, uint8_t value,
                       double short_px, uint8_t *visible)
 {
@@ -49,7 +51,7 @@ static void drop_runs(const struct hatch_line_strips *strips, const struct hatch
     }
 }
 
-/* Whether what stays goes on before or after a piece, given by its number in the strip. */
+/* Returns whether the piece before or after piece i of a strip is visible. */
 static bool is_beside(const struct hatch_line_strip *strip, uint32_t i, const uint8_t *visible)
 {
     uint32_t before = i > 0 ? i - 1 : strip->closed ? strip->count - 1 : i;
@@ -57,38 +59,38 @@ static bool is_beside(const struct hatch_line_strip *strip, uint32_t i, const ui
     return visible[strip->first + before] == HATCH_LINE_VISIBLE || visible[strip->first + after] == HATCH_LINE_VISIBLE;
 }
 
-/* Shortens visible runs where hidden ones follow. Marks what goes first, so that one run's end
- * is not taken for the next one's. */
+/* Shortens visible runs at hidden ones. Pieces are only marked at first, so that trimmed ones do not count as hidden in
+ * the other direction. */
 static void trim_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, double trim_px,
                       uint8_t *visible)
 {
     uint32_t count = strip->count, steps = strip->closed ? 2 * count : count;
     for (int back = 0; back < 2; back++) {
-        double left_px = 0;
+        double remaining_px = 0;
         for (uint32_t i = 0; i < steps; i++) {
             uint32_t at = strip->first + (back ? steps - 1 - i : i) % count;
             if (visible[at] == 0)
-                left_px = trim_px;
-            else if (left_px > 0)
+                remaining_px = trim_px;
+            else if (remaining_px > 0)
                 visible[at] = TRIMMED;
-            left_px -= visible[at] ? length_of(&strips->pieces[at]) : 0;
+            remaining_px -= visible[at] ? length_of(&strips->pieces[at]) : 0;
         }
     }
     for (uint32_t i = strip->first; i < strip->first + count; i++)
         visible[i] = visible[i] == TRIMMED ? 0 : visible[i];
 }
 
-/* What haloes cover is no more than the end of what they leave beside it. */
+/* Keeps covered pieces only beside uncovered visible ones, and reduces visible[] to 0 and 1. */
 static void keep_beside(const struct hatch_line_strip *strip, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strip->count; i++)
-        if (visible[strip->first + i] == CUT && !is_beside(strip, i, visible))
+        if (visible[strip->first + i] == COVERED && !is_beside(strip, i, visible))
             visible[strip->first + i] = 0;
     for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
         visible[i] = visible[i] != 0;
 }
 
-void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                               const uint8_t *seen, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strips->piece_count; i++)
@@ -98,14 +100,15 @@ void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap
         drop_runs(strips, strip, 0, gap_px, visible);
         for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
             if (visible[i] && seen[i] & HATCH_LINE_COVERED)
-                visible[i] = CUT;
-        drop_runs(strips, strip, HATCH_LINE_VISIBLE, crumb_px, visible);
+                visible[i] = COVERED;
+        drop_runs(strips, strip, HATCH_LINE_VISIBLE, speck_px, visible);
         trim_runs(strips, strip, trim_px, visible);
         keep_beside(strip, visible);
     }
 }
 
-/* Fragments ask for haloes within their own piece, whose ends lie halfway to where the next ones were asked. */
+/* Returns whether a halo may cover a part of a piece: halo tests are at the middles of pieces, so a halo at a
+ * neighbour's middle may reach it. */
 static bool near_halo(const struct hatch_line_strip *strip, uint32_t i, const uint8_t *seen)
 {
     uint32_t last = strip->first + strip->count - 1;
@@ -118,21 +121,21 @@ uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const
     uint32_t count = 0;
     for (uint32_t s = 0; s < strips->strip_count; s++) {
         const struct hatch_line_strip *strip = &strips->strips[s];
-        bool goes_on = false;
+        bool continues = false;
         for (uint32_t i = strip->first; i < strip->first + strip->count; i++) {
             const struct hatch_line_piece *piece = &strips->pieces[i];
             float in_halo = near_halo(strip, i, seen) ? 1.0f : 0.0f;
-            goes_on =
-                goes_on && visible[i] && piece->segment == piece[-1].segment && segments[count - 1].in_halo == in_halo;
+            continues = continues && visible[i] && piece->segment == piece[-1].segment &&
+                        segments[count - 1].in_halo == in_halo;
             if (!visible[i])
                 continue;
-            if (!goes_on)
+            if (!continues)
                 segments[count++] = (struct hatch_line_segment){
                     .a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}, .in_halo = in_halo};
             struct hatch_line_segment *segment = &segments[count - 1];
             memcpy(segment->b, piece->b, sizeof segment->b);
             segment->depth[1] = piece->depth[1];
-            goes_on = true;
+            continues = true;
         }
     }
     return count;

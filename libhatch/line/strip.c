@@ -4,30 +4,30 @@
 
 #include "math/vector.h"
 
-#define PIECE_PX 1.5
-#define OFF_PX 0.5 /* lines that may lie further off are not drawn */
+#define PIECE_PX 1.5     /* largest length of a piece */
+#define ERROR_MAX_PX 0.5 /* largest error of float positions at which lines are drawn */
 
 /* A segment in the picture. */
 struct cut {
-    double at[2][2];     /* both ends in pixels of the tile */
-    double limit[2];     /* at both ends */
-    double count;        /* pieces from end to end, in and out of the tile */
-    double first, after; /* pieces that may be seen: first .. after - 1 */
-    bool begins, ends;   /* those pieces reach the segment's begin and end */
+    double at[2][2];     /* both ends, in pixels from the tile's lower left corner */
+    double limit[2];     /* at both ends, as in struct hatch_line_sample */
+    double count;        /* number of pieces, inside and outside the tile */
+    double first, after; /* pieces to keep: first .. after - 1 */
+    bool begins, ends;   /* these contain the start, the end of the segment */
 };
 
-/* A walk along chains. Without arrays it counts what they must hold. */
+/* State of a pass over chains. The first pass has no arrays and only counts their entries. */
 struct walk {
     const struct hatch_line_trace *trace;
     const struct hatch_view *view;
     const struct hatch_tile *tile;
     double margin_px;
     struct hatch_line_strips strips;
-    struct hatch_line_strip strip; /* the one being made */
-    bool open;
+    struct hatch_line_strip strip; /* the present strip */
+    bool open;                     /* there is a present strip */
 };
 
-/* What the depth buffer holds at a distance along the view. */
+/* Returns the value in the depth buffer at a distance along the view axis. */
 static double buffer_depth(const struct hatch_view *view, double depth)
 {
     if (view->orthographic)
@@ -46,8 +46,8 @@ static void project(const struct hatch_view *view, const struct hatch_tile *tile
     out[1] = 0.5 * (1 + y) * tile->full_height - tile->y;
 }
 
-/* Narrows begin .. end, shares of a segment, to where the value, linear between its ends, is at least
- * 0. */
+/* Narrows begin .. end, positions along a segment in 0 .. 1, to where a linear function with the given values at the
+ * segment's ends is at least 0. */
 static void keep_positive(double at_begin, double at_end, double *begin, double *end)
 {
     if (at_begin < 0 && at_end < 0)
@@ -58,13 +58,14 @@ static void keep_positive(double at_begin, double at_end, double *begin, double 
         *end = fmin(*end, at_begin / (at_begin - at_end));
 }
 
-/* Moves a segment's ends to the near and far planes, and to where floats can place them. false when it
- * lies outside. */
+/* Clips a segment at the near and far planes, and where the error of float positions is too large. Returns false when
+ * nothing remains.
+ *   whole  out: its start, its end is not clipped */
 static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *tile, double points[2][3],
                        double depth[2], bool whole[2])
 {
     double begin = 0, end = 1, a[3], along[3];
-    double least = hatch_view_float_error(view, tile) / OFF_PX;
+    double least = hatch_view_float_error(view, tile) / ERROR_MAX_PX;
     if (view->orthographic) /* everywhere, or nowhere */
         least = least > 1 ? INFINITY : view->near;
     double nearest = fmax(view->near, least);
@@ -87,6 +88,7 @@ static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *t
     return true;
 }
 
+/* Projects a segment and clips it to the tile. Returns false when nothing remains. */
 static bool cut_segment(const struct walk *w, double points[2][3], double slack, struct cut *cut)
 {
     const struct hatch_view *view = w->view;

@@ -1,43 +1,43 @@
-/* Chains of segments as they lie in a picture: cut to what can be seen of them there, into pieces
- * short enough for each to be hidden or not. */
+/* Chains in a picture: clipped, and cut into pieces that are short enough to be either hidden or visible. */
 #ifndef HATCH_LINE_STRIP_H
 #define HATCH_LINE_STRIP_H
 
 #include "line/trace.h"
 
-#define HATCH_LINES_REACH_PX 40u /* what lies further outside a tile changes no line within it */
+#define HATCH_LINES_REACH_PX 40u /* lines further outside a tile do not affect those within it */
 
-/* In pixels from the tile's lower left corner. */
+/* A straight piece of a line, in pixels from the tile's lower left corner. */
 struct hatch_line_piece {
     float a[2], b[2];
-    float depth[2];   /* at both ends: what the depth buffer holds for a surface that hides it */
-    uint32_t segment; /* pieces of one segment with one number lie on a straight line */
+    float depth[2];   /* at both ends: a surface with a larger value in the depth buffer hides it */
+    uint32_t segment; /* of the trace; the pieces of a segment lie on a straight line */
 };
 
-/* A straight line of pieces, as it is drawn. */
+/* Successive visible pieces on a straight line, to be drawn. */
 struct hatch_line_segment {
-    float a[2], b[2], depth[2];
-    float in_halo; /* 1: a halo may lie over some of it; 0 */
+    float a[2], b[2], depth[2]; /* as in struct hatch_line_piece */
+    float in_halo;              /* 1: a halo may cover a part of it; else 0 */
 };
 
-/* Where a piece's visibility is tested, and the depth that hides it: what the depth buffer holds
- * there is nearer than limit. turn_rad: the direction of its line. */
+/* Where the visibility of a piece is tested. */
 struct hatch_line_sample {
-    float at[2], limit, turn_rad;
+    float at[2];    /* pixels from the tile's lower left corner */
+    float limit;    /* the piece is hidden where the depth buffer has a larger value */
+    float turn_rad; /* direction of the line in the picture */
 };
 
-/* What is known of a piece: sums of these. */
+/* Visibility of a piece, as bits. */
 enum hatch_line_seen {
     HATCH_LINE_VISIBLE = 1, /* no surface hides it */
-    HATCH_LINE_TOUCHED = 2, /* a halo lies over its middle */
-    HATCH_LINE_COVERED = 4  /* over more than half of that */
+    HATCH_LINE_TOUCHED = 2, /* a halo covers a part of its middle */
+    HATCH_LINE_COVERED = 4  /* a halo covers more than half of its middle */
 };
 
-/* Pieces that hang together. */
+/* Connected pieces. */
 struct hatch_line_strip {
-    uint32_t first, count;
+    uint32_t first, count; /* range of pieces */
     bool closed;
-    bool joined[2]; /* the line may go on where the strip begins and ends */
+    bool joined[2]; /* the line may continue before, after the strip */
 };
 
 struct hatch_line_strips {
@@ -47,30 +47,36 @@ struct hatch_line_strips {
     struct hatch_line_sample *samples; /* one per piece */
 };
 
-/* The picture that lines are cut for. */
+/* The picture to cut lines for. */
 struct hatch_line_picture {
     const struct hatch_view *view;
     const struct hatch_tile *tile;
-    double margin_px; /* distance outside the tile up to which lines are kept */
+    double margin_px; /* lines are kept up to this distance outside the tile */
 };
 
-/* Cuts chains at the near plane and margin_px outside the tile. The cuts between pieces do not depend on the tile.
+/* Clips chains at the near plane and margin_px outside the tile, and cuts them into pieces. The cuts between pieces do
+ * not depend on the tile.
  *   strips  out: in arena */
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
                                          const struct hatch_line_picture *picture, struct hatch_arena *arena,
                                          struct hatch_line_strips *strips, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes visibility even along each strip. A hidden gap shorter than gap_px between visible parts is closed; then a
- * visible crumb shorter than crumb_px, which nothing joins, is hidden, and so is one that haloes leave; then the
- * ends of visible parts at hidden ones lose the pieces that begin within trim_px. Of what haloes cover pieces beside
- * the rest stay, to end where the halo begins. seen: per piece, sums of enum hatch_line_seen; visible: the same,
- * becomes 0 or 1. */
-void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+/* Cleans up the visibility along each strip: hidden gaps between visible parts are closed, then short isolated visible
+ * parts (also between haloes) are hidden, then visible parts are trimmed where a hidden part follows. Of the pieces
+ * covered by haloes those next to an uncovered one stay visible, so that the line reaches the halo.
+ *   gap_px    gaps shorter than this are closed
+ *   speck_px  visible parts shorter than this are hidden, unless the line may continue
+ *   trim_px   length that visible parts lose at a hidden one
+ *   seen      per piece: bits of enum hatch_line_seen
+ *   visible   out: per piece, 0 or 1 */
+void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                               const uint8_t *seen, uint8_t *visible);
 
-/* Writes the visible parts as segments, and returns how many there are: at most piece_count. Pieces of
- * one straight segment become one, those that haloes touch and those beside them apart from the rest. seen: as
- * above. */
+/* Joins visible pieces to segments and returns the number of segments. Pieces that a halo may cover (touched ones and
+ * their neighbours) and others are in different segments.
+ *   visible   per piece, of hatch_line_strips_smooth
+ *   seen      as for hatch_line_strips_smooth
+ *   segments  out: room for piece_count */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                                    struct hatch_line_segment *segments);
 

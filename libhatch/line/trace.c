@@ -4,10 +4,8 @@
 
 #include "math/vector.h"
 
-#define SLACK_PX                                                                                                       \
-    1.5               /* own surface within a pixel or so of a line does not hide it, as far as it can                 \
-                       * rise there: this times its slope */
-#define SLOPE_MAX 4.0 /* steeper faces are farther on their other side, or not seen */
+#define SLACK_PX 1.5  /* distance from an edge within which its own faces, at their full slope, must not hide it */
+#define SLOPE_MAX 4.0 /* limit of that slope: steeper faces recede from the line, or are seen from behind */
 
 double hatch_line_depth(const struct hatch_view *view, const double point[3])
 {
@@ -35,7 +33,7 @@ static void corner_at(const struct hatch_line_shape *shape, uint32_t vertex, dou
     transform(shape->to_unit, p, out);
 }
 
-/* The cosine between a face's normal and the direction to the eye; over 0: its front is seen. */
+/* Returns the cosine between a face's normal and the direction to the eye; over 0: its front is visible. */
 static double facing(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye, uint32_t face)
 {
     const struct hatch_view *view = eye->view;
@@ -51,12 +49,12 @@ static double facing(const struct hatch_line_shape *shape, const struct hatch_li
     return shape->mirrored ? -cosine : cosine;
 }
 
-/* The flattest of the faces that are drawn tells how much depth changes beside the edge. */
+/* Returns the slack of an edge, from the slope of its flattest visible face; -1 where no face is visible. */
 static float feature_slack(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                            const struct hatch_line_feature *feature, const double at[3])
 {
     bool double_sided = shape->double_sided || feature->more_faces;
-    double flattest = -1;
+    double flattest = -1; /* cosine */
     for (int i = 0; i < 2 && feature->faces[i] != HATCH_NONE; i++) {
         double cosine = facing(shape, eye, feature->faces[i]);
         flattest = fmax(flattest, double_sided ? fabs(cosine) : cosine);
@@ -64,7 +62,7 @@ static float feature_slack(const struct hatch_line_shape *shape, const struct ha
     if (flattest < 0)
         return -1.0f;
     if (feature->faces[1] == HATCH_NONE)
-        return (float)(SLACK_PX * hatch_line_pixel(eye, at)); /* beside a boundary there is no own surface */
+        return (float)(SLACK_PX * hatch_line_pixel(eye, at)); /* no surface on the other side */
     double slope = sqrt(fmax(1 - flattest * flattest, 0)) / fmax(flattest, 1 / SLOPE_MAX);
     return (float)(SLACK_PX * hatch_line_pixel(eye, at) * (1 + slope));
 }

@@ -5,7 +5,8 @@
 #include "math/vector.h"
 #include "mesh/remap.h"
 
-/* Adds dP/du and dP/dv of one face, each times twice the face's area. number: of each vertex, in sums. */
+/* Adds dP/du and dP/dv of one face, each times twice the face's area.
+ *   number  per vertex: its entry in sums */
 static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, const uint32_t *number,
                      double *sums)
 {
@@ -56,8 +57,8 @@ double hatch_uv_reach(const struct hatch_mesh *mesh)
     return uv_area > 0 ? most * sqrt(area / uv_area) : 0;
 }
 
-/* Faces with corners of their own, for flat normals, are one surface all the same: corners of one position and one
- * texture coordinate share their tangents. */
+/* Flat-shaded meshes have separate vertices per face, so vertices that are equal in position and texture coordinates
+ * share their tangents. */
 enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_arena *scratch, float **tangents,
                                     struct hatch_err *err)
 {

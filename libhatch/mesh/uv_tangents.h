@@ -1,4 +1,4 @@
-/* The surface's derivative by its texture coordinates, per vertex. */
+/* Derivatives of a surface's position by its texture coordinates, per vertex. */
 #ifndef HATCH_MESH_UV_TANGENTS_H
 #define HATCH_MESH_UV_TANGENTS_H
 
@@ -12,8 +12,9 @@
 enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_arena *scratch, float **tangents,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The largest distance of TEXCOORD_0 from 0 0, as a length on the mesh: floats there are off by so much of their last
- * digit. 0 where texture coordinates have no area. */
+/* Returns the largest distance of TEXCOORD_0 from 0 0, converted to a length on the mesh, which bounds the rounding
+ * errors of texture coordinates; 0 where texture coordinates have no area.
+ *   mesh  has TEXCOORD_0 */
 double hatch_uv_reach(const struct hatch_mesh *mesh);
 
 #endif

@@ -1,16 +1,16 @@
-/* Pieces of near faces, as the vertex stage reads them. */
+/* Cuts near faces into pieces, as vertices for the GPU. */
 #include <math.h>
 #include <string.h>
 
 #include "near/pieces.h"
 #include "near/parts.h"
 
-#define MARGIN 0.02 /* of the picture's sides, that are looked at beyond them */
-#define RATIO 2.0   /* an edge's length over its distance */
+#define MARGIN 0.02 /* added on each side of the tile, in widths or heights of it */
+#define RATIO 2.0   /* largest length of a piece's edge, in distances from the eye */
 
 struct cutting {
     struct hatch_buffer *buffer;
-    uint32_t corner[3];
+    uint32_t corner[3]; /* vertices of the face being cut */
 };
 
 static enum hatch_status add_piece(void *context, const struct hatch_piece_corner *const corner[3],
@@ -26,7 +26,7 @@ static enum hatch_status add_piece(void *context, const struct hatch_piece_corne
     for (int i = 0; i < 3; i++) {
         struct hatch_near_vertex *vertex = &vertices[i];
         for (int k = 0; k < 3; k++) {
-            vertex->place[k] = (float)corner[i]->at[k].high;
+            vertex->position[k] = (float)corner[i]->at[k].high;
             vertex->weight[k] = (float)corner[i]->weight[k];
             vertex->corner[k] = cutting->corner[k];
         }
@@ -38,20 +38,21 @@ static enum hatch_status add_piece(void *context, const struct hatch_piece_corne
     return hatch_buffer_add(cutting->buffer, vertices, sizeof vertices, err);
 }
 
-static void set_place(const struct hatch_near_frame *frame, const double world[3], struct hatch_pair at[3])
+/* Converts world coordinates to camera coordinates. */
+static void set_position(const struct hatch_near_frame *frame, const double world[3], struct hatch_pair at[3])
 {
     const struct hatch_view *view = frame->view;
     const double *axes[3] = {view->right, view->up, view->back};
     struct hatch_pair from[3];
     for (int k = 0; k < 3; k++) {
-        const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-        from[k] = hatch_pair_sub(hatch_view_unit(&frame->scene->bounds, k, world[k]), eye);
+        const struct hatch_pair eye = {view->eye[k], view->eye_low[k]};
+        from[k] = hatch_pair_sub(hatch_view_to_unit(&frame->scene->bounds, k, world[k]), eye);
     }
     for (int row = 0; row < 3; row++)
         at[row] = hatch_pair_dot(from, axes[row]);
 }
 
-/* hatch_texcoord of the shader vertex.glsl, in pairs. */
+/* Computes hatch_texcoord of the shader vertex.glsl, in double-double precision. */
 static void set_uv(const double turn[2], const float texcoord[2], const float repeat[2], struct hatch_pair uv[2])
 {
     double tiles[2];
@@ -61,7 +62,8 @@ static void set_uv(const double turn[2], const float texcoord[2], const float re
     uv[1] = hatch_pair_add(hatch_pair_product(turn[1], tiles[0]), hatch_pair_product(turn[0], tiles[1]));
 }
 
-static struct hatch_piece_view picture_of(const struct hatch_near_frame *frame)
+/* Returns the region that the tile shows, with a margin. */
+static struct hatch_piece_view visible_region(const struct hatch_near_frame *frame)
 {
     const struct hatch_view *view = frame->view;
     const struct hatch_tile *tile = frame->options->tile;
@@ -83,13 +85,13 @@ enum hatch_status hatch_near_cut_faces(const struct hatch_near_frame *frame, con
     static const float none[2] = {0, 0};
     const struct hatch_item *item = target->item;
     struct cutting cutting = {.buffer = buffer};
-    const struct hatch_piece_view picture = picture_of(frame);
+    const struct hatch_piece_view picture = visible_region(frame);
     const float *texcoord = hatch_mesh_find(frame->scene->meshes[item->mesh].mesh, "TEXCOORD_0", 2);
     for (uint32_t i = 0; i < choice->piece_count; i++) {
         struct hatch_piece_corner corner[3];
         for (size_t k = 0; k < 3; k++) {
             size_t vertex = cutting.corner[k] = hatch_near_corner(&target->faces, choice->piece_faces[i], k);
-            set_place(frame, target->shape->positions + 3 * vertex, corner[k].at);
+            set_position(frame, target->shape->positions + 3 * vertex, corner[k].at);
             set_uv(frame->options->turn, texcoord ? texcoord + 2 * vertex : none,
                    item->repeats ? item->repeats + 2 * vertex : item->repeat, corner[k].uv);
             for (size_t j = 0; j < 3; j++)

@@ -1,4 +1,4 @@
-/* Which faces are near. */
+/* Finds near faces. */
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "near/pieces.h"
 #include "near/parts.h"
 
-/* From the eye; for an orthographic view from the axis of the picture. */
+/* Computes the vector from the eye to a point, for an orthographic view from the view axis. */
 static void from_eye(const struct hatch_near_frame *frame, const double point[3], double out[3])
 {
     double from[3];
@@ -23,12 +23,13 @@ static void from_eye(const struct hatch_near_frame *frame, const double point[3]
     out[2] = 0;
 }
 
-/* How much farther than usual an item's texture coordinates reach. */
+/* Returns the distance within which an item's faces are near. It grows with the item's texture coordinates, whose
+ * rounding errors are then visible from farther away. */
 static double reach_of(const struct hatch_near_frame *frame, const struct hatch_item *item)
 {
     const struct hatch_unit_scene *scene = frame->scene;
     double scale = 1 / scene->bounds.radius;
-    if (!item->shaped) {
+    if (!item->deformed) {
         scale = 0;
         for (int c = 0; c < 3; c++)
             for (int r = 0; r < 3; r++)
@@ -38,14 +39,14 @@ static double reach_of(const struct hatch_near_frame *frame, const struct hatch_
     double reach = frame->reach * fmax(1, 0.5 * item->uv_reach * scale);
     if (!frame->view->orthographic)
         return reach;
-    return reach > 1 ? frame->half : 0;
+    return reach > 1 ? frame->half_diagonal : 0;
 }
 
-static bool ball_touches(const struct hatch_near_frame *frame, const struct hatch_near_ball *ball, double reach)
+static bool sphere_touches(const struct hatch_near_frame *frame, const struct hatch_near_sphere *sphere, double reach)
 {
     double at[3];
-    from_eye(frame, ball->center, at);
-    return hatch_vec_length(at) - ball->radius < reach;
+    from_eye(frame, sphere->center, at);
+    return hatch_vec_length(at) - sphere->radius < reach;
 }
 
 int hatch_near_lists(const struct hatch_near_frame *frame, uint32_t item,
@@ -67,31 +68,31 @@ static void corner_in_unit(const struct hatch_unit_scene *scene, const struct ha
     hatch_bounds_to_unit(&scene->bounds, shape->positions + 3 * (size_t)vertex, point);
 }
 
-static struct hatch_near_ball ball_around(const double low[3], const double high[3])
+static struct hatch_near_sphere sphere_around(const double low[3], const double high[3])
 {
-    struct hatch_near_ball ball;
+    struct hatch_near_sphere sphere;
     double half[3];
     for (int k = 0; k < 3; k++) {
-        ball.center[k] = 0.5 * low[k] + 0.5 * high[k];
+        sphere.center[k] = 0.5 * low[k] + 0.5 * high[k];
         half[k] = 0.5 * high[k] - 0.5 * low[k];
     }
-    ball.radius = hatch_vec_length(half);
-    return ball;
+    sphere.radius = hatch_vec_length(half);
+    return sphere;
 }
 
 bool hatch_near_touches(const struct hatch_near_frame *frame, const struct hatch_item *item)
 {
-    const struct hatch_near_ball ball = ball_around(item->low, item->high);
+    const struct hatch_near_sphere sphere = sphere_around(item->low, item->high);
     double reach = reach_of(frame, item), square = 0;
     for (int k = 0; k < 3 && !frame->view->orthographic; k++) {
         double eye = frame->view->eye[k], out = fmax(fmax(item->low[k] - eye, eye - item->high[k]), 0);
         square += out * out;
     }
-    return sqrt(square) < reach && ball_touches(frame, &ball, reach);
+    return sqrt(square) < reach && sphere_touches(frame, &sphere, reach);
 }
 
 static void set_block(const struct hatch_unit_scene *scene, const struct hatch_near_shape *shape,
-                      const struct hatch_near_faces *faces, size_t first, struct hatch_near_ball *ball)
+                      const struct hatch_near_faces *faces, size_t first, struct hatch_near_sphere *sphere)
 {
     struct hatch_box box = {.any = false};
     for (size_t i = 0; i < 3 * HATCH_NEAR_BLOCK && first + i / 3 < faces->count; i++) {
@@ -99,7 +100,7 @@ static void set_block(const struct hatch_unit_scene *scene, const struct hatch_n
         corner_in_unit(scene, shape, hatch_near_corner(faces, first + i / 3, i % 3), at);
         hatch_box_add(&box, at);
     }
-    *ball = ball_around(box.low, box.high);
+    *sphere = sphere_around(box.low, box.high);
 }
 
 enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t item, struct hatch_err *err)
@@ -109,7 +110,7 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
     struct hatch_near_shape made = frame->near->shapes[item];
     struct hatch_near_target lists[HATCH_NEAR_LISTS];
     struct hatch_arena *posed = &frame->near->posed;
-    struct hatch_pose pose = scene->pose; /* its scratch arrays are written, nothing else */
+    struct hatch_pose pose = scene->pose; /* hatch_pose_vertices writes to its scratch arrays only */
     if (made.positions)
         return HATCH_OK;
     made.positions = HATCH_NEW(posed, double, 3 * (size_t)scene->meshes[from->mesh].mesh->vertex_count, err);
@@ -120,7 +121,7 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
     for (int list = 0; list < list_count; list++) {
         const struct hatch_near_faces *faces = &lists[list].faces;
         size_t blocks = (faces->count + (size_t)HATCH_NEAR_BLOCK - 1) / HATCH_NEAR_BLOCK;
-        made.blocks[list] = HATCH_NEW(posed, struct hatch_near_ball, blocks, err);
+        made.blocks[list] = HATCH_NEW(posed, struct hatch_near_sphere, blocks, err);
         if (!made.blocks[list])
             return HATCH_LIMIT;
         for (size_t block = 0; block < blocks; block++)
@@ -130,6 +131,7 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
     return HATCH_OK;
 }
 
+/* Welds the vertices of an item. */
 static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept,
                                      struct hatch_near_shape *shape, struct hatch_err *err)
 {
@@ -142,6 +144,7 @@ static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch
     return HATCH_OK;
 }
 
+/* Returns whether a face is near, and updates frame->nearest. */
 static bool face_is_near(struct hatch_near_frame *frame, const struct hatch_near_shape *shape,
                          const struct hatch_near_faces *faces, size_t face, double reach)
 {
@@ -155,6 +158,7 @@ static bool face_is_near(struct hatch_near_frame *frame, const struct hatch_near
     return distance < reach;
 }
 
+/* Marks the points of a near face, and extends the box of marked points. */
 static void mark_face(const struct hatch_near_frame *frame, const struct hatch_near_shape *shape,
                       const struct hatch_near_faces *faces, size_t face, struct hatch_box *marked)
 {
@@ -167,14 +171,14 @@ static void mark_face(const struct hatch_near_frame *frame, const struct hatch_n
     }
 }
 
-static bool ball_meets(const struct hatch_near_ball *ball, const struct hatch_box *marked)
+static bool sphere_meets(const struct hatch_near_sphere *sphere, const struct hatch_box *marked)
 {
     double square = 0;
     for (int k = 0; k < 3; k++) {
-        double out = fmax(fmax(marked->low[k] - ball->center[k], ball->center[k] - marked->high[k]), 0);
+        double out = fmax(fmax(marked->low[k] - sphere->center[k], sphere->center[k] - marked->high[k]), 0);
         square += out * out;
     }
-    return marked->any && sqrt(square) <= ball->radius + 1e-6;
+    return marked->any && sqrt(square) <= sphere->radius + 1e-6;
 }
 
 static uint32_t block_end(const struct hatch_near_faces *faces, uint32_t begin)
@@ -182,14 +186,14 @@ static uint32_t block_end(const struct hatch_near_faces *faces, uint32_t begin)
     return faces->count - begin < HATCH_NEAR_BLOCK ? faces->count : begin + HATCH_NEAR_BLOCK;
 }
 
-/* Near faces, and those that share a point with one. */
+/* Chooses near faces and those that share a point with one. */
 static void choose_ring(const struct hatch_near_frame *frame, const struct hatch_near_target *target,
                         const struct hatch_box *marked, struct hatch_near_choice *choice)
 {
     const struct hatch_near_shape *shape = target->shape;
     const struct hatch_near_faces *faces = &target->faces;
     for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
-        if (!ball_meets(&shape->blocks[target->list][begin / HATCH_NEAR_BLOCK], marked))
+        if (!sphere_meets(&shape->blocks[target->list][begin / HATCH_NEAR_BLOCK], marked))
             continue;
         for (uint32_t face = begin; face < block_end(faces, begin); face++) {
             bool touches = false;
@@ -201,14 +205,15 @@ static void choose_ring(const struct hatch_near_frame *frame, const struct hatch
     }
 }
 
-/* Room for all the faces of the blocks that are within reach, or meet a box where there is one. */
+/* Allocates room for all faces of the blocks within reach.
+ *   box  NULL, or: for all faces of the blocks that meet it instead */
 static enum hatch_status make_room(const struct hatch_near_frame *frame, const struct hatch_near_target *target,
                                    double reach, const struct hatch_box *box, uint32_t **faces, struct hatch_err *err)
 {
-    const struct hatch_near_ball *blocks = target->shape->blocks[target->list];
+    const struct hatch_near_sphere *blocks = target->shape->blocks[target->list];
     size_t count = 0;
     for (uint32_t i = 0; i < (target->faces.count + HATCH_NEAR_BLOCK - 1) / HATCH_NEAR_BLOCK; i++)
-        count += box ? ball_meets(&blocks[i], box) : ball_touches(frame, &blocks[i], reach);
+        count += box ? sphere_meets(&blocks[i], box) : sphere_touches(frame, &blocks[i], reach);
     *faces = HATCH_NEW(&frame->near->frame, uint32_t, HATCH_NEAR_BLOCK * count, err);
     return *faces ? HATCH_OK : HATCH_LIMIT;
 }
@@ -223,7 +228,7 @@ enum hatch_status hatch_near_choose(struct hatch_near_frame *frame, const struct
     *choice = (struct hatch_near_choice){.near_count = 0};
     HATCH_TRY(make_room(frame, target, reach, NULL, &choice->near_faces, err));
     for (uint32_t begin = 0; begin < faces->count; begin = block_end(faces, begin)) {
-        if (!ball_touches(frame, &shape->blocks[target->list][begin / HATCH_NEAR_BLOCK], reach))
+        if (!sphere_touches(frame, &shape->blocks[target->list][begin / HATCH_NEAR_BLOCK], reach))
             continue;
         for (uint32_t face = begin; face < block_end(faces, begin); face++)
             if (face_is_near(frame, shape, faces, face, reach))

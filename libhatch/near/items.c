@@ -4,9 +4,9 @@
 
 #include "near/parts.h"
 
-#define NEAREST 0x1p-60 /* the near plane of an eye on the surface */
+#define NEAREST 0x1p-60 /* least distance of the near plane: for an eye on the surface */
 
-/* Half of the picture's diagonal and a little more, orthographic. */
+/* Returns half the picture's diagonal and a margin, for an orthographic view. */
 static double half_diagonal(const struct hatch_view *view)
 {
     return 1.1 * view->half_height * hypot(1, view->aspect);
@@ -21,11 +21,11 @@ static struct hatch_near_frame frame_of(struct hatch_near *near, const struct ha
                                      .options = options,
                                      .view = view,
                                      .reach = view->orthographic ? reach : fmax(reach, 8 * HATCH_VIEW_NEAR),
-                                     .half = half_diagonal(view),
+                                     .half_diagonal = half_diagonal(view),
                                      .nearest = INFINITY};
 }
 
-/* The ranges between the faces that are left out. */
+/* Sets the ranges of the index buffer between near faces. */
 static enum hatch_status set_ranges(const struct hatch_near_faces *faces, const struct hatch_near_choice *choice,
                                     struct hatch_arena *arena, struct hatch_near_cut *cut, struct hatch_err *err)
 {
@@ -65,7 +65,8 @@ static enum hatch_status cut_item(struct hatch_near_frame *frame, uint32_t item,
     return HATCH_OK;
 }
 
-/* Finds each item's near faces. choices: HATCH_NEAR_LISTS an item. */
+/* Finds the near faces of each item.
+ *   choices  out: HATCH_NEAR_LISTS per item */
 static enum hatch_status choose(struct hatch_near_frame *frame, struct hatch_near_choice *choices,
                                 struct hatch_err *err)
 {
@@ -98,7 +99,8 @@ static enum hatch_status cut_all(struct hatch_near_frame *frame, const struct ha
     return status;
 }
 
-static void forget_pose(struct hatch_near *near, const struct hatch_unit_scene *scene)
+/* Drops data of the previous pose where the pose has changed. */
+static void drop_old_pose(struct hatch_near *near, const struct hatch_unit_scene *scene)
 {
     if (near->pose_number == scene->pose_number)
         return;
@@ -125,7 +127,7 @@ static void begin_frame(struct hatch_near *near, const struct hatch_unit_scene *
         near->is_open = true;
     }
     near->frame_number++;
-    forget_pose(near, scene);
+    drop_old_pose(near, scene);
     hatch_arena_free(&near->frame);
 }
 

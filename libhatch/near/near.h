@@ -1,67 +1,69 @@
-/* Faces so near the eye that floats cannot place them: they are cut into pieces, in pairs of doubles, of which floats
- * carry the remainder (near/pieces.h). A ring of faces around them is drawn both ways, so that no gap opens between the
- * two ways of rounding. */
+/* Faces so near the eye that floats cannot resolve their position. They are cut into pieces in double-double
+ * arithmetic, and the vertices of a piece are floats relative to the piece (near/pieces.h). The faces around the near
+ * ones are drawn both from the index buffer and as pieces, so that different rounding opens no gap. */
 #ifndef HATCH_NEAR_NEAR_H
 #define HATCH_NEAR_NEAR_H
 
 #include "scene/unit_scene.h"
 #include "view/view.h"
 
-#define HATCH_NEAR_PIXELS 0.02 /* largest error of floats that is accepted, in pixels of the picture */
+#define HATCH_NEAR_PIXELS 0.02 /* largest accepted error of float positions, in pixels */
 
-/* A corner of a piece, as a vertex stage reads it. */
+/* A vertex of a piece, as a vertex shader reads it. */
 struct hatch_near_vertex {
-    float place[3];        /* in the camera's coordinates */
-    float uv[2];           /* from the piece's origin */
-    float weight[3];       /* barycentric coordinates in the face */
-    uint32_t corner[3];    /* vertices of the face */
-    uint32_t origin[2][4]; /* of u and of v: hatch_piece_fixed */
+    float position[3];     /* camera coordinates: right, up, back */
+    float uv[2];           /* relative to origin */
+    float weight[3];       /* barycentric coordinates in the face; their sum is 1 */
+    uint32_t corner[3];    /* the face's vertices */
+    uint32_t origin[2][4]; /* texture coordinates of the piece's first corner, u and v, as fixed-point numbers of
+                              hatch_piece_fixed */
 };
 
-/* How a list of faces is drawn: ranges of its index buffer, and pieces. */
+/* How a list of faces is drawn: ranges of its index buffer, and pieces for the faces between the ranges. */
 struct hatch_near_cut {
-    bool is_cut;          /* else all faces are drawn from the index buffer */
-    uint32_t range_count; /* ranges of indices, in 32-bit words: */
-    int *counts;          /* indices of each */
-    const void **offsets; /* byte offset of each, as OpenGL takes it */
-    int first, count;     /* the pieces' corners, in vertices */
+    bool is_cut;          /* false: all faces are drawn from the index buffer; the other members are zero */
+    uint32_t range_count; /* of the index buffer */
+    int *counts;          /* per range: number of indices */
+    const void **offsets; /* per range: byte offset, as glMultiDrawElements expects it */
+    int first, count;     /* vertices of the pieces: range of hatch_near.vertices */
 };
 
 struct hatch_near_item {
-    struct hatch_near_cut surface, patches; /* patches: of lapped meshes */
+    struct hatch_near_cut surface, patches; /* patches: of lapped textures only */
 };
 
 struct hatch_near_shape;
 
-/* Zeroed to begin with; hatch_near_free releases it. */
+/* Data kept between frames. Starts zeroed; hatch_near_free releases it. */
 struct hatch_near {
-    bool is_open;
-    struct hatch_arena kept, posed, frame; /* for the scene, for a pose, for a frame */
-    uint32_t pose_number, frame_number;
-    struct hatch_near_shape *shapes;    /* per item */
-    struct hatch_near_item *items;      /* per item, of this frame; NULL: no pieces */
-    struct hatch_near_vertex *vertices; /* of this frame's pieces */
+    bool is_open;                          /* the arenas are initialized */
+    struct hatch_arena kept, posed, frame; /* lifetimes: until hatch_near_free, a pose, a frame */
+    uint32_t pose_number, frame_number;    /* of the last call; pose_number as in struct hatch_unit_scene */
+    struct hatch_near_shape *shapes;       /* per item */
+    struct hatch_near_item *items;         /* per item, of the last frame; NULL: no pieces */
+    struct hatch_near_vertex *vertices;    /* of the pieces of the last frame */
     size_t vertex_count;
-    double plane; /* distance of the last frame's near plane */
+    double plane; /* distance of the near plane in the last frame */
 };
 
 struct hatch_near_options {
-    bool pieces;                   /* else only the near plane is looked for */
-    double turn[2];                /* cosine and sine that turn and scale texture coordinates */
+    bool pieces;                   /* false: only the near plane is set */
+    double turn[2];                /* cosine and sine of the rotation of texture coordinates, times their scale */
     const struct hatch_tile *tile; /* part of the picture that is drawn */
-    uint64_t max_memory;           /* bytes, of each arena */
+    uint64_t max_memory;           /* limit of each arena, bytes */
 };
 
-/* Finds the near faces of a posed scene and cuts them into pieces; moves the view's near plane, where that is
- * automatic, before the nearest face. HATCH_LIMIT when memory does not suffice. */
+/* Finds the near faces of a posed scene and cuts them into pieces. Where the view's near plane is automatic, it is
+ * moved in front of the nearest face. The scene must be the same in all calls. */
 enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_unit_scene *scene,
                                   const struct hatch_near_options *options, struct hatch_view *view,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* The item's cuts in this frame, or NULL: all its faces are drawn from the index buffer. */
+/* Returns how an item is drawn in the last frame; NULL: all its faces from the index buffer.
+ *   item  index into the scene's items */
 const struct hatch_near_item *hatch_near_item_at(const struct hatch_near *near, uint32_t item);
 
-/* Leaves *near zeroed. */
+/* Releases all memory and zeroes *near. */
 void hatch_near_free(struct hatch_near *near);
 
 #endif

@@ -5,16 +5,16 @@
 
 #include "math/vector.h"
 
-#define LEVELS 250 /* more than doubles have halvings between the sizes of scenes and of their views */
+#define DEPTH_MAX 250 /* of the recursion; more halvings than between the size of any scene and of any view of it */
 
 struct cutting {
     const struct hatch_piece_view *view;
-    double least; /* distance that counts at least */
+    double least_distance; /* smaller distances of edges are raised to this */
     hatch_piece_visit visit;
     void *context;
 };
 
-/* The point of a segment that is nearest to 0, in the first `axes` axes. */
+/* Returns the distance of a segment from 0, in the first `axes` coordinates. */
 static double segment_distance(const double a[3], const double b[3], int axes)
 {
     double along = 0, square = 0, sum = 0;
@@ -30,6 +30,7 @@ static double segment_distance(const double a[3], const double b[3], int axes)
     return sqrt(sum);
 }
 
+/* Rounds the position of a corner to doubles. */
 static void rounded(const struct hatch_piece_corner *corner, double at[3])
 {
     for (int k = 0; k < 3; k++)
@@ -44,7 +45,7 @@ static bool comes_first(const double a[3], const double b[3])
     return true;
 }
 
-/* The same whichever end is called a: both faces at an edge decide alike. */
+/* Returns whether an edge is to be cut. Independent of the order of its ends, so that both faces at it agree. */
 static bool is_long(const struct cutting *c, const struct hatch_piece_corner *a, const struct hatch_piece_corner *b)
 {
     double p[2][3];
@@ -52,10 +53,10 @@ static bool is_long(const struct cutting *c, const struct hatch_piece_corner *a,
     rounded(b, p[1]);
     int first = comes_first(p[0], p[1]) ? 0 : 1;
     double distance = segment_distance(p[first], p[1 - first], c->view->orthographic ? 2 : 3);
-    return hatch_vec_distance(p[first], p[1 - first]) > c->view->ratio * fmax(distance, c->least);
+    return hatch_vec_distance(p[first], p[1 - first]) > c->view->ratio * fmax(distance, c->least_distance);
 }
 
-/* All three corners beyond one side of what the picture shows. */
+/* Returns whether all three corners are outside one side of the visible region. */
 static bool is_outside(const struct cutting *c, const struct hatch_piece_corner *const corner[3])
 {
     const struct hatch_piece_view *view = c->view;
@@ -112,10 +113,11 @@ static int longest_edge(const piece p)
     return longest;
 }
 
-/* The pieces that a triangle falls into: p its corners, m the middles of the edges from each corner to
- * the next, NULL where the edge stays whole; at least one is not. Where all are cut, both halves at the
- * longest edge's middle are halved again (Rivara 1984): between equals, flat triangles would stay flat, and
- * twice as many lie over one another with each step. Returns how many. */
+/* Lists the pieces of a triangle and returns their number. Where all edges are cut, the triangle is bisected at its
+ * longest edge, and both halves at their other cut edge (Rivara 1984): four similar triangles would keep the shape of a
+ * thin triangle, whose pieces then double in number with each step.
+ *   p  corners
+ *   m  midpoints of the edges from each corner to the next, NULL for an uncut edge; at least one is not NULL */
 static int list_pieces(const piece p, const piece m, piece out[4])
 {
     int cut = !!m[0] + !!m[1] + !!m[2], k = cut == 3 ? longest_edge(p) : 0;
@@ -134,21 +136,21 @@ static int list_pieces(const piece p, const piece m, piece out[4])
         put(&out[3], m[k], p[next], m[next]);
         return 4;
     }
-    bool straight = corner_distance(p[k], m[next]) <= corner_distance(p[next], m[last]);
+    bool first_shorter = corner_distance(p[k], m[next]) <= corner_distance(p[next], m[last]);
     put(&out[0], p[last], m[last], m[next]);
-    put(&out[1], p[k], p[next], straight ? m[next] : m[last]);
-    put(&out[2], straight ? p[k] : p[next], m[next], m[last]);
+    put(&out[1], p[k], p[next], first_shorter ? m[next] : m[last]);
+    put(&out[2], first_shorter ? p[k] : p[next], m[next], m[last]);
     return 3;
 }
 
-static enum hatch_status cut(const struct cutting *c, const piece corner, int level, struct hatch_err *err)
+static enum hatch_status cut(const struct cutting *c, const piece corner, int depth_left, struct hatch_err *err)
 {
     struct hatch_piece_corner middle[3];
     piece middles = {NULL, NULL, NULL}, pieces[4];
     bool whole = true;
     if (is_outside(c, corner))
         return HATCH_OK;
-    for (int k = 0; k < 3 && level > 0; k++) {
+    for (int k = 0; k < 3 && depth_left > 0; k++) {
         const struct hatch_piece_corner *next = corner[(k + 1) % 3];
         if (!is_long(c, corner[k], next))
             continue;
@@ -160,18 +162,19 @@ static enum hatch_status cut(const struct cutting *c, const piece corner, int le
         return c->visit(c->context, corner, err);
     int count = list_pieces(corner, middles, pieces);
     for (int i = 0; i < count; i++)
-        HATCH_TRY(cut(c, pieces[i], level - 1, err));
+        HATCH_TRY(cut(c, pieces[i], depth_left - 1, err));
     return HATCH_OK;
 }
 
 enum hatch_status hatch_pieces_cut(const struct hatch_piece_corner face[3], const struct hatch_piece_view *view,
                                    hatch_piece_visit visit, void *context, struct hatch_err *err)
 {
-    struct cutting c = {.view = view, .least = view->near, .visit = visit, .context = context};
+    struct cutting c = {.view = view, .least_distance = view->near, .visit = visit, .context = context};
     if (view->orthographic)
-        c.least = fmax(fmax(fabs(view->low[0]), fabs(view->high[0])), fmax(fabs(view->low[1]), fabs(view->high[1])));
+        c.least_distance =
+            fmax(fmax(fabs(view->low[0]), fabs(view->high[0])), fmax(fabs(view->low[1]), fabs(view->high[1])));
     const piece corner = {&face[0], &face[1], &face[2]};
-    return cut(&c, corner, LEVELS, err);
+    return cut(&c, corner, DEPTH_MAX, err);
 }
 
 double hatch_piece_distance(const double corner[3][3])

@@ -5,10 +5,10 @@
 
 struct flat {
     const struct hatch_scene *scene;
-    const float *world;
+    const float *world; /* matrices of the nodes */
     struct hatch_mesh mesh;
-    float *normals, *texcoords; /* NULL: left out */
-    uint32_t vertex, face;
+    float *normals, *texcoords; /* NULL: omitted */
+    uint32_t vertex, face;      /* numbers added so far */
 };
 
 static void transform(const float *matrix, const float *p, float *out)
@@ -21,8 +21,8 @@ static void transform(const float *matrix, const float *p, float *out)
     }
 }
 
-/* The cofactors of the matrix: they turn normals (the inverse transposed, but for its scale), and with
- * the sign of the determinant they do so for mirrors too. */
+/* Computes the cofactors of a matrix, which transform normals (the transposed inverse up to a factor); times the sign
+ * of the determinant also for mirroring matrices. Returns the determinant. */
 static double cofactors(const float *matrix, double out[3][3])
 {
     double column[3][3];
@@ -67,7 +67,7 @@ static void add_mesh(struct flat *f, const struct hatch_mesh *mesh, const float 
 
 struct totals {
     uint64_t vertices, faces;
-    bool normals, texcoords; /* all have them */
+    bool normals, texcoords; /* all meshes have them */
 };
 
 static struct totals count(const struct hatch_scene *scene)
@@ -86,7 +86,7 @@ static struct totals count(const struct hatch_scene *scene)
 
 static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena, struct hatch_err *err)
 {
-    static const float still[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     HATCH_TRY(hatch_mesh_make(arena, (uint32_t)total.vertices, (uint32_t)total.faces, &f->mesh, err));
     if (total.normals)
         HATCH_TRY(hatch_mesh_add(arena, &f->mesh, "NORMAL", 3, &f->normals, err));
@@ -96,7 +96,7 @@ static enum hatch_status flatten(struct flat *f, struct totals total, struct hat
         const struct hatch_node *node = &f->scene->nodes[n];
         for (uint32_t m = 0; m < node->mesh_count; m++)
             add_mesh(f, &f->scene->meshes[node->first_mesh + m].mesh,
-                     node->skin == HATCH_NONE ? &f->world[(size_t)n * 16] : still);
+                     node->skin == HATCH_NONE ? &f->world[(size_t)n * 16] : identity);
     }
     return hatch_mesh_check(&f->mesh, err);
 }
@@ -108,7 +108,9 @@ enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct ha
     if (total.faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "the scene has no faces");
     if (total.faces > UINT32_MAX / 3 - 1 || total.vertices > UINT32_MAX - 1)
-        return hatch_fail(err, HATCH_LIMIT, "the scene's instances have %llu faces", (unsigned long long)total.faces);
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the meshes of all nodes have %llu faces and %llu vertices, too many for one mesh",
+                          (unsigned long long)total.faces, (unsigned long long)total.vertices);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *world = HATCH_NEW(scratch, float, (size_t)scene->node_count * 16, err);
     if (!world)

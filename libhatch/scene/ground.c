@@ -5,9 +5,9 @@
 #include "shapes/shapes.h"
 #include "scene/row.h"
 
-#define FACES 2048u /* light at vertices needs some */
+#define FACES 2048u /* enough for lighting per vertex */
 
-/* The plane of shapes faces z: it is laid down, and its front becomes its top. */
+/* Turns the plane shape, which faces +z, to face +y, and places it below the scene. */
 static void lay_down(struct hatch_mesh *mesh, const struct hatch_bounds *bounds, double half)
 {
     float *position = hatch_mesh_find(mesh, "POSITION", 3), *normal = hatch_mesh_find(mesh, "NORMAL", 3);

@@ -14,7 +14,7 @@ static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_m
            hatch_mesh_find(&mesh->mesh, "TEXCOORD_1", 2) && hatch_mesh_find(&mesh->mesh, "NORMAL", 3);
 }
 
-/* Patches of one mesh have the same attributes in the same order. */
+/* Returns whether two meshes can be joined: same material, same attributes in the same order. */
 static bool are_alike(const struct hatch_scene_mesh *a, const struct hatch_scene_mesh *b)
 {
     bool alike = a->material == b->material && a->mesh.attribute_count == b->mesh.attribute_count;
@@ -24,7 +24,7 @@ static bool are_alike(const struct hatch_scene_mesh *a, const struct hatch_scene
     return alike;
 }
 
-/* Puts the patches' vertices and faces one after another. */
+/* Concatenates the vertices of the patches, and allocates their faces. */
 static enum hatch_status concatenate(const struct hatch_scene_mesh *from, uint32_t count, struct hatch_arena *arena,
                                      struct hatch_patch_mesh *patches, struct hatch_mesh *joined, struct hatch_err *err)
 {
@@ -55,19 +55,19 @@ static enum hatch_status concatenate(const struct hatch_scene_mesh *from, uint32
     return HATCH_OK;
 }
 
-/* Where joining stands: faces of patches, and the surface's faces that they lie on. */
+/* State of joining the patches of a surface. */
 struct joining {
     const struct hatch_scene_mesh *from;
     struct hatch_patch_mesh *patches;
     struct hatch_mesh *joined;
-    struct hatch_remap weld;
-    struct hatch_keys pairs, faces; /* of a face's first two points; of both with the third */
-    uint32_t *layer_of;             /* of each surface face: one more than its highest layer */
-    uint32_t *layer;                /* of each patch */
+    struct hatch_remap weld;        /* of the joined vertices: points of the surface */
+    struct hatch_keys pairs, faces; /* numbers of pairs of a face's first two points; of a pair and the third point */
+    uint32_t *layer_of;             /* per surface face: 1 + highest layer that covers it */
+    uint32_t *layer;                /* per patch */
 };
 
-/* The face's corners in the joined mesh, the one at the lowest number first: depths that are to be equal
- * must be interpolated alike. */
+/* Returns a face's corners in the joined mesh, the one with the lowest point first: faces on the same points are then
+ * interpolated alike, and have equal depths. */
 static void corners_of(const struct joining *joining, uint32_t patch, uint32_t face, uint32_t corner[3])
 {
     const uint32_t *index = &joining->from[patch].mesh.indices[3 * (size_t)face];
@@ -80,27 +80,27 @@ static void corners_of(const struct joining *joining, uint32_t patch, uint32_t f
         corner[c] = base + index[(least + c) % 3];
 }
 
-/* Numbers the surface's faces as they appear, and finds the lowest layer for each patch that is over
- * all patches that it overlaps. */
+/* Numbers the surface's faces in order of appearance, and assigns each patch the lowest layer above all earlier patches
+ * that it overlaps. */
 static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *surface, struct hatch_err *err)
 {
     for (uint32_t patch = 0; patch < joining->patches->patch_count; patch++) {
         uint32_t count = joining->from[patch].mesh.face_count, layer = 0;
-        uint32_t *on = joining->joined->indices; /* the room is not used yet */
+        uint32_t *surface_face = joining->joined->indices; /* scratch: order_faces fills the indices later */
         for (uint32_t f = 0; f < count; f++) {
             uint32_t corner[3], point[3], pair, before = joining->faces.count;
             corners_of(joining, patch, f, corner);
             for (int c = 0; c < 3; c++)
                 point[c] = joining->weld.number[corner[c]];
             HATCH_TRY(hatch_keys_number(&joining->pairs, (uint64_t)point[0] << 32 | point[1], &pair, err));
-            HATCH_TRY(hatch_keys_number(&joining->faces, (uint64_t)pair << 32 | point[2], &on[f], err));
+            HATCH_TRY(hatch_keys_number(&joining->faces, (uint64_t)pair << 32 | point[2], &surface_face[f], err));
             if (joining->faces.count > before)
                 memcpy(&surface->indices[3 * (size_t)before], point, sizeof point);
-            if (joining->layer_of[on[f]] > layer)
-                layer = joining->layer_of[on[f]];
+            if (joining->layer_of[surface_face[f]] > layer)
+                layer = joining->layer_of[surface_face[f]];
         }
         for (uint32_t f = 0; f < count; f++)
-            joining->layer_of[on[f]] = layer + 1;
+            joining->layer_of[surface_face[f]] = layer + 1;
         joining->layer[patch] = layer;
         if (layer >= joining->patches->layer_count)
             joining->patches->layer_count = layer + 1;
@@ -109,7 +109,7 @@ static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *
     return HATCH_OK;
 }
 
-/* The joined mesh's faces, layer by layer. */
+/* Writes the faces of the joined mesh, layer by layer (a counting sort). */
 static enum hatch_status order_faces(struct joining *joining, struct hatch_arena *arena, struct hatch_err *err)
 {
     struct hatch_patch_mesh *patches = joining->patches;
@@ -151,7 +151,8 @@ static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t coun
     return order_faces(&joining, arena, err);
 }
 
-/* How many meshes from `first` on are patches of one surface; 1 for an ordinary mesh. */
+/* Returns the number of meshes from `first` on that are patches of one surface; 1 for an ordinary mesh.
+ *   begins  per mesh, and past the last: not 0: the first mesh of a node, or the one after its last */
 static uint32_t run_length(const struct hatch_scene *scene, const uint8_t *begins, uint32_t first)
 {
     uint32_t end = first + 1;
@@ -161,14 +162,16 @@ static uint32_t run_length(const struct hatch_scene *scene, const uint8_t *begin
     return end - first;
 }
 
-static void number_nodes(struct hatch_scene *scene, const uint32_t *now)
+/* Adjusts the mesh ranges of the nodes.
+ *   new_index  per old mesh */
+static void renumber_nodes(struct hatch_scene *scene, const uint32_t *new_index)
 {
     for (uint32_t i = 0; i < scene->node_count; i++) {
         struct hatch_node *node = &scene->nodes[i];
         if (!node->mesh_count)
             continue;
-        uint32_t last = now[node->first_mesh + node->mesh_count - 1];
-        node->first_mesh = now[node->first_mesh];
+        uint32_t last = new_index[node->first_mesh + node->mesh_count - 1];
+        node->first_mesh = new_index[node->first_mesh];
         node->mesh_count = last - node->first_mesh + 1;
     }
 }
@@ -176,8 +179,8 @@ static void number_nodes(struct hatch_scene *scene, const uint32_t *now)
 static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct hatch_patch_mesh *patches, struct hatch_err *err)
 {
-    uint32_t *now = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);
-    uint8_t *begins = now ? HATCH_NEW(scratch, uint8_t, scene->mesh_count + (size_t)1, err) : NULL;
+    uint32_t *new_index = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);
+    uint8_t *begins = new_index ? HATCH_NEW(scratch, uint8_t, scene->mesh_count + (size_t)1, err) : NULL;
     struct hatch_scene_mesh *meshes = begins ? HATCH_NEW(arena, struct hatch_scene_mesh, scene->mesh_count, err) : NULL;
     if (!meshes)
         return HATCH_LIMIT;
@@ -192,7 +195,7 @@ static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena 
         count = run_length(scene, begins, first);
         meshes[made] = *from;
         for (uint32_t i = 0; i < count; i++) {
-            now[first + i] = made;
+            new_index[first + i] = made;
             if (from[i].joints_used > meshes[made].joints_used)
                 meshes[made].joints_used = from[i].joints_used;
         }
@@ -205,7 +208,7 @@ static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena 
     }
     scene->meshes = meshes;
     scene->mesh_count = made;
-    number_nodes(scene, now);
+    renumber_nodes(scene, new_index);
     return HATCH_OK;
 }
 

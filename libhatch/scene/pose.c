@@ -26,7 +26,7 @@ enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_
     return HATCH_OK;
 }
 
-void hatch_pose_at(struct hatch_pose *pose, uint32_t animation, double time_s)
+void hatch_pose_set(struct hatch_pose *pose, uint32_t animation, double time_s)
 {
     pose->animation = animation;
     pose->time_s = time_s;
@@ -54,6 +54,7 @@ bool hatch_pose_normal_matrix(const double m[16], double normal[9])
     return det < 0;
 }
 
+/* Computes the skinning matrix of a vertex, with weights normalized to a sum of 1. */
 static void blend_joints(const float *joints, const float *ids, const float *weights, uint32_t joint_count,
                          double matrix[16])
 {
@@ -68,7 +69,7 @@ static void blend_joints(const float *joints, const float *ids, const float *wei
         for (int i = 0; i < 16; i++)
             matrix[i] += weight * (double)joints[16 * (size_t)joint + (size_t)i];
     }
-    if (!(sum > 0) && joint_count > 0) /* weights that say nothing: the vertex goes with its first joint */
+    if (!(sum > 0) && joint_count > 0) /* no valid weight: the vertex follows its first joint */
         for (int i = 0; i < 16; i++)
             matrix[i] = (double)joints[16 * (size_t)(ids[0] < (float)joint_count ? ids[0] : 0) + (size_t)i];
     for (int i = 0; sum > 0 && i < 16; i++)
@@ -91,14 +92,15 @@ void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, 
     hatch_pose_mesh(pose, node, &pose->scene->meshes[mesh].mesh, positions, normals);
 }
 
-bool hatch_pose_shapes(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh)
+bool hatch_pose_deforms(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh)
 {
     bool skinned = scene->nodes[node].skin != HATCH_NONE && hatch_mesh_find(mesh, "JOINTS_0", 4) &&
                    hatch_mesh_find(mesh, "WEIGHTS_0", 4);
     return skinned || hatch_mesh_target_count(mesh) > 0;
 }
 
-/* A vertex's vector as the morph targets make it. moves: NULL where there are none. */
+/* Computes a position or normal of a vertex with morph targets applied.
+ *   moves  3 components per target; NULL: no targets */
 static void morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights, size_t vertex,
                   double out[3])
 {
@@ -159,7 +161,7 @@ enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct h
 {
     for (uint32_t moment = 0; moment < span->moments; moment++) {
         double share = moment ? (double)moment / (double)(span->moments - 1) : 0;
-        hatch_pose_at(pose, span->animation, span->begin_s + share * (span->end_s - span->begin_s));
+        hatch_pose_set(pose, span->animation, span->begin_s + share * (span->end_s - span->begin_s));
         for (uint32_t node = 0; node < pose->scene->node_count; node++) {
             const struct hatch_node *at = &pose->scene->nodes[node];
             if (at->backdrop)

@@ -2,12 +2,11 @@
 
 #include <string.h>
 
-#define GAP 0.2 /* between neighbours, in radii */
+#define GAP 0.2 /* between neighbours, in radii of the first scene */
 
-/* What the scenes before one hold: what is added to its indices. */
-static uint32_t shifted(uint32_t index, uint32_t by)
+static uint32_t shifted(uint32_t index, uint32_t offset)
 {
-    return index == HATCH_NONE ? HATCH_NONE : index + by;
+    return index == HATCH_NONE ? HATCH_NONE : index + offset;
 }
 
 static void append_nodes(const struct hatch_scene *from, uint32_t root, struct hatch_scene *to)
@@ -79,12 +78,12 @@ static enum hatch_status append_animations(const struct hatch_scene *from, uint3
 static enum hatch_status append(const struct hatch_scene *from, const struct hatch_node *root, struct hatch_scene *to,
                                 struct hatch_arena *arena, struct hatch_err *err)
 {
-    uint32_t place = to->node_count, first = place + 1;
+    uint32_t root_index = to->node_count, first = root_index + 1;
     to->nodes[to->node_count++] = *root;
-    append_nodes(from, place, to);
+    append_nodes(from, root_index, to);
     HATCH_TRY(append_skins(from, first, to, arena, err));
     HATCH_TRY(append_animations(from, first, to, arena, err));
-    /* Nothing points to what follows from here on but what has been shifted above. */
+    /* These contain no indices, and indices to them have been shifted above. */
     for (uint32_t i = 0; i < from->texture_count; i++)
         to->textures[to->texture_count++] = from->textures[i];
     for (uint32_t i = 0; i < from->camera_count; i++)
@@ -94,7 +93,7 @@ static enum hatch_status append(const struct hatch_scene *from, const struct hat
     return HATCH_OK;
 }
 
-/* Arrays for all. */
+/* Makes a scene without content, whose arrays have room for all scenes and a root node for each. */
 static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t count, struct hatch_arena *arena,
                                    struct hatch_scene *made, struct hatch_err *err)
 {

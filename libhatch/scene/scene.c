@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* While a pose is built, a node's place in world holds its local translation, rotation and scale; the
- * pass over the nodes then turns each into its matrix, parents first. No memory is needed. */
+/* Offsets in a node's 16 floats of `world` while a pose is computed: they hold its local translation, rotation and
+ * scale until a pass over the nodes, parents first, replaces them by the world matrix. No scratch memory is needed. */
 enum { LOCAL_TRANSLATION = 0, LOCAL_ROTATION = 3, LOCAL_SCALE = 7 };
 
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
@@ -73,8 +73,8 @@ static void normalize4(double q[4])
         q[i] /= length;
 }
 
-/* The shorter of the two ways from a to b, at constant angular speed; nearly equal rotations are mixed
- * in a straight line, where the angle's sine would divide by nothing. */
+/* Interpolates rotations along the shorter arc, at constant angular speed; nearly equal rotations linearly, because the
+ * sine of the angle is too small to divide by. */
 static void slerp(const float *a, const float *b, double t, double out[4])
 {
     double dot = 0;
@@ -91,7 +91,7 @@ static void slerp(const float *a, const float *b, double t, double out[4])
         out[i] = from * (double)a[i] + sign * to * (double)b[i];
 }
 
-/* The last key at or before time_s; at most key_count - 2, so that the next one exists. */
+/* Returns the last key at or before time_s, at most key_count - 2. */
 static uint32_t find_key(const struct hatch_animation_channel *channel, double time_s)
 {
     uint32_t low = 0, high = channel->key_count - 1;
@@ -105,7 +105,7 @@ static uint32_t find_key(const struct hatch_animation_channel *channel, double t
     return low;
 }
 
-/* Hermite interpolation (glTF 2.0, appendix C): in-tangent, value, out-tangent per key. */
+/* Interpolates with cubic Hermite splines (glTF 2.0, appendix C): in-tangent, value, out-tangent per key. */
 static void cubic(const float *key, const float *next, uint32_t n, double span_s, double t, double *out)
 {
     double t2 = t * t, t3 = t2 * t;
@@ -116,7 +116,7 @@ static void cubic(const float *key, const float *next, uint32_t n, double span_s
     }
 }
 
-static void between(const struct hatch_animation_channel *channel, uint32_t n, double time_s, double *out)
+static void interpolate(const struct hatch_animation_channel *channel, uint32_t n, double time_s, double *out)
 {
     uint32_t k = find_key(channel, time_s);
     double start = (double)channel->times_s[k], end = (double)channel->times_s[k + 1];
@@ -137,12 +137,13 @@ static void between(const struct hatch_animation_channel *channel, uint32_t n, d
     }
 }
 
-/* value: of the channel's width. */
+/* Evaluates a channel with at least one key.
+ *   value  out: hatch_channel_width entries */
 static void value_at(const struct hatch_animation_channel *channel, double time_s, double *value)
 {
     uint32_t n = hatch_channel_width(channel);
     if (channel->key_count > 1) {
-        between(channel, n, time_s, value);
+        interpolate(channel, n, time_s, value);
         return;
     }
     const float *only = channel->values + (channel->interpolation == HATCH_CUBIC ? n : 0);
@@ -150,11 +151,12 @@ static void value_at(const struct hatch_animation_channel *channel, double time_
         value[i] = (double)only[i];
 }
 
+/* Replaces the part of a node's local transform that a channel animates. */
 static void sample(const struct hatch_animation_channel *channel, double time_s, float *local)
 {
-    static const int place[] = {[HATCH_PATH_TRANSLATION] = LOCAL_TRANSLATION,
-                                [HATCH_PATH_ROTATION] = LOCAL_ROTATION,
-                                [HATCH_PATH_SCALE] = LOCAL_SCALE};
+    static const int offset[] = {[HATCH_PATH_TRANSLATION] = LOCAL_TRANSLATION,
+                                 [HATCH_PATH_ROTATION] = LOCAL_ROTATION,
+                                 [HATCH_PATH_SCALE] = LOCAL_SCALE};
     double value[4];
     if (channel->key_count == 0 || channel->path == HATCH_PATH_WEIGHTS)
         return;
@@ -162,7 +164,7 @@ static void sample(const struct hatch_animation_channel *channel, double time_s,
     if (channel->path == HATCH_PATH_ROTATION)
         normalize4(value);
     for (uint32_t i = 0; i < hatch_channel_width(channel); i++)
-        local[place[channel->path] + (int)i] = (float)value[i];
+        local[offset[channel->path] + (int)i] = (float)value[i];
 }
 
 static double wrap_time(double time_s, double duration_s)

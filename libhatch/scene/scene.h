@@ -1,96 +1,95 @@
-/* A scene: what a glTF file describes, as values. Meshes, a tree of nodes, materials, cameras,
- * lights, animations, skins. Read by io/gltf/gltf.h, posed here. */
+/* A scene with the content of a glTF file: meshes, a tree of nodes, materials, cameras, lights, animations, skins.
+ * io/gltf/gltf.h reads it; all arrays are owned by the reader's arena. */
 #ifndef HATCH_SCENE_SCENE_H
 #define HATCH_SCENE_SCENE_H
 
 #include "mesh/mesh.h"
 
-#define HATCH_NONE UINT32_MAX /* an index that points to nothing */
+#define HATCH_NONE UINT32_MAX /* an index without a target */
 
-/* What a texture is outside of 0..1. */
+/* Texture wrapping outside of 0 .. 1. */
 enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
 
-/* Where a material reads one of its textures. */
+/* A reference of a material to a texture. */
 struct hatch_texture_use {
-    uint32_t texture;        /* index into textures, or HATCH_NONE */
+    uint32_t texture;        /* index into scene.textures, or HATCH_NONE */
     uint32_t texcoord;       /* n of TEXCOORD_n, at most HATCH_TEXCOORD_MAX */
-    enum hatch_wrap wrap[2]; /* in u, in v */
-    bool placed;             /* its coordinates are scaled, turned from v to u and moved by what follows */
-    float scale[2], turn_rad, offset[2];
+    enum hatch_wrap wrap[2]; /* of u, of v */
+    bool has_transform;      /* texture coordinates are scaled, then rotated, then moved; else the rest is unset */
+    float scale[2], turn_rad, offset[2]; /* turn_rad: rotates v towards u */
 };
 
 #define HATCH_TEXCOORD_MAX 9u
 
-/* A texture of normals in the tangent frame (glTF 2.0, normalTextureInfo). */
+/* A normal map in tangent space (glTF 2.0, normalTextureInfo). */
 struct hatch_normal_map {
-    bool used; /* else nothing of it counts; its texture is then no index */
+    bool used; /* false: the other members are unset */
     struct hatch_texture_use at;
-    float strength; /* factor for what leans along the surface */
+    float strength; /* factor of the tangential components */
 };
 
 struct hatch_material {
     float base_color[4]; /* linear, 0..1 */
     struct hatch_texture_use base;
     bool double_sided;
-    float alpha_cutoff; /* 0: opaque; else texels below it are holes */
-    bool blend;         /* the file blends them: what is less than half there is a hole, alpha_cutoff 1/2 */
+    float alpha_cutoff; /* texels with less alpha are holes; 0: opaque */
+    bool blend;         /* the file asks for alpha blending, which is replaced by alpha_cutoff 1/2 */
     struct hatch_normal_map normals;
-    bool outline; /* a lapped parametrization's: the alpha of base_texture, read with TEXCOORD_1,
-                     is where a patch shows; its meshes are drawn in order over each other */
+    bool outline; /* of lapped textures: the alpha of base, read with TEXCOORD_1, is the patch outline; the material's
+                     meshes are patches, drawn in order over each other */
 };
 
-/* An encoded PNG or JPEG, as it stood in the file; owned by the arena. */
+/* An encoded PNG or JPEG, copied from the file. */
 struct hatch_texture {
-    const uint8_t *data; /* NULL where the image's own file could not be read: then no material uses it */
+    const uint8_t *data; /* NULL where the image's own file could not be read; no material refers to it then */
     size_t size;
 };
 
 struct hatch_scene_mesh {
     struct hatch_mesh mesh; /* one glTF primitive */
-    uint32_t material;      /* or HATCH_NONE */
-    uint32_t joints_used;   /* one more than the largest number in JOINTS_0; 0 without it */
-    uint32_t file_vertices; /* vertices in the file: flat normals may have doubled some */
-    bool had_texcoords;     /* TEXCOORD_0 stood in the file */
-    bool had_normals;
-    bool loose; /* the format has no way to say where faces meet: STL */
+    uint32_t material;      /* index, or HATCH_NONE */
+    uint32_t joints_used;   /* largest index in JOINTS_0 plus 1; 0 without JOINTS_0 */
+    uint32_t file_vertices; /* vertices in the file; computing flat normals may have duplicated some */
+    bool had_texcoords;     /* the file has TEXCOORD_0 */
+    bool had_normals;       /* the file has NORMAL; else normals were computed from the faces */
+    bool is_soup;           /* unconnected triangles, as in STL: the format cannot share vertices */
 };
 
 struct hatch_node {
-    uint32_t parent; /* or HATCH_NONE; always lower than the node's own index */
+    uint32_t parent; /* lower than the node's own index, or HATCH_NONE */
     float translation[3], rotation[4] /* x y z w */, scale[3];
-    float matrix[16]; /* column-major; used when has_matrix */
-    bool has_matrix;
-    uint32_t first_mesh, mesh_count; /* range of scene.meshes */
-    float *weights;  /* of its meshes' morph targets at rest, beside those that the meshes have taken in;
-                        NULL: 0 */
-    uint32_t skin;   /* or HATCH_NONE */
-    uint32_t camera; /* or HATCH_NONE */
-    uint32_t light;  /* or HATCH_NONE */
-    bool backdrop;   /* around what the scene is of: pictures need not show all of it */
+    float matrix[16];                /* column-major; see has_matrix */
+    bool has_matrix;                 /* matrix replaces translation, rotation and scale */
+    uint32_t first_mesh, mesh_count; /* range in scene.meshes */
+    float *weights;  /* of its meshes' morph targets at rest, minus those already applied to the meshes; NULL: all 0 */
+    uint32_t skin;   /* index, or HATCH_NONE */
+    uint32_t camera; /* index, or HATCH_NONE */
+    uint32_t light;  /* index, or HATCH_NONE */
+    bool backdrop;   /* not part of the scene's bounds, and not framed by views */
 };
 
 struct hatch_camera {
     bool orthographic;
-    float yfov_rad;    /* perspective: 0 .. π */
-    float ymag;        /* orthographic: half the height */
-    float aspect;      /* width over height; 0: the picture's */
-    float znear, zfar; /* zfar 0: infinite */
+    float yfov_rad;    /* perspective: vertical field of view, over 0 .. π */
+    float ymag;        /* orthographic: half the height, world units */
+    float aspect;      /* width / height; 0: the picture's */
+    float znear, zfar; /* distances, world units; zfar 0: infinite */
 };
 
 enum hatch_light_type { HATCH_LIGHT_DIRECTIONAL, HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT };
 
 struct hatch_light {
     enum hatch_light_type type;
-    float color[3];  /* linear */
-    float intensity; /* lux for directional, candela else */
-    float range;     /* 0: unlimited */
-    float inner_cone_rad, outer_cone_rad;
+    float color[3];                       /* linear RGB */
+    float intensity;                      /* lux (directional) or candela (point, spot) */
+    float range;                          /* distance without light beyond, world units; 0: unlimited */
+    float inner_cone_rad, outer_cone_rad; /* half angles of a spot */
 };
 
 struct hatch_skin {
     uint32_t joint_count;
-    uint32_t *joints;    /* node indices */
-    float *inverse_bind; /* 16 floats each, column-major */
+    uint32_t *joints;    /* node index of each joint */
+    float *inverse_bind; /* inverse bind matrices: 16 per joint, column-major */
 };
 
 enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE, HATCH_PATH_WEIGHTS };
@@ -101,12 +100,12 @@ struct hatch_animation_channel {
     enum hatch_channel_path path;
     enum hatch_interpolation interpolation;
     uint32_t key_count;
-    float *times_s;   /* rising; of equal ones the last counts */
-    float *values;    /* its width of floats a key; for CUBIC three such groups a key */
-    uint32_t targets; /* of weights: as many as the node's meshes have */
+    float *times_s;   /* per key, rising; of keys at one time the last is used */
+    float *values;    /* hatch_channel_width floats per key; HATCH_CUBIC: in-tangent, value, out-tangent per key */
+    uint32_t targets; /* HATCH_PATH_WEIGHTS: number of morph targets of the node's meshes */
 };
 
-/* Numbers of one value. */
+/* Returns the number of floats in one value of a channel. */
 static inline uint32_t hatch_channel_width(const struct hatch_animation_channel *channel)
 {
     return channel->path == HATCH_PATH_WEIGHTS ? channel->targets : channel->path == HATCH_PATH_ROTATION ? 4 : 3;
@@ -115,7 +114,7 @@ static inline uint32_t hatch_channel_width(const struct hatch_animation_channel 
 struct hatch_animation {
     uint32_t channel_count;
     struct hatch_animation_channel *channels;
-    float duration_s;
+    float duration_s; /* time of the last key */
 };
 
 struct hatch_scene {
@@ -131,28 +130,35 @@ struct hatch_scene {
     struct hatch_animation *animations;
 };
 
-/* A scene of one node with one mesh, whose arrays stay the mesh's. */
+/* Makes a scene of one node with one mesh, which shares the arrays of `mesh`. */
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                       struct hatch_scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The world matrix of every node, column-major, 16 floats each, at time_s of the given animation
- * (HATCH_NONE: the rest pose). Times beyond the animation's end are wrapped into it. A matrix of
- * negative determinant mirrors: the renderer then takes clockwise faces for front faces.
- * world: 16 * node_count floats. */
+/* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors:
+ * front faces are clockwise then.
+ *   animation  index, or HATCH_NONE: the rest pose
+ *   time_s     any; wrapped to 0 .. duration_s
+ *   world      out: 16 per node, column-major */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
 
-/* How far the morph targets of a node's meshes count at that time. weights: count of them. */
+/* Computes the weights of the morph targets of a node's meshes at a time of an animation.
+ *   animation, time_s  as for hatch_scene_pose
+ *   count              of morph targets
+ *   weights            out: one per morph target */
 void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_t animation, double time_s,
                          uint32_t count, double *weights);
 
-/* The skinning matrices of a node's skin (glTF 2.0 §3.7.3): joint world × inverse bind, to be applied
- * instead of the node's own matrix. joints: 16 * joint_count floats. */
+/* Computes the skinning matrices of a skin (glTF 2.0 §3.7.3): joint world matrix × inverse bind matrix. They replace
+ * the matrix of the skinned node.
+ *   world   from hatch_scene_pose
+ *   joints  out: 16 per joint, column-major */
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
-/* Everything that the nodes draw at rest as one mesh in world space: POSITION, and NORMAL and
- * TEXCOORD_0 where all meshes have them; skinned meshes as they were bound. Under a matrix that mirrors
- * faces are turned round, so that they stay counter-clockwise. HATCH_BAD_INPUT for a scene without
- * faces; HATCH_LIMIT when its instances are too many. */
+/* Joins the meshes of all nodes at rest to one mesh in world coordinates, with POSITION, and NORMAL and TEXCOORD_0
+ * where all meshes have them. Skinned meshes keep their bind pose. Faces under a mirroring matrix change their winding,
+ * so that they stay counter-clockwise.
+ *   mesh  out: in arena
+ * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also when there are too many faces for one mesh. */
 enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;

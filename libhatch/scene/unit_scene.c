@@ -20,11 +20,11 @@ static struct hatch_item item_of(const struct hatch_scene *scene, uint32_t node,
                               .node = node,
                               .repeat = {1.0f, 1.0f},
                               .double_sided = true,
-                              .shaped = hatch_pose_shapes(scene, node, &from->mesh)};
+                              .deformed = hatch_pose_deforms(scene, node, &from->mesh)};
     if (from->material != HATCH_NONE) {
         const struct hatch_material *material = &scene->materials[from->material];
         item.double_sided = material->double_sided;
-        /* The colour's alpha scales the texture's, so it scales the limit as well. */
+        /* The base colour's alpha multiplies the texture's, so the cutoff of the texture is divided by it. */
         item.alpha_cutoff = material->alpha_cutoff / fmaxf(material->base_color[3], 1e-6f);
     }
     return item;
@@ -57,7 +57,7 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
     return HATCH_OK;
 }
 
-/* The box around the mesh's box, moved. */
+/* Computes an item's bounding box from that of its mesh. */
 static void box_item(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
     const double *half = unit->meshes[item->mesh].half;
@@ -70,8 +70,8 @@ static void box_item(const struct hatch_unit_scene *unit, struct hatch_item *ite
     }
 }
 
-/* Positions are relative to the mesh's origin, and the result is relative to the scene's middle: both shifts are
- * added in doubles, where they cancel without loss. */
+/* Sets an item's matrices and box. The mesh's origin and the scene's centre, which may both be large, cancel in
+ * doubles. */
 static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
     const double *origin = unit->meshes[item->mesh].origin;
@@ -96,12 +96,13 @@ static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *i
     box_item(unit, item);
 }
 
-static void place_shaped(const struct hatch_unit_scene *unit, struct hatch_item *item)
+/* Sets the matrices of an item whose vertices are computed in the unit scene. */
+static void place_deformed(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
     static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    static const float straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const float normal_identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     memcpy(item->to_unit, identity, sizeof identity);
-    memcpy(item->normal, straight, sizeof straight);
+    memcpy(item->normal, normal_identity, sizeof normal_identity);
     if (unit->scene->nodes[item->node].skin == HATCH_NONE) {
         double world[16], cofactors[9];
         hatch_pose_matrix(&unit->pose, item->node, world);
@@ -115,17 +116,17 @@ void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, do
         unit->pose_number++;
     unit->animation = animation;
     unit->time_s = time_s;
-    hatch_pose_at(&unit->pose, animation, time_s);
+    hatch_pose_set(&unit->pose, animation, time_s);
     for (uint32_t i = 0; i < unit->item_count; i++) {
         struct hatch_item *item = &unit->items[i];
-        if (item->shaped)
-            place_shaped(unit, item);
+        if (item->deformed)
+            place_deformed(unit, item);
         else
             place_item(unit, item);
     }
 }
 
-void hatch_item_shape(struct hatch_unit_scene *unit, struct hatch_item *item, double *positions, float *normals)
+void hatch_item_deform(struct hatch_unit_scene *unit, struct hatch_item *item, double *positions, float *normals)
 {
     size_t count = unit->meshes[item->mesh].mesh->vertex_count;
     hatch_pose_vertices(&unit->pose, item->node, item->mesh, positions, normals);
@@ -143,7 +144,7 @@ void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_
                         float *normals)
 {
     const struct hatch_mesh *surface = unit->meshes[item->mesh].surface;
-    struct hatch_pose pose = unit->pose; /* its scratch arrays are written, nothing else */
+    struct hatch_pose pose = unit->pose; /* hatch_pose_mesh writes to its scratch arrays only */
     hatch_pose_mesh(&pose, item->node, surface, positions, normals);
     for (size_t v = 0; v < surface->vertex_count; v++)
         hatch_bounds_to_unit(&unit->bounds, positions + 3 * v, positions + 3 * v);

@@ -1,65 +1,66 @@
-/* A scene as it is drawn: an item for each place where a node shows a mesh, posed, in the unit scene.
+/* A posed scene as a list of items to draw: one item for each mesh of each node.
  *
- * World coordinates are doubles, so that scenes of any scale and at any distance from the origin keep their digits.
- * The unit scene is (world - center) / radius of the scene's bounds: what floats and GPUs see. */
+ * World coordinates are doubles, so that scenes of any scale and at any distance from the origin keep their precision.
+ * Items are placed in the unit scene, (world - center) / radius of the scene's bounds, for floats and GPUs. */
 #ifndef HATCH_SCENE_UNIT_SCENE_H
 #define HATCH_SCENE_UNIT_SCENE_H
 
 #include "scene/patches.h"
 #include "scene/pose.h"
 
-/* A mesh as its items share it. */
+/* A mesh, shared by its items. */
 struct hatch_unit_mesh {
-    const struct hatch_mesh *mesh;          /* all faces; of a lapped mesh those of all patches */
-    const struct hatch_mesh *surface;       /* each face of the surface once: patches overlap */
+    const struct hatch_mesh *mesh;          /* all faces; of a lapped texture the faces of all patches, which overlap */
+    const struct hatch_mesh *surface;       /* each face of the surface once; equals mesh for an ordinary mesh */
     const struct hatch_patch_mesh *patches; /* NULL: an ordinary mesh */
-    double origin[3];                       /* middle of its box, subtracted from positions that floats hold */
+    double origin[3];                       /* centre of its box; float positions are relative to it */
     double half[3];                         /* half the sides of its box */
 };
 
 struct hatch_item {
     uint32_t mesh, node;
-    bool shaped;            /* a skin or morph targets shape it: its vertices are posed in the unit scene */
-    bool mirrored;          /* the node turns the faces' winding round */
-    bool double_sided;      /* faces are seen from behind, too */
-    bool cut_out;           /* holes of a texture cut its shape out of larger faces; set by the material's reader */
-    float alpha_cutoff;     /* texels with less alpha are holes; 0: no holes */
-    float to_unit[16];      /* positions minus the mesh's origin to the unit scene, column-major; shaped: identity */
-    float normal[9];        /* the same for normals, not of unit length */
-    double low[3], high[3]; /* box in the unit scene */
-    double uv_reach;        /* largest distance of texture coordinates from 0 0, as a length on the mesh; 0: unset */
-    float repeat[2];        /* tiles of the hatching pattern per unit of u and of v; of the largest chart */
-    float *repeats;         /* the same of each vertex, two each; NULL: repeat for all */
-    uint32_t chart_count;   /* charts that have repeats of their own */
+    bool deformed; /* a skin or morph targets deform it: its vertices are computed in the unit scene for each pose */
+    bool mirrored; /* the node's matrix reverses the winding of faces */
+    bool double_sided;  /* faces are visible from behind, too */
+    bool cut_out;       /* a texture with holes cuts its shape out of larger faces; set by the renderer */
+    float alpha_cutoff; /* texels with less alpha are holes; 0: no holes */
+    float to_unit[16];  /* from positions minus the mesh's origin to the unit scene, column-major; deformed: identity */
+    float normal[9];    /* normal matrix of to_unit, column-major; scales normals */
+    double low[3], high[3]; /* bounding box in the unit scene */
+    double uv_reach;        /* of hatch_uv_reach; 0: unset */
+    float repeat[2];        /* tiles of the hatching pattern per unit of u and of v, on the largest chart */
+    float *repeats;         /* 2 per vertex: repeat on the vertex's chart; NULL: repeat everywhere */
+    uint32_t chart_count;   /* number of charts with repeats of their own */
 };
 
 struct hatch_unit_scene {
     const struct hatch_scene *scene;
     struct hatch_bounds bounds;
     struct hatch_pose pose;
-    uint32_t pose_number; /* counts changes of the pose, from 1 */
-    uint32_t animation;   /* moment that items are posed at; measuring a span leaves `pose` at another */
-    double time_s;
+    uint32_t pose_number; /* rises with each change of the pose; 0: not posed yet */
+    uint32_t animation;   /* of the moment that the items are posed at; `pose` may be at another one */
+    double time_s;        /* of the same moment */
     uint32_t item_count;
     struct hatch_unit_mesh *meshes; /* scene->mesh_count */
     struct hatch_item *items;
 };
 
-/* Lists the items of a scene. Nothing is posed yet: call hatch_unit_scene_pose.
- *   patches  of each of the scene's meshes, or NULL where no mesh has any; kept by reference, as scene is
+/* Lists the items of a scene, unposed: hatch_unit_scene_pose must follow.
+ *   scene    kept by reference
+ *   patches  an entry per mesh of the scene, kept by reference; NULL: no mesh has patches
  *   bounds   of all moments that will be posed */
 enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                         const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                         struct hatch_unit_scene *unit, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Poses all items at a moment of an animation (HATCH_NONE: the rest pose); of shaped ones the matrices alone:
- * hatch_item_shape computes their vertices and boxes. */
+/* Poses all items. Of deformed items it sets the matrices only; hatch_item_deform computes their vertices and boxes.
+ *   animation, time_s  as for hatch_scene_pose */
 void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, double time_s);
 
-/* Computes the vertices of a shaped item at the pose, and its box.
- *   positions  out: 3 per vertex, in the world
+/* Computes the vertices of a deformed item at the pose, and its box.
+ *   positions  out: 3 per vertex, world coordinates
  *   normals    out: 3 per vertex, unit length; NULL: not computed */
-void hatch_item_shape(struct hatch_unit_scene *unit, struct hatch_item *item, double *positions, float *normals);
+void hatch_item_deform(struct hatch_unit_scene *unit, struct hatch_item *item, double *positions, float *normals);
 
 /* Computes the vertices of an item's surface at the pose, in the unit scene.
  *   positions  out: 3 per vertex of the surface
@@ -67,7 +68,7 @@ void hatch_item_shape(struct hatch_unit_scene *unit, struct hatch_item *item, do
 void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_item *item, double *positions,
                         float *normals);
 
-/* The largest number of vertices that a surface has. */
+/* Returns the number of vertices of the item with the largest surface. */
 uint32_t hatch_unit_scene_vertices_max(const struct hatch_unit_scene *unit);
 
 #endif

@@ -3,16 +3,16 @@
 #include <math.h>
 #include <string.h>
 
-/* Life of a seed's stroke in a tile, in the level that is drawn or in the next. */
+/* Returns the life of the stroke of a seed point in a tile. */
 static uint32_t life_in(const struct hatch_rptam_layer *layer, uint32_t seed, int32_t tile_u, int32_t tile_v)
 {
     return layer->life[4 * seed + 2 * ((uint32_t)tile_v & 1u) + ((uint32_t)tile_u & 1u)];
 }
 
-/* A stroke's lives by the tile that is drawn, modulo 4: a byte for each of its four places modulo 2; for a stroke that
- * stays, whose place modulo 2 is known, one for each in the next level. */
+/* The lives of a stroke whose tile is known relative to the drawn one only: bytes by the drawn tile modulo 2, and for a
+ * stroke that stays bytes by the drawn tile of the next level modulo 2. */
 struct hatch_rptam_lives {
-    uint32_t here, later;
+    uint32_t here, next_level;
 };
 
 static struct hatch_rptam_lives lives_of(const struct hatch_rptam_layer *layer, bool weighted, uint32_t seed,
@@ -29,20 +29,20 @@ static struct hatch_rptam_lives lives_of(const struct hatch_rptam_layer *layer, 
             int32_t u = (tile & 1) + 2 * (next & 1) + tile_u;
             int32_t v = (tile >> 1) + 2 * (next >> 1) + tile_v;
             uint32_t later = weighted ? life_in(layer, above, (u & 3) >> 1, (v & 3) >> 1) : HATCH_LIFE_STAYS;
-            lives.later |= later << 8 * next;
+            lives.next_level |= later << 8 * next;
         }
     }
     return lives;
 }
 
-/* lives[16 * seed + 4 * v + u] of the strokes in tiles (u, v), modulo 4. */
+/* Computes lives[16 * seed + 4 * v + u] of the strokes that are u, v tiles, modulo 4, from the drawn tile. */
 static void make_lives(const struct hatch_rptam_layer *layer, bool weighted, struct hatch_rptam_lives *lives)
 {
     for (uint32_t i = 0; i < 16 * layer->count; i++)
         lives[i] = lives_of(layer, weighted, i / 16, (int32_t)(i & 3), (int32_t)(i >> 2 & 3));
 }
 
-/* Four words a stroke: its place as the bits of floats, and its lives. */
+/* Writes a seed entry: position as bits of floats, and lives. */
 static void put_seed(const struct hatch_rptam_layer *layer, const struct hatch_rptam_lives *lives,
                      const struct hatch_coverage_copy *copy, uint32_t to[4])
 {
@@ -52,7 +52,7 @@ static void put_seed(const struct hatch_rptam_layer *layer, const struct hatch_r
         &lives[16 * copy->seed + 4 * ((uint32_t)copy->tile_v & 3) + ((uint32_t)copy->tile_u & 3)];
     memcpy(to, at, sizeof at);
     to[2] = own->here;
-    to[3] = own->later;
+    to[3] = own->next_level;
 }
 
 static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch_coverage *coverage,
@@ -62,15 +62,15 @@ static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch
     for (size_t t = 0; t < texels; t++) {
         packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
         for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++) {
-            if (packed->numbers)
-                packed->numbers[packed->seed_count] = (uint16_t)coverage->copies[i].seed;
+            if (packed->seed_numbers)
+                packed->seed_numbers[packed->seed_count] = (uint16_t)coverage->copies[i].seed;
             put_seed(layer, packed->lives, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
         }
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
     }
 }
 
-/* Nothing beyond the image. */
+/* Returns alpha at a texel, 0 outside the image. */
 static uint8_t byte_at(const struct hatch_image *image, uint32_t x, uint32_t y)
 {
     bool inside = x < image->width && y < image->height;
@@ -89,8 +89,9 @@ static void pack_stroke(const struct hatch_rptam_layer *layer, struct hatch_rpta
             }
 }
 
-/* The layer before this one that has the same stroke. */
-static bool has_stroke(const struct hatch_rptam *rptam, uint32_t index, uint32_t *other)
+/* Returns whether a layer before this one has the same stroke.
+ *   other  out: the first such layer */
+static bool shares_stroke(const struct hatch_rptam *rptam, uint32_t index, uint32_t *other)
 {
     for (*other = 0; *other < index; ++*other)
         if (rptam->layers[*other].stroke.pixels == rptam->layers[index].stroke.pixels)
@@ -104,22 +105,22 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
     const struct hatch_rptam_layer *layer = &rptam->layers[index];
     const struct hatch_rptam_layer_style *style = &layer->style;
     const struct hatch_image *image = &layer->stroke;
-    double stretch = style->high - style->low;
+    double range = style->high - style->low;
     bool weighted = rptam->style.law == HATCH_FADE_WEIGHTED;
     uint32_t other;
-    bool drawn = has_stroke(rptam, index, &other);
+    bool shared = shares_stroke(rptam, index, &other);
     packed->block.layers[index] = (struct hatch_rptam_layer_block){
         .turn = {(float)layer->cosine, (float)layer->sine, (float)(style->tile_px * style->tile_px), (float)style->ink},
-        .tone = {(float)(1 / stretch), (float)(-style->low / stretch), (float)style->low,
+        .tone = {(float)(1 / range), (float)(-style->low / range), (float)style->low,
                  all ? 0 : HATCH_RPTAM_COVERAGE_SIZES - 1},
         .stroke = {(float)((image->width - 2) / style->length_px), (float)((image->height - 2) / style->width_px),
                    (float)image->width - 1, (float)image->height - 1},
         .at = {(int32_t)packed->list_count, (int32_t)(all ? all->side : layer->coverage[0].side),
-               drawn ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count,
+               shared ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count,
                style->varied ? (int32_t)(layer->images << HATCH_RPTAM_IMAGES_SHIFT | layer->count) : 0},
         .thin = {(float)fmin(1, HATCH_RPTAM_THIN_PX / style->length_px),
                  (float)fmin(1, HATCH_RPTAM_THIN_PX / style->width_px)}};
-    if (!drawn)
+    if (!shared)
         pack_stroke(layer, packed);
     make_lives(layer, weighted, packed->lives);
     if (all)
@@ -166,19 +167,19 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
     packed->lists = packed->seeds ? HATCH_NEW_UNSET(scratch, int32_t, 2 * lists, err) : NULL;
     packed->strokes = packed->lists ? HATCH_NEW_UNSET(scratch, uint8_t, 4 * strokes, err) : NULL;
     if (packed->strokes && varied)
-        packed->numbers = HATCH_NEW_UNSET(scratch, uint16_t, seeds, err);
-    if (!packed->strokes || (varied && !packed->numbers))
+        packed->seed_numbers = HATCH_NEW_UNSET(scratch, uint16_t, seeds, err);
+    if (!packed->strokes || (varied && !packed->seed_numbers))
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
         pack_layer(rptam, i, all ? &all[i] : NULL, packed);
     for (uint32_t i = 0; i < HATCH_RPTAM_TONE_STEPS; i++) {
-        packed->ways[2 * i] = (float)rptam->progress[i];
-        packed->ways[2 * i + 1] = (float)(rptam->progress[i + 1] - rptam->progress[i]);
+        packed->progress[2 * i] = (float)rptam->progress[i];
+        packed->progress[2 * i + 1] = (float)(rptam->progress[i + 1] - rptam->progress[i]);
     }
     return HATCH_OK;
 }
 
-/* Every stroke that may reach into the tile, for each layer. */
+/* Lists every stroke that may reach into the tile, for each layer. */
 static enum hatch_status list_all(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
                                   struct hatch_coverage **all, struct hatch_err *err)
 {

@@ -30,10 +30,9 @@ struct hatch_rptam_layer_style {
                                          paper, 8 .. 8192 */
     double ink;                       /* darkness of a stroke, over 0 .. 1 */
     const struct hatch_image *stroke; /* one channel, alpha, 0 .. 1, x along and y across, of any size */
-    const struct hatch_image
-        *grain;  /* one channel: factor of alpha, repeating, one pixel per screen pixel; NULL: none */
-    bool varied; /* strokes differ, each always the same: some are mirrored across, and their grain
-                    has one of HATCH_RPTAM_GRAIN_OFFSETS offsets */
+    const struct hatch_image *grain;  /* one channel: factor of alpha, repeats, a pixel per screen pixel; NULL: none */
+    bool varied;                      /* strokes differ, each always the same: some are mirrored across, and their grain
+                                         has one of HATCH_RPTAM_GRAIN_OFFSETS offsets */
 };
 
 struct hatch_rptam_style {
@@ -63,8 +62,7 @@ struct hatch_rptam {
     uint32_t layer_count;
     struct hatch_rptam_layer layers[HATCH_RPTAM_LAYERS_MAX]; /* ordered by low */
     double darkest;                                          /* mean darkness of all layers */
-    double
-        progress[HATCH_RPTAM_TONE_STEPS + 1]; /* [i]: progress at which the mean darkness is darkest i / TONE_STEPS */
+    double progress[HATCH_RPTAM_TONE_STEPS + 1]; /* [i]: progress of the mean darkness darkest i / TONE_STEPS */
 };
 
 /* Returns the variant of a stroke, 0 .. 15: bit 3 mirrors it, the lower bits choose its image. Follows the stroke over

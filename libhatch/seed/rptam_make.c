@@ -1,4 +1,4 @@
-/* Makes the model: coverage lists and the table of tones. */
+/* Construction of the model: coverage lists and the table of tones. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -45,16 +45,18 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
                                     const struct hatch_rptam_style *style, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_rptam *rptam, struct hatch_err *err)
 {
-    const struct hatch_rptam_layer_style *own = &style->layers[index];
-    struct hatch_rptam_layer made = {
-        .style = *own, .count = set->count, .cosine = cos(own->angle_rad), .sine = sin(own->angle_rad)};
+    const struct hatch_rptam_layer_style *layer_style = &style->layers[index];
+    struct hatch_rptam_layer made = {.style = *layer_style,
+                                     .count = set->count,
+                                     .cosine = cos(layer_style->angle_rad),
+                                     .sine = sin(layer_style->angle_rad)};
     if (set->count > HATCH_RPTAM_SEEDS_MAX)
         return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seed points, want %u at most", index + 1, set->count,
                           HATCH_RPTAM_SEEDS_MAX);
-    if (!(fmax(own->length_px, own->width_px) <= HATCH_RPTAM_STROKE_TILES_MAX * own->tile_px))
-        return hatch_fail(err, HATCH_LIMIT,
-                          "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
-                          own->length_px, own->width_px, own->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
+    if (!(fmax(layer_style->length_px, layer_style->width_px) <= HATCH_RPTAM_STROKE_TILES_MAX * layer_style->tile_px))
+        return hatch_fail(
+            err, HATCH_LIMIT, "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
+            layer_style->length_px, layer_style->width_px, layer_style->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
     made.points = HATCH_NEW(arena, struct hatch_seed_point, set->count, err);
     made.positions = made.points ? hatch_arena_array(arena, set->count, sizeof *made.positions, err) : NULL;
     made.life = made.positions ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
@@ -67,21 +69,21 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
     }
     HATCH_TRY(hatch_life_make(set, made.points, style->law, scratch, made.life, err));
     for (uint32_t i = 0; i < rptam->layer_count && !made.stroke.pixels; i++)
-        if (is_same_stroke(&rptam->layers[i].style, own)) {
+        if (is_same_stroke(&rptam->layers[i].style, layer_style)) {
             made.stroke = rptam->layers[i].stroke;
             made.images = rptam->layers[i].images;
         }
     if (!made.stroke.pixels)
-        HATCH_TRY(hatch_rptam_stroke_images(own, arena, scratch, &made.stroke, &made.images, err));
+        HATCH_TRY(hatch_rptam_stroke_images(layer_style, arena, scratch, &made.stroke, &made.images, err));
     HATCH_TRY(list_strokes(arena, &made, err));
-    uint32_t at = rptam->layer_count++; /* inserted by low, after equal ones */
-    for (; at > 0 && rptam->layers[at - 1].style.low > own->low; at--)
+    uint32_t at = rptam->layer_count++; /* sorted by low, stable */
+    for (; at > 0 && rptam->layers[at - 1].style.low > layer_style->low; at--)
         rptam->layers[at] = rptam->layers[at - 1];
     rptam->layers[at] = made;
     return HATCH_OK;
 }
 
-/* Mean darkness over progress, which rises. */
+/* Samples of mean darkness as a function of progress, both rising. */
 struct curve {
     uint32_t count;
     double *progress, *darkness;
@@ -131,9 +133,9 @@ static double darkness_at(const struct hatch_rptam *rptam, double progress, bool
     return sum / TONE_POINTS;
 }
 
-/* Chooses the amounts of a layer to measure, from 0 on, 1 excluded, and returns their number. They are evenly spaced;
- * but for strokes that overlap many times, of which some make the tile black, there are twice as many, and the first
- * one after 0 is where strokes cover a point a third of a time on average. */
+/* Chooses the amounts in [0, 1) at which a layer is measured, and returns their number. They are evenly spaced, except
+ * where strokes overlap so often that a part of them makes the tile black: then there are twice as many, and at the
+ * first amount after 0 a point is under a third of a stroke on average. */
 static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[2 * TONE_PARTS])
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
@@ -176,8 +178,7 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
     return HATCH_OK;
 }
 
-/* The mean number of strokes over a point that yields a darkness if strokes are placed at random; it is proportional
- * to their number. */
+/* Returns the mean number of randomly placed strokes over a point at which the mean darkness is the given one. */
 static double mean_covers(double darkness)
 {
     return -log(fmax(1 - darkness, 1e-9));

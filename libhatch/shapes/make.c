@@ -17,6 +17,7 @@ const char *hatch_shape_name(enum hatch_shape shape)
     return shape < HATCH_SHAPE_COUNT ? names[shape] : NULL;
 }
 
+/* The surfaces of a shape and their grids. */
 struct surfaces {
     uint32_t count;
     struct hatch_grid grids[HATCH_SHAPE_SURFACES_MAX];
@@ -69,7 +70,7 @@ static void choose_cell_size(struct surfaces *s, double faces)
 }
 
 /* Sets the number of tiles in each direction: whole numbers, so that closed surfaces have no seam. */
-static void lay_texture(struct surfaces *s, enum hatch_shape_uv uv)
+static void set_texture(struct surfaces *s, enum hatch_shape_uv uv)
 {
     for (uint32_t g = 0; g < s->count; g++) {
         struct hatch_grid *grid = &s->grids[g];
@@ -175,7 +176,7 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
         hatch_parametric_measure(&parts[g], &s->sizes[g]);
     }
     choose_cell_size(s, options->faces);
-    lay_texture(s, options->uv);
+    set_texture(s, options->uv);
     struct hatch_mesh made;
     enum hatch_status status = make_empty(s, options->field, arena, &made, err);
     if (status == HATCH_OK) {

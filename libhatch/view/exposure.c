@@ -4,7 +4,7 @@
 
 #define BRIGHTEST_SHARE 0.05
 
-/* Vertices by the logarithm of their light, in sixteenths of an octave. */
+/* Histogram of vertices by the logarithm of their light: STEPS bins per octave. */
 #define STEPS 16
 #define OCTAVES 200
 #define BINS (OCTAVES * STEPS)
@@ -13,11 +13,11 @@ struct exposure {
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
     uint32_t light_count;
     uint64_t bins[BINS];
-    uint64_t lit;
+    uint64_t lit; /* number of vertices in bins */
 };
 
-/* The diffuse part of light_at in the shader light.glsl. */
-static double light_of(const struct hatch_unit_light *light, const double point[3], const float normal[3])
+/* Returns the diffuse light of one light at a point: that of light_at in the shader light.glsl. */
+static double diffuse_light(const struct hatch_unit_light *light, const double point[3], const float normal[3])
 {
     double to_light[3], square = 1, strength = (double)light->direction[3], facing = 0, along = 0;
     for (int k = 0; k < 3; k++)
@@ -46,7 +46,7 @@ static void add_vertex(struct exposure *exposure, const double point[3], const f
 {
     double sum = 0;
     for (uint32_t i = 0; i < exposure->light_count; i++)
-        sum += light_of(&exposure->lights[i], point, normal);
+        sum += diffuse_light(&exposure->lights[i], point, normal);
     double bin = floor((log2(sum) + OCTAVES / 2) * STEPS);
     if (!(bin >= 0 && bin < BINS))
         return;
@@ -68,12 +68,12 @@ static enum hatch_status add_item(struct exposure *exposure, const struct hatch_
     return HATCH_OK;
 }
 
-/* The light that all but the brightest share of the lit vertices stay under. */
+/* Returns the light that BRIGHTEST_SHARE of the lit vertices exceed. */
 static double white_point(const struct exposure *exposure)
 {
-    double left = BRIGHTEST_SHARE * (double)exposure->lit;
+    double remaining = BRIGHTEST_SHARE * (double)exposure->lit;
     int bin = BINS - 1;
-    while (bin > 0 && (left -= (double)exposure->bins[bin]) > 0)
+    while (bin > 0 && (remaining -= (double)exposure->bins[bin]) > 0)
         bin--;
     return exp2((bin + 0.5) / STEPS - OCTAVES / 2);
 }
@@ -85,16 +85,16 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
     struct exposure *exposure = HATCH_NEW(scratch, struct exposure, 1, err);
     if (!exposure)
         return HATCH_LIMIT;
-    /* Lamps that floats cannot tell from darkness may be all the light there is. */
+    /* Scales the strongest light to 1, as the strengths of all lights may be too small for floats. */
     double strongest = hatch_lights_strongest(&scene->pose, &scene->bounds);
-    double first = strongest > 0 ? 1 / strongest : 1;
-    exposure->light_count = hatch_lights_at(&scene->pose, &scene->bounds, view, &none, first, exposure->lights);
+    double prescale = strongest > 0 ? 1 / strongest : 1;
+    exposure->light_count = hatch_lights_fill(&scene->pose, &scene->bounds, view, &none, prescale, exposure->lights);
     for (uint32_t i = 0; i < scene->item_count; i++) {
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         HATCH_TRY(add_item(exposure, scene, &scene->items[i], scratch, err));
         hatch_arena_rewind(scratch, mark);
     }
-    *factor = exposure->lit ? first / white_point(exposure) : 1;
+    *factor = exposure->lit ? prescale / white_point(exposure) : 1;
     return HATCH_OK;
 }
 

@@ -5,8 +5,8 @@
 #include "image/color.h"
 #include "math/vector.h"
 
-/* Beyond so many radii a lamp counts as directional: floats would lose its falloff, which is not visible there. Nearer
- * than the reciprocal its strength stops growing. */
+/* Distance in radii beyond which a point or spot light is replaced by a directional one: its falloff is not visible
+ * there, and lost in floats. Nearer than the reciprocal its strength does not rise any more. */
 #define FAR_AWAY 1e3
 
 static void set_directional(struct hatch_unit_light *light, const double to_light[3])
@@ -17,7 +17,7 @@ static void set_directional(struct hatch_unit_light *light, const double to_ligh
         light->direction[k] = (float)(to_light[k] / length);
 }
 
-/* Fills all of a light but its strength; returns that. */
+/* Fills a light except for its strength, which it returns. */
 static double set_scene_light(struct hatch_unit_light *light, const struct hatch_light *from, const double world[16],
                               const struct hatch_bounds *bounds)
 {
@@ -59,7 +59,7 @@ static void set_key_light(struct hatch_unit_light *light, const struct hatch_vie
     light->direction[3] = 1.0f;
 }
 
-/* Fills one node's light, all but its strength. Returns whether the node has one. */
+/* Fills the light of a node, and its strength separately. Returns whether the node has a light. */
 static bool light_at_node(const struct hatch_pose *pose, const struct hatch_bounds *bounds, uint32_t node,
                           struct hatch_unit_light *light, double *power)
 {
@@ -101,15 +101,15 @@ uint32_t hatch_lights_left_out(const struct hatch_scene *scene)
     return lights > HATCH_LIGHTS_MAX ? lights - HATCH_LIGHTS_MAX : 0;
 }
 
-uint32_t hatch_lights_at(const struct hatch_pose *pose, const struct hatch_bounds *bounds,
-                         const struct hatch_view *view, const struct hatch_key_light *key, double exposure,
-                         struct hatch_unit_light *lights)
+uint32_t hatch_lights_fill(const struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                           const struct hatch_view *view, const struct hatch_key_light *key, double exposure,
+                           struct hatch_unit_light *lights)
 {
     uint32_t count = 0;
     double power;
     for (uint32_t node = 0; node < pose->scene->node_count && !key->replaces && count < HATCH_LIGHTS_MAX; node++)
         if (light_at_node(pose, bounds, node, &lights[count], &power))
-            /* Strengths of lamps and exposures may each be far outside the range of floats. */
+            /* Strength and exposure may each be outside the range of floats. */
             lights[count++].direction[3] = (float)fmin(power * exposure, 1e30);
     if (count)
         return count;

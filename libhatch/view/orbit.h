@@ -1,32 +1,36 @@
-/* A view that a hand moves: around a point, nearer and further, sideways. */
+/* Interactive camera: turns around a point, zooms and pans. */
 #ifndef HATCH_VIEW_ORBIT_H
 #define HATCH_VIEW_ORBIT_H
 
 #include "view/view.h"
 
+/* Limits of zooming, in units of the unit scene. */
 #define HATCH_ORBIT_NEAREST 0x1p-44
 #define HATCH_ORBIT_FARTHEST 1e3
 
 struct hatch_orbit {
     struct hatch_view view;
-    struct hatch_pair middle[3]; /* in the unit scene */
-    double azimuth_rad, elevation_rad, distance;
+    struct hatch_pair center[3];                 /* the point that the view turns around, in the unit scene */
+    double azimuth_rad, elevation_rad, distance; /* of the eye, from center */
 };
 
-/* Starts from a view, turning around what it looks at. */
+/* Starts from a view; the center is at the view's pivot. */
 void hatch_orbit_start(struct hatch_orbit *orbit, const struct hatch_view *view);
 
-/* Turns by angles; elevation stops at the poles. */
+/* Turns the view around the center; the elevation is clamped just short of the poles. */
 void hatch_orbit_turn(struct hatch_orbit *orbit, double azimuth_rad, double elevation_rad);
 
-/* Moves the middle sideways by shares of the picture's height. */
+/* Moves the center and the eye sideways.
+ *   right, up  in heights of the picture */
 void hatch_orbit_pan(struct hatch_orbit *orbit, double right, double up);
 
-/* From now on turns and zooms about what lies at a distance, over 0, in the picture's middle. */
-void hatch_orbit_look_at(struct hatch_orbit *orbit, double distance);
+/* Moves the center along the view axis without changing the picture.
+ *   distance  of the new center from the eye, over 0 */
+void hatch_orbit_set_distance(struct hatch_orbit *orbit, double distance);
 
-/* Changes the distance, of an orthographic view half its height, by a factor over 0, between HATCH_ORBIT_NEAREST and
- * HATCH_ORBIT_FARTHEST. */
+/* Multiplies the distance from the center, of an orthographic view half its height, by a factor; does nothing where the
+ * result leaves HATCH_ORBIT_NEAREST .. HATCH_ORBIT_FARTHEST.
+ *   factor  over 0 */
 void hatch_orbit_zoom(struct hatch_orbit *orbit, double factor);
 
 #endif

@@ -5,31 +5,33 @@
 
 #include "mesh/fans.h"
 
-/* A part of a surface that hangs together in the texture's plane. Sums over its faces, weighted by
- * their area: of the logarithms of the lengths that a unit of u and of v has in the unit scene. */
+/* A connected part of a surface in texture space. */
 struct chart {
-    double area, log_u, log_v;
+    double area;         /* in the unit scene */
+    double log_u, log_v; /* sums over faces of area times log2 of the length of a unit of u, of v */
 };
 
+/* Measurements of an item. */
 struct survey {
     const struct hatch_mesh *mesh;
     const float *texcoord;
     double *positions;            /* in the unit scene */
-    uint32_t *parent;             /* of each vertex, in the forest of charts */
-    struct chart *charts;         /* of each vertex; those of roots count */
-    float *repeats;               /* two for each vertex */
-    double seen_weight, seen_log; /* of pixels per unit, where the picture shows the surface */
-    double all_weight, all_log;   /* everywhere */
+    uint32_t *parent;             /* per vertex: disjoint sets of vertices, one per chart */
+    struct chart *charts;         /* per vertex: its chart if it is the root of a set */
+    float *repeats;               /* 2 per vertex */
+    double seen_weight, seen_log; /* over visible faces: sums of weight, and of weight times log2 of pixels per unit */
+    double all_weight, all_log;   /* the same sums over all faces */
 };
 
-struct place {
+/* A vertex, to be sorted by point and texture coordinates. */
+struct texture_vertex {
     uint32_t point, vertex;
     float u, v;
 };
 
-static int compare_places(const void *a, const void *b)
+static int compare_vertices(const void *a, const void *b)
 {
-    const struct place *x = a, *y = b;
+    const struct texture_vertex *x = a, *y = b;
     if (x->point != y->point)
         return x->point < y->point ? -1 : 1;
     if (x->u < y->u || x->u > y->u)
@@ -37,24 +39,25 @@ static int compare_places(const void *a, const void *b)
     return (x->v > y->v) - (x->v < y->v);
 }
 
-/* Vertices that differ in nothing but their normal are one to the texture. */
+/* Joins the vertices of each chart to a set: those of a face, and those equal in position and texture coordinates. */
 static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = survey->mesh;
     uint32_t point_count;
     uint32_t *points = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    struct place *places = HATCH_NEW(scratch, struct place, mesh->vertex_count, err);
-    if (!points || !places)
+    struct texture_vertex *sorted = HATCH_NEW(scratch, struct texture_vertex, mesh->vertex_count, err);
+    if (!points || !sorted)
         return HATCH_LIMIT;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, points, &point_count, err));
     hatch_sets_init(survey->parent, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        places[v] = (struct place){points[v], v, survey->texcoord[2 * (size_t)v], survey->texcoord[2 * (size_t)v + 1]};
+        sorted[v] =
+            (struct texture_vertex){points[v], v, survey->texcoord[2 * (size_t)v], survey->texcoord[2 * (size_t)v + 1]};
     }
-    qsort(places, mesh->vertex_count, sizeof *places, compare_places);
+    qsort(sorted, mesh->vertex_count, sizeof *sorted, compare_vertices);
     for (uint32_t i = 1; i < mesh->vertex_count; i++)
-        if (compare_places(&places[i - 1], &places[i]) == 0)
-            hatch_sets_join(survey->parent, places[i - 1].vertex, places[i].vertex);
+        if (compare_vertices(&sorted[i - 1], &sorted[i]) == 0)
+            hatch_sets_join(survey->parent, sorted[i - 1].vertex, sorted[i].vertex);
     for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i += 3) {
         hatch_sets_join(survey->parent, mesh->indices[i], mesh->indices[i + 1]);
         hatch_sets_join(survey->parent, mesh->indices[i], mesh->indices[i + 2]);
@@ -62,8 +65,10 @@ static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *
     return HATCH_OK;
 }
 
-/* How long the steps of u and of v are on a face, by the inverse of its map from edges. false where
- * its texture coordinates or its corners are on a line. */
+/* Measures a face; false where its texture coordinates or its corners are collinear.
+ *   p     positions of its corners
+ *   t     texture coordinates of its corners
+ *   step  out: length of a unit of u, of v */
 static bool measure_face(const double *const p[3], const float *const t[3], double step[2], double *area)
 {
     double e[2][3], d[2][2], normal = 0;
@@ -120,48 +125,49 @@ static void add_face(struct survey *survey, size_t face, const struct hatch_uv_r
     }
 }
 
-/* want: logarithms of the repeats by which texels are pixels. The direction with fewer pixels decides,
- * and the other one repeats more often, so that strokes are not stretched. Repeats below 1 cut a closed
- * surface's seam: they are only used where otherwise no stroke would be left. */
-static void choose(const double want[2], uint32_t levels, float repeat[2])
+/* Chooses the repeats of a chart. The direction with fewer pixels is chosen first, and the other one repeats more
+ * often, so that strokes are not stretched. Repeats below 1 make seams of closed surfaces visible; they are used only
+ * where otherwise no stroke would be drawn.
+ *   target  log2 of the repeats at which texels of level 0 are pixels */
+static void choose(const double target[2], uint32_t levels, float repeat[2])
 {
-    int fewer = want[1] < want[0];
+    int fewer = target[1] < target[0];
     double room = levels > 1 ? (double)levels - 2 : 0, power = 0;
-    if (want[fewer] > 0)
-        power = ceil(want[fewer] - 0.25);
-    else if (want[fewer] + room < 0)
-        power = floor(want[fewer] + room);
+    if (target[fewer] > 0)
+        power = ceil(target[fewer] - 0.25);
+    else if (target[fewer] + room < 0)
+        power = floor(target[fewer] + room);
     repeat[fewer] = (float)exp2(power);
-    repeat[!fewer] = (float)exp2(power + round(want[!fewer] - want[fewer]));
+    repeat[!fewer] = (float)exp2(power + round(target[!fewer] - target[fewer]));
 }
 
-/* The mean logarithm of the pixels that a unit is long. */
-static double pixels_of(const struct survey *survey)
+/* Returns the mean log2 of the pixels per unit of the unit scene: of visible faces, or of all where none is visible. */
+static double log_pixels_of(const struct survey *survey)
 {
     return survey->seen_weight > 0 ? survey->seen_log / survey->seen_weight : survey->all_log / survey->all_weight;
 }
 
-/* All charts of an item go by one scale, so that equal charts repeat equally, near or far. What the
- * picture shows decides it; a surface that comes into it later goes by its distance. */
+/* Chooses the repeats of all charts of an item, with one number of pixels per unit, so that charts of equal size have
+ * equal repeats at any distance from the camera. */
 static void choose_all(struct survey *survey, const struct hatch_uv_repeat *how, struct hatch_item *item)
 {
-    double pixels = pixels_of(survey), largest = 0;
+    double log_pixels = log_pixels_of(survey), largest = 0;
     item->chart_count = 0;
     for (uint32_t v = 0; v < survey->mesh->vertex_count; v++) {
         uint32_t root = hatch_sets_find(survey->parent, v);
         const struct chart *chart = &survey->charts[root];
         float *repeat = survey->repeats + 2 * (size_t)v;
         repeat[0] = repeat[1] = 1.0f;
-        if (root != v) { /* roots come first */
+        if (root != v) { /* a root has the lowest number of its set */
             repeat[0] = survey->repeats[2 * (size_t)root];
             repeat[1] = survey->repeats[2 * (size_t)root + 1];
             continue;
         }
         if (!(chart->area > 0))
             continue;
-        double want[2] = {chart->log_u / chart->area + pixels - log2(how->size_px),
-                          chart->log_v / chart->area + pixels - log2(how->size_px)};
-        choose(want, how->levels, repeat);
+        double target[2] = {chart->log_u / chart->area + log_pixels - log2(how->size_px),
+                            chart->log_v / chart->area + log_pixels - log2(how->size_px)};
+        choose(target, how->levels, repeat);
         item->chart_count++;
         if (chart->area > largest) {
             largest = chart->area;
@@ -209,19 +215,20 @@ static enum hatch_status set_item(struct hatch_unit_scene *scene, const struct h
     return HATCH_OK;
 }
 
-/* The logarithm of the length in the unit scene of a unit of an item's texture coordinates. */
-static double step_of(const struct chart *chart)
+/* Returns log2 of the length of a unit of texture coordinates in the unit scene. */
+static double log_step_of(const struct chart *chart)
 {
     return 0.5 * (chart->log_u + chart->log_v) / chart->area;
 }
 
-/* Gives all surfaces that patches cover strokes of one size, whatever their nodes' scales: the size at which the part
- * of them that the picture shows has texels as large as pixels. */
+/* Sets the repeats of all lapped textures such that strokes have one size in the scene, independent of the scales of
+ * nodes: the size at which texels of level 0 are as large as pixels on visible faces. */
 static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struct hatch_uv_repeat *how,
                                      struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct survey all = {.mesh = NULL};
-    double *steps = HATCH_NEW(scratch, double, scene->item_count, err); /* 0: no patches */
+    /* Per item: length of a unit of texture coordinates; 0: no patches. */
+    double *steps = HATCH_NEW(scratch, double, scene->item_count, err);
     if (!steps)
         return HATCH_LIMIT;
     for (uint32_t i = 0; i < scene->item_count; i++) {
@@ -231,11 +238,11 @@ static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struc
         if (!scene->meshes[item->mesh].patches)
             continue;
         HATCH_TRY(make_survey(scene, item, scratch, &survey, err));
-        /* All vertices have the parent 0 here: one chart. */
+        /* parent is zeroed, so all faces belong to chart 0. */
         for (size_t face = 0; face < survey.mesh->face_count; face++)
             add_face(&survey, face, how);
         if (survey.charts[0].area > 0)
-            steps[i] = exp2(step_of(&survey.charts[0]));
+            steps[i] = exp2(log_step_of(&survey.charts[0]));
         all.seen_weight += survey.seen_weight;
         all.seen_log += survey.seen_log;
         all.all_weight += survey.all_weight;
@@ -244,7 +251,7 @@ static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struc
     }
     for (uint32_t i = 0; i < scene->item_count && all.all_weight > 0; i++)
         if (steps[i] > 0) {
-            double repeat = steps[i] * exp2(pixels_of(&all)) / how->size_px;
+            double repeat = steps[i] * exp2(log_pixels_of(&all)) / how->size_px;
             scene->items[i].repeat[0] = scene->items[i].repeat[1] = (float)repeat;
             scene->items[i].chart_count = 1;
         }

@@ -1,24 +1,25 @@
-/* How often the hatching pattern repeats over a mesh's texture coordinates. */
+/* Number of tiles of the hatching pattern per unit of a mesh's texture coordinates. */
 #ifndef HATCH_VIEW_UV_REPEAT_H
 #define HATCH_VIEW_UV_REPEAT_H
 
 #include "scene/unit_scene.h"
 #include "view/view.h"
 
+/* How hatch_uv_repeat_set chooses. */
 struct hatch_uv_repeat {
-    double repeat;                 /* tiles per unit of u and of v; 0: chosen */
-    const struct hatch_view *view; /* the picture that repeats are chosen for */
-    double height_px;              /* its height */
-    uint32_t size_px;              /* side of a tile at its finest level, in texels */
-    uint32_t levels;               /* levels that hold strokes */
+    double repeat;                 /* tiles per unit of u and of v; 0: chosen for the view */
+    const struct hatch_view *view; /* of the picture that repeats are chosen for */
+    double height_px;              /* height of that picture */
+    uint32_t size_px;              /* side of the tile at level 0, in texels */
+    uint32_t levels;               /* number of levels with strokes */
 };
 
-/* Sets the repeats of every item of a posed scene. Chosen ones are powers of two, of their own for each chart of an
- * item and each direction, so that in the picture texels of the finest level are no larger than pixels, and the
- * coarsest level that holds strokes is not passed. A chart is a connected part of the texture's plane; artists give
- * charts different scales. Lapped meshes have one repeat for all of the scene, at which a texel is a pixel; it need
- * be no power of two, since patches have no seams to close.
- *   arena  keeps the items' repeats */
+/* Sets the repeats of every item of a posed scene. Chosen repeats are powers of two, for each chart of an item and each
+ * direction separately, such that texels of level 0 are about as large as pixels and no level without strokes is drawn.
+ * (A chart is a connected part of the surface in texture space; charts of one mesh often have different scales.)
+ * Lapped textures have one scale for the whole scene, at which a texel of level 0 is a pixel; as patches have no seams
+ * it need not be a power of two.
+ *   arena  for the items' repeats */
 enum hatch_status hatch_uv_repeat_set(struct hatch_unit_scene *scene, const struct hatch_uv_repeat *how,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                       struct hatch_err *err) HATCH_MUST_USE;

@@ -5,9 +5,9 @@
 
 #include "math/vector.h"
 
-#define TURNS 24
-#define FLOAT_ERROR 0x1p-22 /* of places in the unit scene, when floats have carried them to the picture */
-#define MARGIN 0.92         /* share of the picture that a framed scene fills */
+#define TURNS 24            /* angles to which a full turn is reduced for framing */
+#define FLOAT_ERROR 0x1p-22 /* of positions in the unit scene after transformation in floats */
+#define FILL 0.92           /* share of the picture's sides that a framed scene fills */
 
 static bool make_unit(double v[3])
 {
@@ -28,12 +28,13 @@ void hatch_view_set_back(struct hatch_view *view, const double back[3])
     hatch_vec_cross(view->back, view->right, view->up);
 }
 
+/* Extents of the scene, for framing it. */
 struct fit {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
     int turns;
-    double left, right, down, up; /* how far the sides must move out: max(±x + z·tan) */
-    double nearest;
+    double left, right, down, up; /* per side of the frustum: max(±x + z·tan), a bound on the eye's position */
+    double nearest;               /* largest z */
     bool any;
 };
 
@@ -41,7 +42,7 @@ static void fit_point(void *context, const double point[3])
 {
     struct fit *fit = context;
     const struct hatch_view *view = fit->view;
-    double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
+    double tan_y = FILL * view->half_height, tan_x = tan_y * view->aspect;
     double p[3];
     hatch_bounds_to_unit(fit->bounds, point, p);
     for (int turn = 0; turn < fit->turns; turn++) {
@@ -57,8 +58,8 @@ static void fit_point(void *context, const double point[3])
     }
 }
 
-/* The closest eye from which every corner is inside the picture: for each side of the frustum the
- * corner that is furthest out decides, which gives the distance and the sideways shift at once. */
+/* Computes the closest eye from which every corner is inside the picture. Each side of the frustum passes through the
+ * corner that is furthest out, which determines the distance and the sideways shift. */
 static enum hatch_status frame_scene(const struct hatch_view_choice *choice, struct hatch_pose *pose,
                                      const struct hatch_framing *framing, struct hatch_arena *scratch,
                                      struct hatch_view *view, struct hatch_err *err)
@@ -67,9 +68,9 @@ static enum hatch_status frame_scene(const struct hatch_view_choice *choice, str
     hatch_view_set_back(view, (const double[3]){level * sin(choice->azimuth_rad), sin(choice->elevation_rad),
                                                 level * cos(choice->azimuth_rad)});
     view->half_height = tan(0.5 * choice->fov_rad);
-    struct fit fit = {.view = view, .bounds = framing->bounds, .turns = choice->turns ? TURNS : 1};
+    struct fit fit = {.view = view, .bounds = framing->bounds, .turns = choice->turntable ? TURNS : 1};
     HATCH_TRY(hatch_pose_each_corner(pose, framing->span, scratch, fit_point, &fit, err));
-    double tan_y = MARGIN * view->half_height, tan_x = tan_y * view->aspect;
+    double tan_y = FILL * view->half_height, tan_x = tan_y * view->aspect;
     double x = 0.5 * (fit.right - fit.left), y = 0.5 * (fit.up - fit.down);
     double distance = fmax(0.5 * (fit.right + fit.left) / tan_x, 0.5 * (fit.up + fit.down) / tan_y);
     if (!fit.any)
@@ -83,18 +84,19 @@ static enum hatch_status frame_scene(const struct hatch_view_choice *choice, str
     return HATCH_OK;
 }
 
-struct hatch_pair hatch_view_unit(const struct hatch_bounds *bounds, int axis, double world)
+struct hatch_pair hatch_view_to_unit(const struct hatch_bounds *bounds, int axis, double world)
 {
     return hatch_pair_div(hatch_pair_sum(world, -bounds->center[axis]), hatch_pair_of(bounds->radius));
 }
 
-/* A camera that asks for its own shape keeps all that it sees inside a picture of another shape. */
+/* Sets the lens. Where the picture is narrower than the camera's aspect, it is enlarged vertically, so that it still
+ * contains all that the camera sees. */
 static void set_lens(const struct hatch_camera *camera, double radius, double aspect, struct hatch_view *view)
 {
     double half = camera->orthographic ? (double)camera->ymag / radius : tan(0.5 * (double)camera->yfov_rad);
-    double wanted = camera->aspect > 0 ? (double)camera->aspect : aspect;
+    double camera_aspect = camera->aspect > 0 ? (double)camera->aspect : aspect;
     view->orthographic = camera->orthographic;
-    view->half_height = wanted > aspect ? half * wanted / aspect : half;
+    view->half_height = camera_aspect > aspect ? half * camera_aspect / aspect : half;
     view->near = (double)camera->znear / radius;
     view->far = camera->zfar > camera->znear ? (double)camera->zfar / radius : view->near + 1e4;
     if (!camera->orthographic)
@@ -120,9 +122,9 @@ static enum hatch_status look_through(uint32_t index, const struct hatch_pose *p
     make_unit(view->right);
     hatch_vec_cross(back, view->right, view->up);
     for (int k = 0; k < 3; k++) {
-        struct hatch_pair eye = hatch_view_unit(bounds, k, world[12 + k]);
+        struct hatch_pair eye = hatch_view_to_unit(bounds, k, world[12 + k]);
         view->eye[k] = eye.high;
-        view->eye_rest[k] = eye.low;
+        view->eye_low[k] = eye.low;
     }
     view->pivot = fmax(hatch_vec_dot(view->eye, view->back), 0.05);
     set_lens(&scene->cameras[index], bounds->radius, aspect, view);
@@ -134,15 +136,15 @@ static enum hatch_status look_from(const struct hatch_view_choice *choice, const
 {
     double back[3];
     for (int k = 0; k < 3; k++) {
-        struct hatch_pair eye = hatch_view_unit(bounds, k, choice->eye[k]);
+        struct hatch_pair eye = hatch_view_to_unit(bounds, k, choice->eye[k]);
         back[k] = (choice->eye[k] - (choice->has_target ? choice->target[k] : bounds->center[k])) / bounds->radius;
         view->eye[k] = eye.high;
-        view->eye_rest[k] = eye.low;
+        view->eye_low[k] = eye.low;
     }
     if (!(hatch_vec_dot(back, back) > 0))
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "the camera stands on what it looks at: "
-                          "--camera X,Y,Z:X,Y,Z names the place and something else to look at");
+                          "the camera stands on its target: "
+                          "--camera X,Y,Z:X,Y,Z names two different points");
     view->half_height = tan(0.5 * choice->fov_rad);
     view->near = HATCH_VIEW_NEAR;
     view->near_is_automatic = true;
@@ -151,7 +153,7 @@ static enum hatch_status look_from(const struct hatch_view_choice *choice, const
     return HATCH_OK;
 }
 
-/* The first camera that a node shows, or HATCH_NONE. */
+/* Returns the camera of the first node that has one, or HATCH_NONE. */
 static uint32_t first_camera(const struct hatch_scene *scene)
 {
     for (uint32_t node = 0; node < scene->node_count; node++)
@@ -183,7 +185,7 @@ enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct
     return HATCH_OK;
 }
 
-void hatch_view_free_near(struct hatch_view *view)
+void hatch_view_set_near_automatic(struct hatch_view *view)
 {
     if (view->orthographic)
         return;
@@ -202,13 +204,14 @@ void hatch_view_turn(struct hatch_view *view, double angle_rad)
 {
     double c = cos(angle_rad), s = sin(angle_rad);
     turn(view->eye, c, s);
-    turn(view->eye_rest, c, s);
+    turn(view->eye_low, c, s);
     turn(view->right, c, s);
     turn(view->up, c, s);
     turn(view->back, c, s);
 }
 
-/* What the lens and the tile make of a place in the camera's coordinates; column[3] is 1 for points. */
+/* Projects a column of a matrix to camera coordinates.
+ *   column  [3]: 1 for points, 0 for directions */
 static void through_lens(const struct hatch_view *view, const struct hatch_tile *tile, const double column[4],
                          float clip[4])
 {
@@ -236,7 +239,7 @@ void hatch_view_matrix(const struct hatch_view *view, const struct hatch_tile *t
     }
 }
 
-void hatch_view_lens(const struct hatch_view *view, const struct hatch_tile *tile, float clip_from_camera[16])
+void hatch_view_projection(const struct hatch_view *view, const struct hatch_tile *tile, float clip_from_camera[16])
 {
     for (int column = 0; column < 4; column++) {
         double camera[4] = {0, 0, 0, 0};

@@ -1,20 +1,22 @@
-/* Coming nearer to what the middle of a picture shows. */
+/* Zooming to the face in the middle of a picture. */
 #include "view/view.h"
 
 #include <math.h>
 
 #include "math/vector.h"
 
+/* The view axis. */
 struct ray {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
-    double corners[3][3]; /* of a face, from the eye */
-    int corner;
-    double distance; /* of the nearest face that it meets */
+    double corners[3][3]; /* of a face, relative to the eye */
+    int corner;           /* number of corners received, modulo 3 */
+    double distance;      /* of the nearest face on the view axis */
 };
 
-/* Where the axis meets a face: it lies inside when it has one sign against all three sides. */
-static void meet_face(struct ray *ray)
+/* Intersects the view axis with a face, which it passes through when its triple products with all three sides have the
+ * same sign. */
+static void intersect_face(struct ray *ray)
 {
     const double *back = ray->view->back;
     double side[3], volume = 0, depth = 0;
@@ -41,14 +43,14 @@ static void take_corner(void *context, const double point[3])
     hatch_vec_sub(corner, ray->view->eye, corner);
     ray->corner = (ray->corner + 1) % 3;
     if (ray->corner == 0)
-        meet_face(ray);
+        intersect_face(ray);
 }
 
 enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
                                   const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
                                   struct hatch_view *view, struct hatch_err *err)
 {
-    if (view->orthographic) { /* a nearer eye shows nothing larger, and would pass the camera's near plane */
+    if (view->orthographic) { /* moving the eye would not enlarge anything */
         view->half_height /= factor;
         return HATCH_OK;
     }
@@ -56,14 +58,14 @@ enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_po
     struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
     HATCH_TRY(hatch_pose_each_corner(pose, &now, scratch, take_corner, &ray, err));
     double distance = isfinite(ray.distance) ? ray.distance : view->pivot;
-    struct hatch_pair way = hatch_pair_sum(distance / factor, -distance);
+    struct hatch_pair step = hatch_pair_sum(distance / factor, -distance);
     for (int k = 0; k < 3; k++) {
-        struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-        eye = hatch_pair_add(eye, hatch_pair_scale(way, view->back[k]));
+        struct hatch_pair eye = {view->eye[k], view->eye_low[k]};
+        eye = hatch_pair_add(eye, hatch_pair_scale(step, view->back[k]));
         view->eye[k] = eye.high;
-        view->eye_rest[k] = eye.low;
+        view->eye_low[k] = eye.low;
     }
     view->pivot = distance / factor;
-    hatch_view_free_near(view);
+    hatch_view_set_near_automatic(view);
     return HATCH_OK;
 }

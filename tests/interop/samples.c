@@ -201,7 +201,7 @@ static void fill_motion(void)
 
 static struct hatch_material materials[] = {{.base_color = {1, 0.5f, 0.25f, 1},
                                              .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR},
-                                             .base.placed = true,
+                                             .base.has_transform = true,
                                              .base.scale = {2, 3},
                                              .base.turn_rad = 0.5f,
                                              .base.offset = {0.25f, 0}},

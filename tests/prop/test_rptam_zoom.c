@@ -158,7 +158,7 @@ START_TEST(an_eye_on_the_surface_sees_it)
         struct hatch_view view = zoomed_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
         for (int k = 0; k < 3; k++) {
             view.eye[k] = point[k];
-            view.eye_rest[k] = _i < 3 ? 0 : 0x1p-70 * normal[k];
+            view.eye_low[k] = _i < 3 ? 0 : 0x1p-70 * normal[k];
         }
         zoom_measure(&frame, &view, WIDTH, HEIGHT, 16);
         ck_assert_ptr_nonnull(frame.shown.near.found.items);
@@ -233,12 +233,12 @@ START_TEST(a_hand_zooms_without_end)
     hatch_orbit_turn(&orbit, 0.2, -0.1);
     check_places(&orbit.view, 0.05, 1);
     struct hatch_view low = orbit.view;
-    hatch_orbit_look_at(&orbit, 0.5 * orbit.distance);
+    hatch_orbit_set_distance(&orbit, 0.5 * orbit.distance);
     hatch_orbit_zoom(&orbit, 1);
     for (int k = 0; k < 3; k++) /* a new middle on the same line of sight is no step */
         ck_assert_double_le(
-            fabs(hatch_pair_round(hatch_pair_sub((struct hatch_pair){low.eye[k], low.eye_rest[k]},
-                                                 (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_rest[k]}))),
+            fabs(hatch_pair_round(hatch_pair_sub((struct hatch_pair){low.eye[k], low.eye_low[k]},
+                                                 (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_low[k]}))),
             1e-14 * orbit.distance);
     while (orbit.distance < 1)
         hatch_orbit_zoom(&orbit, 2);

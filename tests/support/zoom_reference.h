@@ -61,8 +61,8 @@ static inline void zoom_corners(struct test_frame *frame, const struct hatch_vie
     for (size_t v = 0; v < count; v++) {
         struct hatch_pair from[3];
         for (int k = 0; k < 3; k++) {
-            const struct hatch_pair eye = {view->eye[k], view->eye_rest[k]};
-            from[k] = hatch_pair_sub(hatch_view_unit(&frame->on_gpu.unit.bounds, k, world[3 * v + (size_t)k]), eye);
+            const struct hatch_pair eye = {view->eye[k], view->eye_low[k]};
+            from[k] = hatch_pair_sub(hatch_view_to_unit(&frame->on_gpu.unit.bounds, k, world[3 * v + (size_t)k]), eye);
         }
         for (int k = 0; k < 3; k++)
             corners[v].at[k] = hatch_pair_dot(from, axes[k]);

@@ -51,8 +51,8 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
                                                .max_memory = frame->programs.scratch->limit_bytes};
     HATCH_TRY(near_begin(&frame->near, frame->scene, &options, &frame->view, err));
     frame_block_set_view(block, &frame->view, request->tile, request->canvas->side);
-    block->counts[0] = (int32_t)hatch_lights_at(&unit->pose, &unit->bounds, &frame->view, &style->light,
-                                                style->curve.exposure, block->lights);
+    block->counts[0] = (int32_t)hatch_lights_fill(&unit->pose, &unit->bounds, &frame->view, &style->light,
+                                                  style->curve.exposure, block->lights);
     gpu_block_update(&frame->block_buffer, BLOCK_FRAME, block, sizeof *block);
     if (style->shadows)
         HATCH_TRY(draw_shadows(frame, err));

@@ -8,7 +8,7 @@
 static void make_array(struct near *near)
 {
     static const struct gpu_attribute attributes[] = {
-        {ATTRIBUTE_PLACE, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, place)},
+        {ATTRIBUTE_PLACE, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, position)},
         {ATTRIBUTE_FROM, 2, GL_FLOAT, offsetof(struct hatch_near_vertex, uv)},
         {ATTRIBUTE_WEIGHT, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, weight)},
         {ATTRIBUTE_CORNER, 3, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, corner)},
@@ -29,7 +29,7 @@ enum hatch_status near_begin(struct near *near, const struct scene *scene, const
         return HATCH_OK;
     if (!near->array)
         make_array(near);
-    hatch_view_lens(view, options->tile, near->clip_from_camera);
+    hatch_view_projection(view, options->tile, near->clip_from_camera);
     glNamedBufferData(near->buffer, (GLsizeiptr)(sizeof *near->found.vertices * near->found.vertex_count),
                       near->found.vertices, GL_STREAM_DRAW);
     return HATCH_OK;

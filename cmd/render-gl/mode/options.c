@@ -175,7 +175,7 @@ static void make_table(const struct options_shown *shown)
 static void read_view(struct hatch_view_choice *view)
 {
     bool frame = camera && strcmp(camera, "frame") == 0;
-    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turns = chosen.turntable};
+    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turntable = chosen.turntable};
     if (camera && !frame &&
         (from_given || !(parse_whole(camera, 65535, &view->index) || parse_camera_place(camera, view))))
         cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from", camera);

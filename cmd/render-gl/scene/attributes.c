@@ -45,7 +45,7 @@ static enum hatch_status set_uv_tangents(struct scene *scene, uint32_t index, st
         return HATCH_OK;
     if (!(unit->uv_reach > 0))
         unit->uv_reach = hatch_uv_reach(mesh);
-    if (unit->shaped || item->uv_tangents)
+    if (unit->deformed || item->uv_tangents)
         return HATCH_OK;
     HATCH_TRY(hatch_uv_tangents(mesh, scratch, &tangents, err));
     item->uv_tangents = gpu_buffer_make(tangents, stride * mesh->vertex_count);

@@ -8,7 +8,7 @@
 
 /* A vertex's frame, beside struct scene_vertex. */
 struct scene_tangent {
-    float along[4]; /* unit, in the mesh; of a shaped item: in the unit scene; w: 1 or -1 */
+    float along[4]; /* unit, in the mesh; of a deformed item: in the unit scene; w: 1 or -1 */
     float texcoord[2];
 };
 
@@ -24,7 +24,7 @@ enum hatch_status normals_set(struct scene *scene, uint32_t item, const struct h
                               GLuint texture, struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Poses the frames of a shaped item. positions: its posed vertices, 3 per vertex, in the world. */
+/* Poses the frames of a deformed item. positions: its posed vertices, 3 per vertex, in the world. */
 enum hatch_status normals_pose(const struct scene *scene, uint32_t item, const double *positions,
                                struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 

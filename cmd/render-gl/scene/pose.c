@@ -16,7 +16,7 @@ static enum hatch_status pose_item(struct scene *scene, uint32_t index, struct h
     float *normals = positions ? HATCH_NEW(scratch, float, 3 * count, err) : NULL;
     if (!normals)
         return HATCH_LIMIT;
-    hatch_item_shape(&scene->unit, item, positions, normals);
+    hatch_item_deform(&scene->unit, item, positions, normals);
     for (size_t v = 0; v < count; v++) {
         double at[3];
         hatch_bounds_to_unit(&scene->unit.bounds, positions + 3 * v, at);
@@ -35,7 +35,7 @@ enum hatch_status scene_set_pose(struct scene *scene, uint32_t animation, double
     for (uint32_t i = 0; i < scene->unit.item_count; i++) {
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         enum hatch_status status = HATCH_OK;
-        if (scene->unit.items[i].shaped)
+        if (scene->unit.items[i].deformed)
             status = pose_item(scene, i, scratch, err);
         hatch_arena_rewind(scratch, mark);
         HATCH_TRY(status);

@@ -8,7 +8,7 @@
 
 void scene_place_texcoord(const struct hatch_texture_use *use, float at[2])
 {
-    if (!use->placed)
+    if (!use->has_transform)
         return;
     double c = cos((double)use->turn_rad), s = sin((double)use->turn_rad);
     double u = (double)use->scale[0] * (double)at[0], v = (double)use->scale[1] * (double)at[1];
@@ -101,10 +101,10 @@ static void make_item(const struct scene *scene, uint32_t index, struct scene_it
     const struct hatch_item *unit = &scene->unit.items[index];
     const struct scene_mesh *mesh = &scene->meshes[unit->mesh];
     *item = (struct scene_item){.base_lightness = 1.0f};
-    if (unit->shaped)
+    if (unit->deformed)
         item->posed =
             gpu_buffer_make(NULL, sizeof(struct scene_vertex) * scene->unit.meshes[unit->mesh].mesh->vertex_count);
-    GLuint vertices = unit->shaped ? item->posed : mesh->vertices;
+    GLuint vertices = unit->deformed ? item->posed : mesh->vertices;
     item->vertex_array = make_vertex_array(vertices, mesh->indices);
     if (mesh->surface_indices)
         item->surface_array = make_vertex_array(vertices, mesh->surface_indices);

@@ -8,7 +8,7 @@
 
 /* A vertex as the vertex stage reads it; 40 bytes. */
 struct scene_vertex {
-    float position[3]; /* minus the mesh's origin; of a shaped item: in the unit scene */
+    float position[3]; /* minus the mesh's origin; of a deformed item: in the unit scene */
     float normal[3];
     float texcoord[2];
     float base_texcoord[2];
@@ -27,7 +27,7 @@ struct scene_mesh {
 struct scene_item {
     GLuint vertex_array;
     GLuint surface_array; /* of a lapped mesh: of the surface's faces; else 0 */
-    GLuint posed;         /* own vertices of a shaped item, renewed with the pose; else 0 */
+    GLuint posed;         /* own vertices of a deformed item, renewed with the pose; else 0 */
     GLuint repeats;       /* two floats per vertex: struct hatch_item's; 0: its repeat for all */
     GLuint uv_tangents;   /* six floats per vertex: hatch_uv_tangents; 0: unset */
     GLuint base_texture;  /* the material's; of a lapped mesh the patches' outline, in red; 0: none */

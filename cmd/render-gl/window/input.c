@@ -92,7 +92,7 @@ static void zoom(struct window *window, double factor)
     double depth = (double)gpu_target_read_depth(samples, samples->form.width / 2, samples->form.height / 2);
     double distance = depth > 0 ? window->job->frame.near.found.plane / depth : INFINITY;
     if (!orbit->view.orthographic && distance < 0.5 * orbit->distance)
-        hatch_orbit_look_at(orbit, distance);
+        hatch_orbit_set_distance(orbit, distance);
     hatch_orbit_zoom(orbit, factor);
     window->moved = window->stale = true;
 }

@@ -18,7 +18,7 @@ static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const
     HATCH_TRY(hatch_glb_key(glb, key));
     HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u", *hatch_glb_texture(glb, use),
                                  use->texcoord));
-    return use->placed ? print_transform(glb, use) : HATCH_OK;
+    return use->has_transform ? print_transform(glb, use) : HATCH_OK;
 }
 
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
@@ -162,7 +162,7 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
     for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
             hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
-        placed = placed || (use && use->placed);
+        placed = placed || (use && use->has_transform);
     }
     if (!placed && scene->light_count == 0)
         return HATCH_OK;

@@ -41,7 +41,7 @@ enum hatch_status read_transform(Reader &r, const tinygltf::ExtensionMap &extens
     const tinygltf::Value &transform = found->second;
     const tinygltf::Value &turn = transform.Get("rotation");
     *set = index_of(transform, "texCoord", *set);
-    use->placed = true;
+    use->has_transform = true;
     use->scale[0] = use->scale[1] = 1;
     HATCH_TRY(copy_numbers(r, numbers_of(transform, "offset"), 2, where, "offset", use->offset));
     HATCH_TRY(copy_numbers(r, numbers_of(transform, "scale"), 2, where, "scale", use->scale));
@@ -104,7 +104,7 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     if (known && available)
         use->texture = static_cast<uint32_t>(image);
     else
-        use->placed = false;
+        use->has_transform = false;
     return HATCH_OK;
 }
 

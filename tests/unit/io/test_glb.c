@@ -109,7 +109,7 @@ static void make_materials(void)
                      {.texture = 1,
                       .texcoord = 2,
                       .wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_MIRROR},
-                      .placed = true,
+                      .has_transform = true,
                       .scale = {-1, 3},
                       .turn_rad = 0.1f,
                       .offset = {0.2f, 0.3f}},
@@ -120,7 +120,7 @@ static void make_materials(void)
          .base.wrap = {HATCH_WRAP_MIRROR, HATCH_WRAP_REPEAT},
          .double_sided = true,
          .alpha_cutoff = 0.25f,
-         .base.placed = true,
+         .base.has_transform = true,
          .base.scale = {2, -0.1f},
          .base.turn_rad = 0.3f,
          .base.offset = {0.7f, 0}},
@@ -245,7 +245,7 @@ static void same_use(const struct hatch_texture_use *a, const struct hatch_textu
     ck_assert_uint_eq(a->texture, b->texture);
     ck_assert_uint_eq(a->texcoord, b->texcoord);
     ck_assert(a->wrap[0] == b->wrap[0] && a->wrap[1] == b->wrap[1]);
-    ck_assert(a->placed == b->placed && a->turn_rad == b->turn_rad);
+    ck_assert(a->has_transform == b->has_transform && a->turn_rad == b->turn_rad);
     same_floats(a->scale, b->scale, 2);
     same_floats(a->offset, b->offset, 2);
 }

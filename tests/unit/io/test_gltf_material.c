@@ -48,12 +48,12 @@ START_TEST(texture_transforms_are_read)
                        "\"KHR_texture_transform\":{\"offset\":[0.25,0.5],\"rotation\":0.5,\"texCoord\":1}}}}},"
                        "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]}");
     const struct hatch_material *m = &scene.materials[0];
-    ck_assert(m->base.placed && m->base.texture == 0 && m->base.texcoord == 1);
+    ck_assert(m->base.has_transform && m->base.texture == 0 && m->base.texcoord == 1);
     ck_assert_float_eq(m->base.offset[0], 0.25f);
     ck_assert_float_eq(m->base.offset[1], 0.5f);
     ck_assert_float_eq(m->base.turn_rad, 0.5f);
     ck_assert(m->base.scale[0] == 1 && m->base.scale[1] == 1);
-    ck_assert(!scene.materials[1].base.placed);
+    ck_assert(!scene.materials[1].base.has_transform);
     static const char crooked[] =
         HEAD TEXTURE ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":"
                      "{\"KHR_texture_transform\":{\"scale\":[1]}}}}}]}";
@@ -70,7 +70,7 @@ START_TEST(diffuse_colours_are_read)
     const struct hatch_material *m = &scene.materials[0];
     ck_assert_float_eq(m->base_color[0], 0.5f);
     ck_assert_float_eq(m->base_color[1], 0);
-    ck_assert(m->base.texture == 0 && m->base.texcoord == 1 && m->base.placed);
+    ck_assert(m->base.texture == 0 && m->base.texcoord == 1 && m->base.has_transform);
     ck_assert_float_eq(m->base.scale[1], 3);
     static const char astray[] =
         HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"

@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "views.h"
 
-/* Directions along x on a plane, half of them the other way round. */
+/* Directions along x on a plane, half of them with inverted sign. */
 START_TEST(marks_lie_evenly_along_directions)
 {
     struct hatch_scene scene;
@@ -22,7 +22,7 @@ START_TEST(marks_lie_evenly_along_directions)
     hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
     HATCH_TEST_OK(hatch_marks_make(&unit, &view_facing, 200, &keep, &scratch, &marks, &err), &err);
     hatch_marks_place(&marks);
-    /* 100 pixels to a unit, 11 from mark to mark. */
+    /* 100 pixels per unit, 11 pixels between marks. */
     ck_assert_uint_gt(marks.count, 200);
     for (uint32_t a = 0; a < marks.count; a++) {
         const struct hatch_mark_line *line = marks.lines + a;

@@ -1,4 +1,4 @@
-/* Which edges are drawn. */
+/* Features of a mesh: creases and boundaries. */
 #include "fail_alloc.h"
 #include "lines.h"
 #include "mesh/creases.h"
@@ -53,7 +53,7 @@ START_TEST(boundaries_are_closed_chains)
 }
 END_TEST
 
-/* Programs that write every face by itself round its corners by themselves. */
+/* Programs that write every face separately may round the same corner differently. */
 START_TEST(corners_apart_by_rounding_are_one)
 {
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_TORUS, 2000), apart = unwelded(&mesh);
@@ -64,7 +64,7 @@ START_TEST(corners_apart_by_rounding_are_one)
 }
 END_TEST
 
-/* Leaves are often given twice, once for each side. */
+/* Leaves are often modelled twice, once for each side. */
 START_TEST(two_sheets_on_one_another_have_the_boundary_of_one)
 {
     static const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -85,7 +85,7 @@ START_TEST(three_sheets_meet_in_a_crease)
 }
 END_TEST
 
-/* A corner of one face on the side of another: the gap between them has no area. */
+/* A corner of one face lies on the side of another (a T-junction): the gap between them has no area. */
 START_TEST(a_crack_is_no_boundary)
 {
     static const float corners[18] = {0, 0, 0, 3, 0, 0, 1, 1, 0, 1, -1, 0, 1, 0, 0, 2, 0, 0};
@@ -97,8 +97,8 @@ START_TEST(a_crack_is_no_boundary)
 }
 END_TEST
 
-/* Every quadrangle is three triangles, of which two would do. */
-START_TEST(what_ends_within_a_face_is_no_boundary)
+/* A quadrangle is stored as three overlapping triangles. */
+START_TEST(an_edge_within_a_face_is_no_boundary)
 {
     static const float corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
     static const uint32_t faces[9] = {0, 1, 2, 1, 2, 3, 2, 3, 0};
@@ -109,8 +109,8 @@ START_TEST(what_ends_within_a_face_is_no_boundary)
 }
 END_TEST
 
-/* Noise on a surface folds single edges over the angle of a crease; a fold from side to side is meant. */
-START_TEST(creases_of_noise_are_left_out)
+/* Noise folds single edges by more than the angle of a crease, which are removed; a fold across the plane is kept. */
+START_TEST(creases_of_noise_are_removed)
 {
     struct hatch_mesh rough =
         shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 4000, .noise = 0.15f, .seed = 1});
@@ -140,9 +140,9 @@ START_TEST(creases_of_noise_are_left_out)
 }
 END_TEST
 
-/* A coarse torus turns by more than the angle at every edge; whoever gave it smooth normals did not mean
- * these, but would have meant the edges of a cube. */
-START_TEST(normals_tell_what_was_meant)
+/* A coarse torus turns by more than the angle at every edge. With authored smooth normals it has no creases, while a
+ * cube still has its twelve. */
+START_TEST(authored_normals_decide_on_creases)
 {
     static const double origin[3] = {0, 0, 0};
     const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true};
@@ -181,12 +181,12 @@ START_TEST(faces_without_area_are_no_lines)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     static const double origin[3] = {0, 0, 0};
     const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true};
     struct hatch_line_mesh lines;
-    return hatch_line_mesh_make(context, origin, &choice, arena, temporary, &lines, said);
+    return hatch_line_mesh_make(context, origin, &choice, arena, temporary, &lines, error);
 }
 
 START_TEST(extraction_survives_every_failed_allocation)
@@ -209,9 +209,9 @@ static Suite *suite(void)
     tcase_add_test(tests, two_sheets_on_one_another_have_the_boundary_of_one);
     tcase_add_test(tests, three_sheets_meet_in_a_crease);
     tcase_add_test(tests, a_crack_is_no_boundary);
-    tcase_add_test(tests, what_ends_within_a_face_is_no_boundary);
-    tcase_add_test(tests, creases_of_noise_are_left_out);
-    tcase_add_test(tests, normals_tell_what_was_meant);
+    tcase_add_test(tests, an_edge_within_a_face_is_no_boundary);
+    tcase_add_test(tests, creases_of_noise_are_removed);
+    tcase_add_test(tests, authored_normals_decide_on_creases);
     tcase_add_test(tests, scale_and_place_do_not_matter);
     tcase_add_test(tests, faces_without_area_are_no_lines);
     tcase_add_test(tests, extraction_survives_every_failed_allocation);

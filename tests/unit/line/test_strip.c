@@ -1,11 +1,11 @@
-/* Chains as they lie in a picture: cut at planes and borders, evenly visible. */
+/* Chains in a picture: clipping, pieces, clean-up of their visibility. */
 #include "fail_alloc.h"
 #include "lines.h"
 #include "line/strip.h"
 
 static const struct hatch_tile whole = {0, 0, 400, 400, 400, 400};
 
-/* A polyline through points, closed when it ends where it begins. */
+/* Makes a polyline through points; it is closed when the last point is the first one. */
 static struct hatch_line_trace polyline(const double *points, uint32_t count)
 {
     bool closed = hatch_vec_distance(points, points + 3 * (count - 1)) == 0;
@@ -38,15 +38,15 @@ START_TEST(a_segment_becomes_pieces_of_its_projection)
     struct hatch_view view = view_from(0, 0, 4, true);
     struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
     ck_assert_uint_eq(strips.strip_count, 1);
-    ck_assert_uint_eq(strips.piece_count, 134); /* 200 pixels, at most 1.5 a piece */
+    ck_assert_uint_eq(strips.piece_count, 134); /* 200 pixels, at most 1.5 per piece */
     ck_assert_float_eq_tol(strips.pieces[0].a[0], 100, 1e-3f);
     ck_assert_float_eq_tol(strips.pieces[133].b[0], 300, 1e-3f);
     ck_assert_float_eq_tol(strips.pieces[70].a[1], 250, 1e-3f);
-    ck_assert_float_eq_tol(strips.samples[0].limit, 0.96f, 1e-3f); /* 4 of 100 deep */
+    ck_assert_float_eq_tol(strips.samples[0].limit, 0.96f, 1e-3f); /* at depth 4 of 100 */
 }
 END_TEST
 
-START_TEST(what_is_behind_the_eye_is_cut_off)
+START_TEST(lines_behind_the_eye_are_clipped)
 {
     static const double points[6] = {0.1, 0.1, -3, 0.2, 0.3, 9};
     static const double behind[6] = {0.1, 0.1, 5, 0.2, 0.3, 9};
@@ -64,7 +64,7 @@ START_TEST(what_is_behind_the_eye_is_cut_off)
 }
 END_TEST
 
-/* The pieces of a tile are the whole picture's, moved: its lines end where the neighbour's do. */
+/* The pieces of a tile are those of the whole picture, translated, so that lines of neighbouring tiles meet. */
 START_TEST(tiles_cut_lines_alike)
 {
     static const double points[9] = {-1.7, -1.1, 0, 0.4, 0.9, 0.5, 1.8, -1.6, 0.2};
@@ -85,7 +85,7 @@ START_TEST(tiles_cut_lines_alike)
 }
 END_TEST
 
-/* A closed square of 100 pixels a side. */
+/* Makes a closed square with sides of 100 pixels. */
 static struct hatch_line_strips square(void)
 {
     static const double points[15] = {-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0, -.5, -.5, 0};
@@ -106,21 +106,22 @@ static uint32_t sum(const uint8_t *visible, uint32_t count)
     return total;
 }
 
-/* visible: becomes what is left of it. */
-static void smooth(const struct hatch_line_strips *strips, double gap_px, double crumb_px, double trim_px,
+/* Cleans up visibility without haloes.
+ *   visible  in and out: per piece */
+static void smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                    uint8_t *visible)
 {
     uint8_t seen[268];
     memcpy(seen, visible, sizeof seen);
-    hatch_line_strips_smooth(strips, gap_px, crumb_px, trim_px, seen, visible);
+    hatch_line_strips_smooth(strips, gap_px, speck_px, trim_px, seen, visible);
 }
 
-START_TEST(gaps_are_closed_and_crumbs_are_dropped)
+START_TEST(gaps_are_closed_and_specks_are_hidden)
 {
     struct hatch_line_strips strips = square();
     uint8_t visible[268];
     memset(visible, 1, sizeof visible);
-    visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner is one of two pieces */
+    visible[0] = visible[267] = visible[50] = 0; /* the gap at the corner has two pieces */
     memset(visible + 100, 0, 40);
     smooth(&strips, 4, 8, 0, visible);
     ck_assert_uint_eq(sum(visible, 268), 228);
@@ -158,7 +159,7 @@ START_TEST(ends_at_hidden_parts_are_trimmed)
 }
 END_TEST
 
-START_TEST(what_another_line_joins_is_no_crumb)
+START_TEST(parts_joined_by_a_line_are_no_specks)
 {
     struct hatch_line_strips strips = square();
     uint8_t visible[268] = {1, 1};
@@ -185,8 +186,8 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
 }
 END_TEST
 
-/* Haloes cut a line into parts; what is shorter than a crumb goes, however long it is under the halo. */
-START_TEST(what_haloes_leave_is_no_crumb)
+/* Haloes split a line into parts; short uncovered parts are hidden, independent of the length under the halo. */
+START_TEST(specks_between_haloes_are_hidden)
 {
     struct hatch_line_strips strips = square();
     uint8_t seen[268], visible[268];
@@ -195,10 +196,10 @@ START_TEST(what_haloes_leave_is_no_crumb)
     memset(seen + 103, HATCH_LINE_VISIBLE, 3);
     memset(seen + 110, HATCH_LINE_VISIBLE, 7);
     hatch_line_strips_smooth(&strips, 4, 8, 2, seen, visible);
-    ck_assert_uint_eq(sum(visible + 101, 8), 0); /* 4.5 pixels are dropped */
-    ck_assert_uint_eq(sum(visible + 109, 9), 9); /* 10.4 stay, with a piece on either side to be cut */
+    ck_assert_uint_eq(sum(visible + 101, 8), 0); /* 4.5 pixels are hidden */
+    ck_assert_uint_eq(sum(visible + 109, 9), 9); /* 10.4 pixels stay, with a covered piece on either side */
     ck_assert_uint_eq(visible[108] + visible[118], 0);
-    ck_assert_uint_eq(sum(visible, 101), 101); /* no trimming either: the halo says where it ends */
+    ck_assert_uint_eq(sum(visible, 101), 101); /* not trimmed: the line ends at the halo */
     ck_assert_uint_eq(sum(visible + 119, 149), 149);
     memset(seen + 110, HATCH_LINE_TOUCHED | HATCH_LINE_COVERED, 7);
     hatch_line_strips_smooth(&strips, 4, 8, 0, seen, visible);
@@ -206,7 +207,7 @@ START_TEST(what_haloes_leave_is_no_crumb)
 }
 END_TEST
 
-START_TEST(only_pieces_near_haloes_are_asked_again)
+START_TEST(only_pieces_near_haloes_are_tested_again)
 {
     struct hatch_line_strips strips = square();
     uint8_t seen[268], visible[268];
@@ -222,7 +223,7 @@ START_TEST(only_pieces_near_haloes_are_asked_again)
 }
 END_TEST
 
-/* Two lines that cross at a node stay straight; a third that ends there is joined. */
+/* Two lines that cross at a node are straight chains; a third one that ends there is joined. */
 START_TEST(chains_go_straight_on)
 {
     static const double nodes[18] = {0, 0, 0, -1, 0, 0, 1, 0.1, 0, 0, -1, 0, 0.1, 1, 0, 0.7, 0.7, 0};
@@ -242,7 +243,7 @@ START_TEST(chains_go_straight_on)
 END_TEST
 
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
-                              struct hatch_err *said)
+                              struct hatch_err *error)
 {
     const struct hatch_line_trace *trace = context;
     const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
@@ -250,8 +251,8 @@ static enum hatch_status make(void *context, struct hatch_arena *arena, struct h
     const struct hatch_line_picture picture = {&view, &whole, 4};
     struct hatch_line_chains chains;
     struct hatch_line_strips strips;
-    HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, said));
-    return hatch_line_strips_make(trace, &chains, &picture, arena, &strips, said);
+    HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, error));
+    return hatch_line_strips_make(trace, &chains, &picture, arena, &strips, error);
 }
 
 START_TEST(strips_survive_every_failed_allocation)
@@ -268,14 +269,14 @@ static Suite *suite(void)
     TCase *tests = tcase_create("strips");
     tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
-    tcase_add_test(tests, what_is_behind_the_eye_is_cut_off);
+    tcase_add_test(tests, lines_behind_the_eye_are_clipped);
     tcase_add_test(tests, tiles_cut_lines_alike);
-    tcase_add_test(tests, gaps_are_closed_and_crumbs_are_dropped);
+    tcase_add_test(tests, gaps_are_closed_and_specks_are_hidden);
     tcase_add_test(tests, ends_at_hidden_parts_are_trimmed);
-    tcase_add_test(tests, what_another_line_joins_is_no_crumb);
+    tcase_add_test(tests, parts_joined_by_a_line_are_no_specks);
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
-    tcase_add_test(tests, what_haloes_leave_is_no_crumb);
-    tcase_add_test(tests, only_pieces_near_haloes_are_asked_again);
+    tcase_add_test(tests, specks_between_haloes_are_hidden);
+    tcase_add_test(tests, only_pieces_near_haloes_are_tested_again);
     tcase_add_test(tests, chains_go_straight_on);
     tcase_add_test(tests, strips_survive_every_failed_allocation);
     suite_add_tcase(suite, tests);

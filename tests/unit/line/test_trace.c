@@ -1,4 +1,4 @@
-/* Silhouettes that are known in closed form, and that stay the same however a mesh is stored. */
+/* Silhouettes with a known closed form, and their independence of the storage of a mesh. */
 #include <stdlib.h>
 
 #include "fail_alloc.h"
@@ -6,8 +6,8 @@
 
 #define CREASE_RAD 0.7
 
-/* Seen from distance d the silhouette of the unit sphere is a circle of radius √(1 − 1/d²) in the plane
- * at 1/d from the middle. Edges of 2000 faces are 0.14 long at most: chords lie 2.5e-3 inside the sphere. */
+/* From distance d the silhouette of the unit sphere is a circle of radius √(1 − 1/d²) in the plane
+ * at 1/d from the centre. Edges of 2000 faces are 0.14 long at most: chords lie 2.5e-3 inside the sphere. */
 static void check_sphere(const struct hatch_view *view, double height, double radius)
 {
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, 2000);
@@ -49,8 +49,7 @@ START_TEST(nothing_is_seen_of_a_sphere_from_its_inside)
 }
 END_TEST
 
-/* From a corner the outline of a cube is six of its edges, whether its normals were smooth, split or
- * missing: a smooth one would run across its faces. */
+/* From a corner the outline of a cube is six of its edges, whether its normals are smooth, split or missing. */
 START_TEST(the_silhouette_of_a_cube_runs_along_its_edges)
 {
     for (int form = 0; form < 3; form++) {
@@ -72,8 +71,8 @@ START_TEST(the_silhouette_of_a_cube_runs_along_its_edges)
 }
 END_TEST
 
-/* Where one half of a sphere has flat faces and the other is smooth, the silhouette changes from edges
- * to lines across faces, and is one closed curve all the same. */
+/* One half of a sphere has flat faces, the other one is smooth: the silhouette is one closed curve, along edges on one
+ * half and across faces on the other. */
 START_TEST(smooth_and_faceted_silhouettes_join)
 {
     struct hatch_mesh whole = shape_of(HATCH_SHAPE_SPHERE, 2000), mesh = unwelded(&whole);
@@ -95,7 +94,7 @@ START_TEST(smooth_and_faceted_silhouettes_join)
     uint32_t closed = 0;
     for (uint32_t i = 0; i < chains.count; i++)
         closed += chains.chains[i].closed;
-    ck_assert_uint_gt(lines.hard_count, 400);
+    ck_assert_uint_gt(lines.hard_edge_count, 400);
     ck_assert_uint_eq(closed, chains.count);
 }
 END_TEST
@@ -105,7 +104,7 @@ static int by_place(const void *a, const void *b)
     return memcmp(a, b, 3 * sizeof(int64_t));
 }
 
-/* The nodes, rounded and sorted. */
+/* Returns the nodes' positions, rounded and sorted. */
 static int64_t *sorted_nodes(const struct hatch_line_trace *trace)
 {
     int64_t *places = HATCH_NEW(&keep, int64_t, 3 * (size_t)trace->node_count, &err);
@@ -115,7 +114,7 @@ static int64_t *sorted_nodes(const struct hatch_line_trace *trace)
     return places;
 }
 
-/* Does each place have one of the others within rounding? */
+/* Returns whether each position in a has an equal one in b, except for rounding. */
 static bool same_places(const int64_t *a, const int64_t *b, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -161,8 +160,8 @@ START_TEST(shuffled_and_unwelded_meshes_have_the_same_silhouette)
 }
 END_TEST
 
-/* A mirrored, stretched shape is seen as its transformed mesh is. */
-START_TEST(the_place_of_a_shape_counts)
+/* A shape with a mirroring, stretching matrix has the silhouette of the transformed mesh. */
+START_TEST(the_matrix_of_a_shape_is_applied)
 {
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, 2000);
     struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD);
@@ -184,8 +183,8 @@ START_TEST(the_place_of_a_shape_counts)
 }
 END_TEST
 
-/* Of a coarse sphere the nodes lie on the circle of tangents, the chords between them up to a hundredth
- * within; curves lie on it, too. */
+/* On a coarse sphere the nodes lie on the circle of tangents, the chords between them up to 0.01 inside; the curves lie
+ * on the circle, too. */
 START_TEST(curves_go_through_the_nodes)
 {
     struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, 300);
@@ -235,7 +234,7 @@ static struct hatch_mesh chamfered_rod(void)
     return mesh;
 }
 
-/* The chamfers' turn is smooth and short: the long faces beside them do not bend by it. */
+/* The normals turn smoothly over the short chamfers; the long faces beside them stay straight. */
 START_TEST(long_faces_beside_short_ones_stay_straight)
 {
     struct hatch_mesh mesh = chamfered_rod();
@@ -254,19 +253,19 @@ START_TEST(long_faces_beside_short_ones_stay_straight)
 END_TEST
 
 static enum hatch_status trace_all(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
-                                   struct hatch_err *said)
+                                   struct hatch_err *error)
 {
     struct hatch_view view = view_from(3, 2, 4, false);
     const struct hatch_line_eye eye = {&view, 400};
     struct hatch_line_shape shape = shape_in_place(context);
     struct hatch_line_trace features;
-    HATCH_TRY(hatch_line_trace_features(&shape, &eye, arena, &features, said));
+    HATCH_TRY(hatch_line_trace_features(&shape, &eye, arena, &features, error));
     struct hatch_line_trace trace;
     struct hatch_line_chains chains;
-    HATCH_TRY(hatch_line_trace_silhouettes(&shape, &eye, arena, temporary, &trace, said));
+    HATCH_TRY(hatch_line_trace_silhouettes(&shape, &eye, arena, temporary, &trace, error));
     const struct hatch_line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
-    HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, said));
-    return hatch_line_refine(&trace, &chains, arena, said);
+    HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, error));
+    return hatch_line_refine(&trace, &chains, arena, error);
 }
 
 START_TEST(tracing_survives_every_failed_allocation)
@@ -287,7 +286,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_silhouette_of_a_cube_runs_along_its_edges);
     tcase_add_test(tests, smooth_and_faceted_silhouettes_join);
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
-    tcase_add_test(tests, the_place_of_a_shape_counts);
+    tcase_add_test(tests, the_matrix_of_a_shape_is_applied);
     tcase_add_test(tests, curves_go_through_the_nodes);
     tcase_add_test(tests, long_faces_beside_short_ones_stay_straight);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);

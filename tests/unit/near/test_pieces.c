@@ -1,4 +1,4 @@
-/* Triangles cut towards the eye: nothing is lost, nothing gapes, and it ends. */
+/* Subdivision of triangles: pieces cover the face without gaps, and the recursion ends. */
 #include "run.h"
 
 #include <math.h>
@@ -52,7 +52,7 @@ static void cut(const double at[3][3], const struct hatch_piece_view *view, stru
     HATCH_TEST_OK(hatch_pieces_cut(face, view, keep, list, &err), &err);
 }
 
-/* Twice the area in the plane of x and y. */
+/* Returns twice the signed area in the x-y plane. */
 static double area_of(const struct hatch_piece_corner corner[3])
 {
     double a[2], b[2];
@@ -68,7 +68,7 @@ static double part(uint64_t stream, uint64_t index)
     return 2 * (double)hatch_random_unit(7, stream, index) - 1;
 }
 
-/* Faces in front of the eye, and nothing of the picture cut off. */
+/* Makes a face in front of the eye, inside the picture. */
 static void random_face(uint64_t number, double at[3][3])
 {
     for (int i = 0; i < 9; i++)
@@ -89,7 +89,7 @@ START_TEST(pieces_are_the_face)
         ck_assert_uint_gt(lists[0].count, 0);
         for (uint32_t i = 0; i < lists[0].count; i++) {
             double piece = area_of(lists[0].corners[i]);
-            ck_assert_double_gt(piece / whole, 0); /* their winding is the face's */
+            ck_assert_double_gt(piece / whole, 0); /* winding as the face */
             sum += piece;
         }
         ck_assert_double_eq_tol(sum / whole, 1, 1e-12);
@@ -97,7 +97,7 @@ START_TEST(pieces_are_the_face)
 }
 END_TEST
 
-/* Every corner is the mixture of the face's corners that its weights say, to the last bit of a pair. */
+/* Every corner is the sum of the face's corners times its weights, to the last bit of a pair. */
 START_TEST(corners_are_exact)
 {
     double at[3][3] = {{-1, -0x1p-40, 1}, {0.9, -0x1p-41, 0.5}, {0.1, -0x1p-40, -1}};
@@ -132,14 +132,14 @@ static bool has_corner(const struct list *list, const struct hatch_piece_corner 
     return false;
 }
 
-/* Two faces at an edge that passes the eye: on it, the corners of both are the same, bit by bit. */
+/* Two faces share an edge near the eye: on it their corners are equal, bit by bit. */
 START_TEST(neighbours_meet_corner_to_corner)
 {
     for (uint64_t number = 0; number < 30; number++) {
         double a[3] = {part(number, 20), part(number, 21), -0.3}, b[3] = {0, 0, 0};
         double gap = exp2(-0.4 * (double)number - 3);
         for (int k = 0; k < 3; k++)
-            b[k] = -a[k] - (k == 2 ? gap : 0); /* passes the eye at about half the gap */
+            b[k] = -a[k] - (k == 2 ? gap : 0); /* the edge is at about half the gap from the eye */
         const double faces[2][3][3] = {{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {part(number, 22), 1, -1}},
                                        {{part(number, 23), -1, -1}, {b[0], b[1], b[2]}, {a[0], a[1], a[2]}}};
         uint32_t shared = 0;
@@ -157,8 +157,8 @@ START_TEST(neighbours_meet_corner_to_corner)
 }
 END_TEST
 
-/* From a face of 1 down to a distance of 2^-octave: a few tens of pieces an octave, whole or in a frustum, and
- * each no longer than twice its distance. */
+/* A face of size 1 at a distance of 2^-octave has a few tens of pieces per octave, each no longer than twice its
+ * distance. */
 START_TEST(pieces_stay_few)
 {
     const struct hatch_piece_view narrow = {.low = {-0.3, -0.3}, .high = {0.3, 0.3}, .near = 0x1p-60, .ratio = 2};
@@ -174,8 +174,8 @@ START_TEST(pieces_stay_few)
 }
 END_TEST
 
-/* The eye in the face, on a corner, on an edge; a face without area; nothing in front: it ends. */
-START_TEST(it_ends_anywhere)
+/* The eye in the face, at a corner, on an edge; a face without area; a face behind the eye. */
+START_TEST(recursion_ends_for_degenerate_positions)
 {
     static const double faces[][3][3] = {
         {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
@@ -248,7 +248,7 @@ static Suite *suite(void)
     tcase_add_test(tests, corners_are_exact);
     tcase_add_test(tests, neighbours_meet_corner_to_corner);
     tcase_add_test(tests, pieces_stay_few);
-    tcase_add_test(tests, it_ends_anywhere);
+    tcase_add_test(tests, recursion_ends_for_degenerate_positions);
     tcase_add_test(tests, distance_is_to_the_nearest_point);
     tcase_add_test(tests, fixed_point_holds_every_bit);
     tcase_add_test(tests, pairs_have_twice_the_digits);

@@ -1,4 +1,4 @@
-/* What stands on the ground, and where that is. */
+/* The ground plane, and the alignment of rows. */
 #include <math.h>
 
 #include "scene/ground.h"
@@ -46,12 +46,12 @@ START_TEST(ground_touches_from_below)
     ck_assert_float_eq(normal[1], 1);
     double ax = (double)(p[3 * i[1]] - p[3 * i[0]]), az = (double)(p[3 * i[1] + 2] - p[3 * i[0] + 2]);
     double bx = (double)(p[3 * i[2]] - p[3 * i[0]]), bz = (double)(p[3 * i[2] + 2] - p[3 * i[0] + 2]);
-    ck_assert_double_gt(az * bx - ax * bz, 0); /* faces up */
+    ck_assert_double_gt(az * bx - ax * bz, 0); /* the face is turned upwards */
     ck_assert_ptr_nonnull(hatch_mesh_find(ground, "TEXCOORD_0", 2));
 }
 END_TEST
 
-/* The lowest points of a ball and of a flat ring, side by side. */
+/* A sphere and a flat torus in a row: their lowest points, then their centres, are level. */
 START_TEST(rows_stand_or_hang_by_their_middles)
 {
     for (int stand = 0; stand < 2; stand++) {

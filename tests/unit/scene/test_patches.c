@@ -19,7 +19,7 @@ static uint32_t layer_of(const struct hatch_patch_mesh *from, const struct hatch
     return 0;
 }
 
-/* By their middles: do two patches share a face? */
+/* Returns whether two patches share a face, by the faces' centres. */
 static bool overlap(uint32_t a, uint32_t b, const struct hatch_mesh *sphere)
 {
     for (size_t f = 0; f < sphere->face_count; f++) {

@@ -9,14 +9,15 @@
         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1                                                                 \
     }
 
-/* Node 0 shows a triangle with a skin of nodes 1 and 2, of which the second stands 5 to the right. */
+/* Node 0 has a triangle with a skin of nodes 1 and 2; node 2 is 5 to the right. */
 static struct hatch_node nodes[3];
 static uint32_t joints[2] = {1, 2};
 static float bind[2][16] = {IDENTITY, IDENTITY};
 static struct hatch_skin skin = {2, joints, bind[0]};
 static struct hatch_scene_mesh shown;
 
-/* At one second a target counts 1 and moves up by 4, one counts 2 and moves to the front by 1; normals with them. */
+/* At one second the first target has weight 1 and moves up by 4, the second has weight 2 and moves to the front by 1;
+ * so do normals. */
 static float times[2] = {0, 1}, counts[4] = {0, 0, 1, 2};
 static struct hatch_animation_channel channel = {0, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, counts, 2};
 static struct hatch_animation animation = {1, &channel, 1};
@@ -49,7 +50,7 @@ static void pose_triangle(const float weights[4], double at[3])
                                        .mesh_count = n == 0,
                                        .skin = n == 0 ? 0 : HATCH_NONE};
     HATCH_TEST_OK(hatch_pose_make(&scene, &keep, &pose, &err), &err);
-    hatch_pose_at(&pose, HATCH_NONE, 0);
+    hatch_pose_set(&pose, HATCH_NONE, 0);
     hatch_pose_vertices(&pose, 0, 0, positions, NULL);
     memcpy(at, positions, 3 * sizeof *at);
 }
@@ -87,11 +88,11 @@ START_TEST(targets_move_before_joints_do)
         memcpy(data[1] + 6 * v, moves, sizeof moves);
         memcpy(data[2] + 6 * v, moves, sizeof moves);
     }
-    ck_assert(hatch_pose_shapes(&scene, 0, &shown.mesh));
+    ck_assert(hatch_pose_deforms(&scene, 0, &shown.mesh));
     HATCH_TEST_OK(hatch_pose_make(&scene, &keep, &pose, &err), &err);
     for (double t = 0; t <= 1; t += 0.25) {
         double length = sqrt(1 + 16 * t * t + 4 * t * t);
-        hatch_pose_at(&pose, 0, t);
+        hatch_pose_set(&pose, 0, t);
         hatch_pose_vertices(&pose, 0, 0, positions, normals);
         ck_assert_double_eq(positions[0], 5);
         ck_assert_double_eq(positions[1], 4 * t);

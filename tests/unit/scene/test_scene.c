@@ -47,13 +47,13 @@ START_TEST(nodes_are_placed_by_their_parents)
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
     is_at(world, 1, 0, 0);
     is_at(world + 16, 2, 0, 0);  /* z has become x */
-    is_at(world + 32, 2, 0, -5); /* and x minus z */
+    is_at(world + 32, 2, 0, -5); /* and x has become -z */
     apply(world + 32, 0, 1, 0, p);
     ck_assert_float_eq_tol(p[1], 6, 1e-5f);
 }
 END_TEST
 
-/* A scene of one node, moved by one channel. */
+/* Returns a scene of one node with one animation channel. */
 static struct hatch_node moved_node;
 static struct hatch_animation_channel moving;
 static struct hatch_animation movement;
@@ -116,7 +116,7 @@ END_TEST
 
 START_TEST(weights_of_morph_targets_move)
 {
-    /* As above, of three targets; the node says something else, which counts without an animation. */
+    /* The same curve for three targets; the node's own weights apply without an animation only. */
     float times[] = {0, 2}, rest[] = {0.5f, 0, -1};
     float values[] = {9, 9, 9, 0, 0, 1, -1, 0, 0, 11, 0, 0, 6, 0, 1, 9, 9, 9};
     const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_WEIGHTS,
@@ -144,7 +144,7 @@ END_TEST
 START_TEST(rotations_turn_evenly_the_short_way)
 {
     float times[] = {0, 1};
-    /* A quarter turn around z, its end given as minus the quaternion. */
+    /* A quarter turn around z; the end has the sign of its quaternion inverted. */
     float values[] = {0, 0, 0, 1, 0, 0, -HALF_SQRT, -HALF_SQRT};
     const struct hatch_scene scene = moved_by((struct hatch_animation_channel){.path = HATCH_PATH_ROTATION,
                                                                                .interpolation = HATCH_LINEAR,
@@ -179,7 +179,7 @@ START_TEST(rotations_turn_about_their_axis)
                                                                                        .key_count = 2,
                                                                                        .times_s = times,
                                                                                        .values = values});
-            double turn = cos(half) < 0 ? angle - 3.14159265358979324 : angle; /* half of the shorter way */
+            double turn = cos(half) < 0 ? angle - 3.14159265358979324 : angle; /* half of the shorter arc */
             hatch_scene_pose(&scene, 0, 0.5, world);
             for (int column = 0; column < 3; column++) {
                 double v[3] = {column == 0, column == 1, column == 2}, across[3];

@@ -1,10 +1,10 @@
-/* How often a pattern repeats. */
+/* Repeats of the hatching pattern. */
 #include "lapped_scene.h"
 #include "meshes.h"
 #include "view/uv_repeat.h"
 #include "views.h"
 
-/* Two spheres, one in a node that makes it three times as large. */
+/* Two spheres, one under a node that scales it by 3. */
 START_TEST(strokes_have_one_size_on_all_patches)
 {
     struct hatch_patch_mesh *patches;
@@ -26,7 +26,7 @@ START_TEST(strokes_have_one_size_on_all_patches)
     ck_assert_uint_eq(unit.item_count, 2);
     HATCH_TEST_OK(hatch_uv_repeat_set(&unit, &how, &keep, &scratch, &err), &err);
     ck_assert_double_eq_tol((double)unit.items[1].repeat[0] / (double)unit.items[0].repeat[0], 3, 1e-3);
-    /* 150 pixels to a unit; a unit of the hatch coordinates is one of the small sphere. */
+    /* 150 pixels per unit; a unit of texture coordinates is a unit of the small sphere. */
     ck_assert_double_eq_tol((double)unit.items[0].repeat[0], 150.0 / LAPPED_SIZE, 0.05 * 150.0 / LAPPED_SIZE);
 }
 END_TEST
