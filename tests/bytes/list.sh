@@ -345,7 +345,7 @@ refused-layers printf 'nib 3\n' >bad.layers; draw teapot.glb -t rptam --layers b
 refused-long draw teapot.glb -t rptam --stroke 900x2 --seed-tile 100
 refused-memory draw teapot.glb --tam map.exr --size 65536x65536 --max-memory 100M
 refused-shaders draw teapot.glb --tam map.exr --shader-dir gone
-refused-shader with_shaders sh -c "echo 'void main(' >shaders/tam.frag; render-gl --shader-dir shaders -T map.exr teapot.glb"
+refused-shader with_shaders sh -c "sed -i 's/void main()/void main(/' \$(find shaders -name tam.frag); render-gl --shader-dir shaders -T map.exr teapot.glb"
 refused-driver MESA_GL_VERSION_OVERRIDE=3.3 draw teapot.glb --tam map.exr
 refused-display unset DISPLAY WAYLAND_DISPLAY; draw teapot.glb --tam map.exr --window
 refused-texture sed 's/ridges.png/map.tsv/' bumpy.gltf >bad.gltf; draw bad.gltf -t gouraud --pixel-light
