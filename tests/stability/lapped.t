@@ -37,7 +37,7 @@ draws() {
     [ "${1-}" = '*' ] || is "$name: what was wrong is said" "${problem:+$problem$(cat said)}" ""
     figures "$name"
 }
-nowhere="no direction of their own"
+nowhere="without a principal direction"
 
 # A torus as OBJ, of size $1, moved by $2, of $3 by $4 squares
 torus() {
@@ -62,7 +62,7 @@ draws "a torus" torus.obj ""
 awk '/^v/ {v[++n] = $0} /^f/ {for (i = 2; i < 5; i++) print v[$i]; print "f -3 -2 -1"}' torus.obj >soup.obj
 draws "every triangle with vertices of its own" soup.obj "" "2250 vertices welded"
 awk '/^f/ && NR % 3 == 0 {print $1, $3, $2, $4; next} {print}' torus.obj >mixed.obj
-draws "every third face turned over" mixed.obj "" "300 faces turned"
+draws "every third face turned over" mixed.obj "" "300 faces flipped"
 awk '{print} /^f/ && NR % 7 == 0 {print; print $1, $2, $4, $3}' torus.obj >twice.obj
 draws "faces given twice and three times" twice.obj "" "256 faces given twice"
 awk '{print} /^f/ && NR % 5 == 0 {print $1, $2, $3, $3} END {print "v 5 5 5\nv 0 0 0"}' torus.obj >waste.obj
