@@ -1,5 +1,5 @@
-/* render-gl's drawing for tests: a mesh and a map become a picture, without files. Include after
- * run.h; frame_open makes a context, frame_draw draws. */
+/* Draws meshes and maps with render-gl's techniques, without files. Include after run.h; call frame_arenas, frame_open
+ * and frame_draw, and frame_finish last. */
 #ifndef HATCH_TEST_RENDER_FRAME_H
 #define HATCH_TEST_RENDER_FRAME_H
 
@@ -20,14 +20,14 @@
 #define FRAME_TECHNIQUES_MAX 8
 
 struct test_frame {
-    struct cmd_args args;  /* arenas of tests, which they may rewind */
-    struct cmd_args lasts; /* arenas of what techniques keep */
+    struct cmd_args args;  /* arenas of the test, which it may rewind */
+    struct cmd_args lasts; /* arenas of the techniques */
     struct hatch_err err;
     struct gpu_context context;
     struct hatch_scene scene;
     struct scene on_gpu;
-    struct asset asset;              /* that techniques read */
-    const struct hatch_rptam *model; /* of strokes at seed points */
+    struct asset asset;              /* map or tone texture of the techniques */
+    const struct hatch_rptam *model; /* model of the technique rptam */
     struct assets assets;
     struct frame shown;
     struct technique_context with;
@@ -35,7 +35,7 @@ struct test_frame {
     struct line_overlay *lines; /* drawn over every technique; NULL: none */
 };
 
-/* The scene in units where it is drawn: no bounds are taken off. */
+/* Bounds under which the unit scene equals the scene. */
 static const struct hatch_bounds frame_unit = {.radius = 1.0};
 
 static inline const struct technique *frame_technique(const char *name)
@@ -52,7 +52,7 @@ static inline const struct technique *frame_technique(const char *name)
     return NULL;
 }
 
-/* What pictures are drawn with by a technique, which is prepared. */
+/* Opens and prepares a technique, once; returns the arguments of picture_draw. */
 static inline struct picture frame_picture(struct test_frame *frame, const char *name)
 {
     const struct technique *technique = frame_technique(name);
@@ -69,8 +69,10 @@ static inline struct picture frame_picture(struct test_frame *frame, const char 
         .context = &frame->with, .instance = instance, .lines = frame->lines, .draws_lines = frame->lines != NULL};
 }
 
-/* The scene is frame->scene, patches of its meshes (or NULL). A black line on white paper, no ambient
- * light, tones up to the map's darkest. map may be NULL. */
+/* Opens a context and uploads frame->scene. The style is black ink on white paper, without ambient light, with tones up
+ * to the map's darkest.
+ *   patches  the joined patches of the scene's meshes; NULL: none
+ *   map      NULL: none */
 static inline void frame_open_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
                                     const struct hatch_tam *map, struct test_frame *frame)
 {
@@ -99,7 +101,7 @@ static inline void frame_open_scene(const struct hatch_patch_mesh *patches, cons
     memset(frame->instances, 0, sizeof frame->instances);
 }
 
-/* The same for a scene of one mesh. */
+/* Like frame_open_scene, for a scene of one mesh. */
 static inline void frame_open(const struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
                               const struct hatch_tam *map, struct test_frame *frame)
 {
@@ -117,7 +119,7 @@ static inline void frame_arenas(struct test_frame *frame)
     hatch_arena_init(&frame->lasts.scratch, (size_t)1 << 30);
 }
 
-/* With all the attributes that shapes have, in the frame's arena. */
+/* A built-in shape with all its attributes, in args.keep. */
 static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch_shape shape, uint32_t faces)
 {
     struct hatch_shape_options how = {.faces = faces, .seed = 1};
@@ -127,7 +129,7 @@ static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch
     return mesh;
 }
 
-/* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
+/* A square of 2 x 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
 static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t faces)
 {
     struct hatch_mesh mesh = frame_shape(frame, HATCH_SHAPE_PLANE, faces);
@@ -140,8 +142,8 @@ static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t f
     return mesh;
 }
 
-/* A scene of a mesh that hangs on two joints, nodes 1 and 2, which are to move as one; some vertices by the first, some
- * by the second or both. */
+/* Makes a scene of a mesh skinned to two joints, nodes 1 and 2, with weights that differ between vertices. The test
+ * must give both joints the same transform. */
 static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
 {
     static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -173,7 +175,7 @@ static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
     scene->meshes[0].joints_used = 2;
 }
 
-/* From a little above and beside, at the distance that frames the scene. */
+/* A view that frames the scene, from a little above and to the side. */
 static inline struct hatch_view frame_view(struct test_frame *frame, double aspect)
 {
     static const struct hatch_view_choice choice = {
@@ -187,7 +189,8 @@ static inline struct hatch_view frame_view(struct test_frame *frame, double aspe
     return view;
 }
 
-/* Draws with a technique into an image of R G B, linear. */
+/* Draws with a technique into a linear RGB image.
+ *   side  samples per pixel along each axis */
 static inline void frame_draw(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                               uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
@@ -200,8 +203,8 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
     canvas_free(&canvas);
 }
 
-/* Draws a technique whose output is numbers, a sample a pixel, over -1. rgba: out: 4 floats each, from the lower left
- * corner. */
+/* Draws with a technique that writes numbers, one sample per pixel; the background is -1.
+ *   rgba  out: 4 floats per pixel, rows from the bottom up */
 static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                                       uint32_t width, uint32_t height, float *rgba)
 {
@@ -216,7 +219,7 @@ static inline void frame_draw_numbers(struct test_frame *frame, const char *tech
     canvas_free(&canvas);
 }
 
-/* The largest of all channels, of two pictures of one size. */
+/* The largest difference of a channel of two pictures of the same size. */
 static inline double frame_difference(const struct hatch_image *a, const struct hatch_image *b)
 {
     double worst = 0;
@@ -234,8 +237,7 @@ static inline double frame_ink(const struct hatch_image *image)
     return sum / (3.0 * image->width * image->height);
 }
 
-/* Closes all techniques and frees their programs: a change of style that shaders are compiled for counts from then on.
- */
+/* Closes all techniques and frees their programs. Needed after changing options that shaders are compiled for. */
 static inline void frame_forget(struct test_frame *frame)
 {
     for (int i = 0; i < FRAME_TECHNIQUES_MAX; i++)
@@ -245,7 +247,7 @@ static inline void frame_forget(struct test_frame *frame)
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
 }
 
-/* Releases what frame_open made; the arenas keep what they hold, for the next frame_open. */
+/* Releases the context and the scene on the GPU; the arenas stay for the next frame_open. */
 static inline void frame_close(struct test_frame *frame)
 {
     frame_forget(frame);
