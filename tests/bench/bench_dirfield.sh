@@ -1,11 +1,11 @@
 #!/bin/sh
 # Measures dirfield's time and the angle to the true principal direction, for fixed supports of several sizes and
 # degrees, the adaptive support, both smoothing methods and the simplified mesh of the paper, on clean and noisy
-# irregular shapes of three sizes; a million faces with one method only. Each row: one run on each of five shapes (torus,
-# ellipsoid, cylinder, saddle, wave). Seconds are those of frames, curvature and field on one thread, without reading and
-# writing: median, minimum and maximum of the five. Angles in degrees are means over the shapes of the median and of the
-# 95th percentile. Singularities are those of the torus (0 is right) and the ellipsoid (4). SIZES: numbers of faces
-# (default "1000 10000 100000 1000000").
+# irregular shapes of three sizes; a million faces with one method only. Each row: one run on each of five shapes
+# (torus, ellipsoid, cylinder, saddle, wave). Seconds are those of frames, curvature and field on one thread, without
+# reading and writing: median, minimum and maximum of the five. Angles in degrees are means over the shapes of the
+# median and of the 95th percentile. Singularities are those of the torus (0 is right) and the ellipsoid (4). SIZES:
+# numbers of faces (default "1000 10000 100000 1000000").
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,19 +1,19 @@
 #!/bin/sh
-# Measures the effect of --fade, --fade-by and --overlap of render-gl's technique rptam on a zoom of one octave towards a
-# plane of tone .3. Drift: the largest difference of the tone from that of the first of nine large pictures. Change and
-# pop (hatchstat frames): how much, and how unevenly, the 120 frames of the zoom change.
+# Measures the effect of --fade, --fade-by and --overlap of render-gl's technique rptam on a zoom of one octave towards
+# a plane of tone .3. Drift: the largest difference of the tone from that of the first of nine large pictures. Change
+# and pop (hatchstat frames): how much, and how unevenly, the 120 frames of the zoom change.
 #
-# Fixed: the pop when the strokes of the middle of the zoom, drawn with the same options, scale with the surface, so that
-# the depth does not change. This is the effect of resampling alone on the same edges. The edges must be the same because
-# pop is proportional to the length of all contours times their contrast and sharpness, and small strokes have more
-# contour per ink than large ones. The row `texture` is an ordinary mip-mapped texture of one picture for comparison; its
-# levels soften edges, so it pops less than any drawing as sharp as the strokes.
+# Fixed: the pop when the strokes of the middle of the zoom, drawn with the same options, scale with the surface, so
+# that the depth does not change. This is the effect of resampling alone on the same edges. The edges must be the same
+# because pop is proportional to the length of all contours times their contrast and sharpness, and small strokes have
+# more contour per ink than large ones. The row `texture` is an ordinary mip-mapped texture of one picture for
+# comparison; its levels soften edges, so it pops less than any drawing as sharp as the strokes.
 #
-# Allowed: fixed plus the strokes that must appear. From frame to frame the surface grows by g = 4^(1/119) on the screen,
-# while the number of strokes per area of the screen is constant, so a share g - 1 of the ink appears in each frame. Ink a
-# that appears suddenly between two frames adds a to the second difference of one frame and subtracts it from that of the
-# next: 2 a in all, and no more when combined with other changes, since |x + a| <= |x| + |a|. For a mean tone t this is
-# 2 t (g - 1).
+# Allowed: fixed plus the strokes that must appear. From frame to frame the surface grows by g = 4^(1/119) on the
+# screen, while the number of strokes per area of the screen is constant, so a share g - 1 of the ink appears in each
+# frame. Ink a that appears suddenly between two frames adds a to the second difference of one frame and subtracts it
+# from that of the next: 2 a in all, and no more when combined with other changes, since |x + a| <= |x| + |a|. For a
+# mean tone t this is 2 t (g - 1).
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

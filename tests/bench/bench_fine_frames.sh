@@ -1,9 +1,10 @@
 #!/bin/sh
-# Measures all ways to draw one map of 255 tones on a sphere (Webb et al. 2002, Figure 4): time per frame, grey strokes,
-# tone and jagged edges. Milliseconds are measured by the driver for the surfaces alone; each run also times gouraud as the reference,
-# so that `ratio` compares times of one run. hatchstat ink measures the rest: grey_strokes is a share of the inked
-# pixels, the tone error is relative to gouraud's picture, jagged is the edge error relative to the same technique with
-# 16 samples per pixel. bytes is the size of the file. Strokes have the width of the style, and four pixels.
+# Measures all ways to draw one map of 255 tones on a sphere (Webb et al. 2002, Figure 4): time per frame, grey
+# strokes, tone and jagged edges. Milliseconds are measured by the driver for the surfaces alone; each run also times
+# gouraud as the reference, so that `ratio` compares times of one run. hatchstat ink measures the rest: grey_strokes is
+# a share of the inked pixels, the tone error is relative to gouraud's picture, jagged is the edge error relative to
+# the same technique with 16 samples per pixel. bytes is the size of the file. Strokes have the width of the style, and
+# four pixels.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Measures the time per frame and the tone error of render-gl's techniques, on the teapot at three distances, 1280x720.
-# Milliseconds are measured by the driver for the surfaces alone; each run also times gouraud as the reference, so that `ratio`
-# compares times of one run. The error is the largest difference from gouraud in linear light over windows of 64 pixels,
-# which average strokes out; mean over the distances.
+# Milliseconds are measured by the driver for the surfaces alone; each run also times gouraud as the reference, so that
+# `ratio` compares times of one run. The error is the largest difference from gouraud in linear light over windows of
+# 64 pixels, which average strokes out; mean over the distances.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
