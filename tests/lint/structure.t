@@ -11,15 +11,15 @@ is "no function over 60 lines" "$(awk '
     /^\}/ {if (begin && FNR - begin > 60) print FILENAME ":" begin ": " FNR - begin; begin = 0}' \
     $(echo "$sources" | grep -E '\.(c|cc)$'))" ""
 is "no line over 120 columns" "$(awk 'length($0) > 120 {print FILENAME ":" FNR}' $sources)" ""
-is "the Makefile stays one page or three" "$(wc -l <Makefile | awk '$1 > 220')" ""
+is "the Makefile has at most 220 lines" "$(wc -l <Makefile | awk '$1 > 220')" ""
 
 texts=$(find . -path ./build -prune -o -path ./.git -prune -o -path ./tests/lint -prune -o -type f \
     \( -name '*.[ch1-7]' -o -name '*.cc' -o -name '*.sh' -o -name '*.t' -o -name '*.md' -o -name '*.mk' \
     -o -name '*.glsl' -o -name '*.vert' -o -name '*.frag' -o -name Makefile -o -name bootstrap \) -print)
-is "no words that say unfinished" \
+is "no marks of unfinished work" \
     "$(grep -nwE 'TODO|FIXME|XXX' $texts
         grep -nwiE 'todo|fixme|stub|not implemented|for now|placeholder' $texts)" ""
-is "no paths of one machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
+is "no paths of a particular machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
 
 # calls PATTERN FILE ...: calls outside comments and strings
 calls() {
@@ -31,14 +31,14 @@ calls() {
         line ~ pattern {print FILENAME ":" FNR ": " $0}' "$@"
 }
 library=$(find libhatch -name '*.c' -o -name '*.cc' -o -name '*.h')
-is "libhatch never prints or ends the process" \
+is "libhatch neither prints nor ends the process" \
     "$(calls 'v?f?printf|f?puts|f?putc|putchar|perror|_?exit|abort|signal' $library)" ""
-is "libhatch allocates from arenas alone" \
+is "libhatch allocates only from arenas" \
     "$(calls 'malloc|calloc|realloc|aligned_alloc|strdup' \
         $(echo "$library" | grep -v libhatch/base/arena.c))" ""
-is "libhatch does not look at clock, environment or locale" \
+is "libhatch does not depend on clock, environment or locale" \
     "$(calls 'time|clock|clock_gettime|gettimeofday|getenv|setlocale|s?rand|random' $library)" ""
-is "commands print through cmd alone" \
+is "commands print only through cmd" \
     "$(calls 'v?f?printf|f?puts|putchar|perror|_?exit|abort|setlocale|getenv' \
         $(find cmd -name '*.c' | grep -v '^cmd/shared/'))" ""
 finish

@@ -6,5 +6,5 @@ flags='-std=c11 -D_POSIX_C_SOURCE=200809L -Ilibhatch -Icmd -Itests/support -Ites
 warnings='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla'
 find libhatch cmd tests -name '*.c' -print0 |
     xargs -0 -n 8 -P 2 clang $flags $warnings -fsyntax-only 2>"$WORK/said"
-is "clang warns of nothing" "$(grep -E 'warning|error' "$WORK/said")" ""
+is "clang gives no warnings" "$(grep -E 'warning|error' "$WORK/said")" ""
 finish

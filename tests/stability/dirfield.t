@@ -1,5 +1,5 @@
-# The same surface in bad shape has the same field: what scanners, exporters and programs do to meshes,
-# done to a torus. And surfaces on which there is little to find.
+# A torus damaged as scanners, exporters and programs damage meshes keeps its field; surfaces with few or no principal
+# directions get a valid one.
 . "${TOP:-.}/tests/tap.sh"
 command -v dirfield >/dev/null || { skip "damaged meshes" "no dirfield"; finish; }
 
@@ -8,7 +8,7 @@ column() {
     awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i} NR == 2 {print $c}'
 }
 
-# A torus as OBJ, irregular, its vertices a, its faces b, its size c, moved by d.
+# torus SCALE OFFSET: prints an irregular torus as OBJ
 torus() {
     awk -v scale="$1" -v offset="$2" 'BEGIN {
         pi = 3.14159265358979; n = 60; m = 30; srand(5)
@@ -26,7 +26,7 @@ torus() {
     }'
 }
 
-# same NAME FILE [LIMIT]: its field is the torus's, everywhere, to within so many degrees
+# same NAME FILE [LIMIT]: checks that the field of FILE is that of the torus at all points, to within LIMIT degrees
 same() {
     try dirfield -q "$2" -o out.glb
     hatchstat field -q out.glb --reference torus.glb >figures.tsv 2>.err
@@ -61,9 +61,9 @@ for scale in 1e-3 1e20 1e-20; do
 done
 torus 1e5 1e6 >moved.obj
 same "moved by ten times its size" moved.obj 2
-is "and none of them has singularities" "$(hatchstat field -q out.glb | column singularities)" 0
+is "a moved torus has no singularity" "$(hatchstat field -q out.glb | column singularities)" 0
 
-# fine NAME FILE: a field without NaN whose indices sum to the Euler characteristic
+# fine NAME FILE: checks that FILE gets a field without NaN whose indices sum to the Euler characteristic
 fine() {
     try dirfield -q "$2" -o out.glb
     hatchstat field -q out.glb >figures.tsv 2>.err
@@ -80,7 +80,7 @@ f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >cube.obj
 fine "a cube of twelve faces" cube.obj
 meshgen sphere --faces 2000 -o sphere.glb
 fine "a sphere with poles" sphere.glb
-is "of which no line is sure" "$(column confidence_p75 <figures.tsv)" 0
+is "directions of a sphere have no confidence" "$(column confidence_p75 <figures.tsv)" 0
 awk '/^v/ {print $1, $2, $3 * 1e-4, $4; next} {print}' torus.obj >flat.obj
 fine "a torus pressed flat, of slivers" flat.obj
 awk '/^v/ {print $1, $2, $3 * 1000, $4; next} {print}' torus.obj >long.obj
@@ -104,15 +104,15 @@ awk 'BEGIN {pi = 3.14159265358979; n = 40; m = 5
         a = i * m + j; b = a + 1; c = i + 1 < n ? a + m : m - 1 - j; d = i + 1 < n ? b + m : m - 2 - j
         printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >moebius.obj
 fine "a Moebius strip" moebius.obj
-is "has no singularity" "$(column singularities <figures.tsv)" 0
+is "a Moebius strip has no singularity" "$(column singularities <figures.tsv)" 0
 meshgen cylinder --faces 1000 --jitter 1 --field -o open.glb
-fine "open borders" open.glb
-is "at which lines go on as they should" \
+fine "a surface with open borders" open.glb
+is "directions at open borders are the true ones" \
     "$(hatchstat field -q out.glb --reference open.glb | column deg_max | awk '{print ($1 < 0.2)}')" 1
 meshgen ellipsoid --faces 100000 --jitter 1 --noise 0.2 --seed 7 -o folded.glb
-fine "slivers around a pole that noise lays over one another" folded.glb
-is "turn no direction" "$(column singularities <figures.tsv)" 4
+fine "overlapping slivers around a noisy pole" folded.glb
+is "overlapping slivers add no singularity" "$(column singularities <figures.tsv)" 4
 awk '/^v/ && ++n == 500 {print "v 1 nan 0"; next} {print}' torus.obj >nan.obj
 try dirfield nan.obj -o nan.glb
-refused "a number that is none" 3 1
+refused "a vertex with NaN" 3 1
 finish
