@@ -1,12 +1,12 @@
-# contract.sh command NAME, contract.sh line N: checks one command, or one line of commands.tsv, for contract.t. FIXTURES
-# is the folder of inputs.
+# contract.sh command NAME, contract.sh line N: checks one command, or one line of commands.tsv, for contract.t.
+# FIXTURES is the folder of inputs.
 . "${TOP:-.}/tests/tap.sh"
 
 table=$TOP/tests/cli/commands.tsv
 tab=$(printf '\t')
 
-# unprivileged COMMAND ...: runs a command as a user other than root, who may read and write everything; fails where that
-# is not possible
+# unprivileged COMMAND ...: runs a command as a user other than root, who may read and write everything; fails where
+# that is not possible
 unprivileged() {
     if [ "$(id -u)" -ne 0 ]; then
         "$@"
@@ -114,8 +114,8 @@ run() {
     with_input "$arguments" "$@" -o "$output"
 }
 
-# with_input ARGUMENTS [OPTION ...]: runs the command with $input, which may have spaces, in place of IN; $through is put
-# before the command
+# with_input ARGUMENTS [OPTION ...]: runs the command with $input, which may have spaces, in place of IN; $through is
+# put before the command
 with_input() {
     words=$1
     shift
@@ -262,7 +262,8 @@ no_litter() {
     [ "$*" = 'signals/kept signals/.[!.]*' ]
 }
 
-# Interrupts the command at twenty moments over its duration and a little beyond, the same ones in every run of the test.
+# Interrupts the command at twenty moments over its duration and a little beyond, the same ones in every run of the
+# test.
 check_signals() {
     slow=${slow_arguments:-$arguments}
     [ -z "$SANITIZE" ] || slow=$arguments

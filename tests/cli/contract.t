@@ -1,5 +1,5 @@
-# The rules that all commands follow (hatch(7)): runs contract.sh for each command and for each line of commands.tsv, two
-# at a time.
+# The rules that all commands follow (hatch(7)): runs contract.sh for each command and for each line of commands.tsv,
+# two at a time.
 . "${TOP:-.}/tests/tap.sh"
 
 # Makes small inputs with the commands.

@@ -1,5 +1,5 @@
-# An installation works after it was moved, and the source tar depends on the commit only. Needs $BUILD/stage, into which
-# `make check` installs.
+# An installation works after it was moved, and the source tar depends on the commit only. Needs $BUILD/stage, into
+# which `make check` installs.
 . "${TOP:-.}/tests/tap.sh"
 
 cp -R "$BUILD/stage" "moved here" || exit 1

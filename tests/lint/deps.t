@@ -1,4 +1,4 @@
-# Who includes whom: libhatch/DEPS, and where the packages' headers may stand.
+# Includes between modules follow libhatch/DEPS, and only certain files include headers of packages.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 
@@ -50,7 +50,7 @@ bad=$(includes $(ours) | grep -E 'tiny_gltf|OpenMesh|OpenImageIO' | cut -d' ' -f
 done)
 is "only adapters' .cc files and their headers include C++ packages" "$bad" ""
 
-# What libhatch takes from the system.
+# Headers of packages in libhatch.
 system='assert|complex|ctype|dlfcn|errno|fenv|float|inttypes|limits|math|pthread|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
 bad=$(includes $(find libhatch -name '*.[ch]') | grep '<' |
     grep -vE " <($system)\.h>|^libhatch/io/|^libhatch/sparse/cholmod.* <suitesparse/")

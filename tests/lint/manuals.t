@@ -1,4 +1,4 @@
-# Every command has a manual and a line in the contract's table; every manual is clean.
+# Every command has a manual and a line in commands.tsv; mandoc accepts every manual.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 commands=$(ls cmd | sed -n 's/\.c$//p'; ls -d cmd/*/ | xargs -n1 basename)
@@ -10,7 +10,7 @@ done
 command -v mandoc >/dev/null || { skip "manuals are clean" "no mandoc"; finish; }
 for manual in man/man*/*; do
     [ -e "$manual" ] || continue
-    # Other manuals of ours need not be installed where this runs, and lines of our source are longer.
+    # Manuals that refer to each other need not be installed here, and lines may be longer than mandoc's limit.
     is "$manual is clean" "$(mandoc -Tlint "$manual" | grep -vE 'referenced manual not found|longer than 80 bytes')" ""
     for section in NAME SYNOPSIS DESCRIPTION 'EXIT STATUS' EXAMPLES 'SEE ALSO'; do
         case $manual in *.1) ok "$manual has $section" grep -q "^.Sh $section" "$manual" ;; esac

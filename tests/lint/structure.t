@@ -1,4 +1,4 @@
-# Sizes, words and what libhatch must not call.
+# Sizes of files and functions, forbidden words, and functions that libhatch must not call.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 sources=$(find libhatch cmd tests -name '*.c' -o -name '*.h' -o -name '*.cc' -o -name '*.glsl' \
@@ -21,7 +21,7 @@ is "no marks of unfinished work" \
         grep -nwiE 'todo|fixme|stub|not implemented|for now|placeholder' $texts)" ""
 is "no paths of a particular machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
 
-# calls PATTERN FILE ...: calls outside comments and strings
+# calls PATTERN FILE ...: prints calls outside comments and strings
 calls() {
     calls_pattern=$1
     shift

@@ -5,7 +5,7 @@ runs='--size_128_--tones_9 --size_64_--tones_255_--style_stipple --size_128_--st
     --size_128_--style_charcoal_--method_exhaustive_--candidates_40:10
     --size_128_--replay_drawing.svg_--fit_-q --size_64_--style_arcs_--palette_dusk'
 
-# sums PROGRAM THREADS: prints a checksum of map and table of strokes for each run
+# sums PROGRAM THREADS: prints a checksum of the map, the table of strokes and the contact sheet of each run
 sums() {
     cp "$TOP/tests/drawings/hatching.svg" drawing.svg
     for run in $runs; do

@@ -15,8 +15,8 @@ figures() {
         "1 0 numbers"
 }
 
-# draws NAME FILE OPTIONS [PATTERN ...]: runs the pipe, with OPTIONS for lapped-param, and checks that there is one warning
-# for each pattern; '*' allows any warnings
+# draws NAME FILE OPTIONS [PATTERN ...]: runs the pipe, with OPTIONS for lapped-param, and checks that there is one
+# warning for each pattern; '*' allows any warnings
 draws() {
     name=$1
     file=$2
@@ -88,8 +88,8 @@ done
 torus 1e5 1e6 >moved.obj
 draws "an offset of ten times its size" moved.obj ""
 
-# Where noise is larger than faces, only patches of a few faces are possible. That is detected once instead of by solving
-# a large patch for every face, which took 29 solutions here, and more with more faces.
+# Where noise is larger than faces, only patches of a few faces are possible. That is detected once instead of by
+# solving a large patch for every face, which took 29 solutions here, and more with more faces.
 meshgen ellipsoid --faces 20000 --jitter 1 --noise 0.1 | dirfield -q -o crumpled.glb
 is "crumpled poles do not cost each face a large patch" "$(lapped-param -v crumpled.glb -o crumpled.lapped.glb 2>&1 |
     awk '/solved/ {print ($(NF - 1) > 0 && $(NF - 1) < 12)}')" 1

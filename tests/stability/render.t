@@ -91,8 +91,8 @@ meshgen teapot --faces 500000 -o large.glb
 draws "500,000 triangles" large.glb --size 320x240 --lines none
 ok "500,000 triangles show the teapot" between 0.5 0.99
 
-# With automatic exposure near lamps light the square like distant ones. The square covers 0.879 of the picture; lit, its
-# tone is 0.25 and the mean 0.783, unlit 0.96 and 0.154.
+# With automatic exposure near lamps light the square like distant ones. The square covers 0.879 of the picture; lit,
+# its tone is 0.25 and the mean 0.783, unlit 0.96 and 0.154.
 square="--technique gouraud --camera 0,0,4 --size 64x64 --tone-range .25:1"
 lit="0.77 0.79"
 unlit="0.14 0.16"

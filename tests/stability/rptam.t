@@ -1,5 +1,5 @@
-# Scenes on which a plain implementation of rptam fails: zero or infinite derivatives T and G, few seed points, no layers.
-# Each is drawn, with the right tone where strokes are possible.
+# Scenes on which a plain implementation of rptam fails: zero or infinite derivatives T and G, few seed points, no
+# layers. Each is drawn, with the right tone where strokes are possible.
 . "${TOP:-.}/tests/tap.sh"
 
 # tone ARGUMENT ...: draws a picture and prints its mean, linear

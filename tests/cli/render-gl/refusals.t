@@ -5,7 +5,8 @@ tamgen --size 64 --levels 2 -o map.exr
 meshgen torus --faces 200 -o torus.glb
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
 
-# refuses NAME STATUS LINES WORDS COMMAND ...: checks that COMMAND exits with STATUS and LINES of messages, one with WORDS
+# refuses NAME STATUS LINES WORDS COMMAND ...: checks that COMMAND exits with STATUS and LINES of messages, one with
+# WORDS
 refuses() {
     name=$1 want=$2 lines=$3 words=$4
     shift 4

@@ -1,8 +1,8 @@
 # Morph targets and opacity of glTF files are drawn, also after dirfield and lapped-param.
 . "${TOP:-.}/tests/tap.sh"
 
-# Positions of a square, its normals, positions with one corner half as high, a morph target that moves that corner twice
-# as far, times, weights.
+# Positions of a square, its normals, positions with one corner half as high, a morph target that moves that corner
+# twice as far, times, weights.
 perl -e 'print pack "f<*", 0,0,0, 1,0,0, 0,1,0, 1,1,0,  (0,0,1) x 4,  0,0,0, 1,0,0, 0,1,0, 1,.5,0,  0,0,0, 0,0,0, 0,0,0, 0,-1,0,
     0,1, 0,1;' >square.bin
 # square NAME POSITIONS MATERIAL MORE: writes a glTF of the square

@@ -5,8 +5,8 @@ for tool in Xvfb xdotool; do
     command -v $tool >/dev/null || { skip "the window" "no $tool"; finish; exit; }
 done
 
-# The window is as large as the screen, so that the pointer is always in it. -noreset: a server that resets when its last
-# client leaves refuses new ones for a moment.
+# The window is as large as the screen, so that the pointer is always in it. -noreset: a server that resets when its
+# last client leaves refuses new ones for a moment.
 Xvfb -noreset -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
 server=$!
 trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
