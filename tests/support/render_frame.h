@@ -20,8 +20,8 @@
 #define FRAME_TECHNIQUES_MAX 8
 
 struct test_frame {
-    struct cmd_args args;  /* arenas of the test, which it may rewind */
-    struct cmd_args lasts; /* arenas of the techniques */
+    struct cmd_args args;           /* arenas of the test, which it may rewind */
+    struct cmd_args technique_args; /* arenas of the techniques */
     struct hatch_err err;
     struct gpu_context context;
     struct hatch_scene scene;
@@ -30,7 +30,7 @@ struct test_frame {
     const struct hatch_rptam *model; /* model of the technique rptam */
     struct assets assets;
     struct frame shown;
-    struct technique_context with;
+    struct technique_context technique_context;
     struct technique_instance instances[FRAME_TECHNIQUES_MAX];
     struct line_overlay *lines; /* drawn over every technique; NULL: none */
 };
@@ -61,12 +61,14 @@ static inline struct picture frame_picture(struct test_frame *frame, const char 
         instance++;
     ck_assert_int_lt(instance - frame->instances, FRAME_TECHNIQUES_MAX);
     if (!instance->technique)
-        HATCH_TEST_OK(technique_open(instance, technique, &frame->lasts, &frame->err), &frame->err);
+        HATCH_TEST_OK(technique_open(instance, technique, &frame->technique_args, &frame->err), &frame->err);
     if (technique->state_size == sizeof(struct rptam_state))
         ((struct rptam_state *)instance->state)->model = frame->model;
-    HATCH_TEST_OK(technique_prepare(&frame->with, instance, &frame->err), &frame->err);
-    return (struct picture){
-        .context = &frame->with, .instance = instance, .lines = frame->lines, .draws_lines = frame->lines != NULL};
+    HATCH_TEST_OK(technique_prepare(&frame->technique_context, instance, &frame->err), &frame->err);
+    return (struct picture){.context = &frame->technique_context,
+                            .instance = instance,
+                            .lines = frame->lines,
+                            .draws_lines = frame->lines != NULL};
 }
 
 /* Opens a context and uploads frame->scene. The style is black ink on white paper, without ambient light, with tones up
@@ -97,7 +99,8 @@ static inline void frame_open_scene(const struct hatch_patch_mesh *patches, cons
         .size_max_px = frame->context.size_max_px,
     };
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
-    frame->with = (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->lasts};
+    frame->technique_context =
+        (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->technique_args};
     memset(frame->instances, 0, sizeof frame->instances);
 }
 
@@ -115,8 +118,8 @@ static inline void frame_arenas(struct test_frame *frame)
     frame->args.max_memory = (uint64_t)1 << 30;
     hatch_arena_init(&frame->args.keep, (size_t)2 << 30);
     hatch_arena_init(&frame->args.scratch, (size_t)1 << 30);
-    hatch_arena_init(&frame->lasts.keep, (size_t)1 << 30);
-    hatch_arena_init(&frame->lasts.scratch, (size_t)1 << 30);
+    hatch_arena_init(&frame->technique_args.keep, (size_t)1 << 30);
+    hatch_arena_init(&frame->technique_args.scratch, (size_t)1 << 30);
 }
 
 /* A built-in shape with all its attributes, in args.keep. */
@@ -144,7 +147,7 @@ static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t f
 
 /* Makes a scene of a mesh skinned to two joints, nodes 1 and 2, with weights that differ between vertices. The test
  * must give both joints the same transform. */
-static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
+static inline void frame_skin(struct hatch_mesh *mesh, struct test_frame *frame)
 {
     static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     static struct hatch_node nodes[3];
@@ -214,7 +217,7 @@ static inline void frame_draw_numbers(struct test_frame *frame, const char *tech
     struct canvas canvas;
     const struct frame_request request = {.view = view, .tile = &tile, .canvas = &canvas, .background = nothing};
     HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, 1, &canvas, &frame->err), &frame->err);
-    HATCH_TEST_OK(technique_draw(&frame->with, picture.instance, &request, &frame->err), &frame->err);
+    HATCH_TEST_OK(technique_draw(&frame->technique_context, picture.instance, &request, &frame->err), &frame->err);
     canvas_read_samples(&canvas, rgba);
     canvas_free(&canvas);
 }
@@ -238,7 +241,7 @@ static inline double frame_ink(const struct hatch_image *image)
 }
 
 /* Closes all techniques and frees their programs. Needed after changing options that shaders are compiled for. */
-static inline void frame_forget(struct test_frame *frame)
+static inline void frame_reset(struct test_frame *frame)
 {
     for (int i = 0; i < FRAME_TECHNIQUES_MAX; i++)
         technique_close(&frame->instances[i]);
@@ -250,7 +253,7 @@ static inline void frame_forget(struct test_frame *frame)
 /* Releases the context and the scene on the GPU; the arenas stay for the next frame_open. */
 static inline void frame_close(struct test_frame *frame)
 {
-    frame_forget(frame);
+    frame_reset(frame);
     scene_free(&frame->on_gpu);
     gpu_context_close(&frame->context);
 }
@@ -260,8 +263,8 @@ static inline void frame_finish(struct test_frame *frame)
     frame_close(frame);
     hatch_arena_free(&frame->args.keep);
     hatch_arena_free(&frame->args.scratch);
-    hatch_arena_free(&frame->lasts.keep);
-    hatch_arena_free(&frame->lasts.scratch);
+    hatch_arena_free(&frame->technique_args.keep);
+    hatch_arena_free(&frame->technique_args.scratch);
 }
 
 #endif

@@ -22,7 +22,7 @@ static inline void make_scene(const struct hatch_mesh *surface, const struct cut
     lapped_scene(surface, cut, &frame.args.keep, &frame.scene);
 }
 
-static inline void lend_outline(void)
+static inline void set_outline(void)
 {
     GLuint texture = 0;
     HATCH_TEST_OK(material_outline(&mask, &frame.args.scratch, &texture, &frame.err), &frame.err);
@@ -36,7 +36,7 @@ static inline void begin_lapped(const struct hatch_mesh *surface, const struct c
     HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
-    lend_outline();
+    set_outline();
 }
 
 static inline void begin(void)

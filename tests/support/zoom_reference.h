@@ -77,7 +77,7 @@ static inline void zoom_corners(struct test_frame *frame, const struct hatch_vie
 }
 
 /* Position of a corner relative to the origin of a ray. Rays of orthographic views start beside the eye. */
-static inline void zoom_beside(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
+static inline void zoom_relative(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
 {
     for (int k = 0; k < 2; k++)
         at[k] = hatch_pair_sub(corner->at[k], hatch_pair_of(begin[k]));
@@ -92,8 +92,8 @@ static inline bool zoom_shares(const struct zoom_corner *const c[3], const struc
     *sum = hatch_pair_of(0);
     for (int i = 0; i < 3; i++) {
         struct hatch_pair a[3], b[3], cross[3];
-        zoom_beside(c[(i + 1) % 3], ray->begin, a);
-        zoom_beside(c[(i + 2) % 3], ray->begin, b);
+        zoom_relative(c[(i + 1) % 3], ray->begin, a);
+        zoom_relative(c[(i + 2) % 3], ray->begin, b);
         for (int k = 0; k < 3; k++)
             cross[k] = hatch_pair_sub(hatch_pair_mul(a[(k + 1) % 3], b[(k + 2) % 3]),
                                       hatch_pair_mul(a[(k + 2) % 3], b[(k + 1) % 3]));

@@ -169,7 +169,7 @@ START_TEST(pictures_do_not_depend_on_earlier_sizes)
     for (int i = 0; i < 4; i++)
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &image[i]);
     for (int i = 1; i < 4; i++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &fresh);
         ck_assert_double_eq(frame_difference(&image[i], &fresh), 0);
     }

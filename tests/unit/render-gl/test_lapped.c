@@ -83,7 +83,7 @@ START_TEST(blank_patches_hide_surfaces_behind_them)
     HATCH_TEST_OK(hatch_patches_join(scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err), &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
     ck_assert_uint_eq(frame.on_gpu.unit.item_count, 2);
-    lend_outline();
+    set_outline();
     frame.on_gpu.items[1].base_texture = 0;
     black_map();
     frame.shown.style.curve.low = frame.shown.style.curve.high = 1;

@@ -49,7 +49,7 @@ START_TEST(coverage_lists_and_brute_force_give_the_same_picture)
     frame.model = &rptam;
     frame.shown.style.curve.high = tones[level(_i, 2)];
     for (int all = 0; all < 2; all++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &pictures[all]);
     }

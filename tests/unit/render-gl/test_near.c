@@ -116,7 +116,7 @@ START_TEST(a_close_up_of_a_skinned_plane_equals_an_unskinned_one)
     struct hatch_view view = view_near(&plane, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &plain);
     frame_close(&frame);
-    frame_hang(&plane, &frame);
+    frame_skin(&plane, &frame);
     frame_open_scene(NULL, &frame_unit, NULL, &frame);
     make_model();
     for (int moved = 0; moved < 3; moved++) {

@@ -6,7 +6,7 @@
 enum { SIZE = 16 };
 
 static struct test_frame frame;
-static bool jointed; /* the plane is skinned */
+static bool is_skinned; /* the plane is skinned */
 static const double to_light[3] = {0.48, 0.6, 0.64};
 
 /* Opens a plane that faces the camera.
@@ -33,8 +33,8 @@ static void begin(int turn, bool mirrored, bool own)
     for (uint32_t i = 0; !own && i < mesh.attribute_count; i++)
         if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
             mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
-    if (jointed) {
-        frame_hang(&mesh, &frame);
+    if (is_skinned) {
+        frame_skin(&mesh, &frame);
         frame_open_scene(NULL, &frame_unit, NULL, &frame);
     } else {
         frame_open(&mesh, &frame_unit, NULL, &frame);
@@ -102,7 +102,7 @@ END_TEST
 /* A quarter turn of the joints maps x to y and y to -x. */
 START_TEST(joints_rotate_mapped_normals)
 {
-    jointed = true;
+    is_skinned = true;
     begin(0, false, false);
     set_normal(0.6, 0, 0.8, 1);
     for (int i = 1; i <= 2; i++)

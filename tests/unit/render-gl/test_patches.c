@@ -62,7 +62,7 @@ START_TEST(patches_follow_skinning)
     HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
-    lend_outline();
+    set_outline();
     black_map();
     frame.shown.style.light =
         (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* from behind: all dark */

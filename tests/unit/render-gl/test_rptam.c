@@ -148,7 +148,7 @@ START_TEST(coverage_lists_hold_every_visible_stroke)
     frame.model = &rptam;
     frame.shown.style.curve.exposure = 1;
     for (int all = 0; all < 2; all++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 2, &pictures[all]);
     }

@@ -40,11 +40,6 @@ static void set_shadows(double width)
     frame.shown.style.shadow_edge = width;
 }
 
-static void forget(void)
-{
-    frame_forget(&frame);
-}
-
 /* Draws the scene and returns the brightness of the middle row. */
 static void draw_row(float row[SIZE])
 {
@@ -79,7 +74,7 @@ static void check_edges(double left, double right, double width)
     float row[SIZE], bare[SIZE];
     set_shadows(0);
     draw_row(bare);
-    forget();
+    frame_reset(&frame);
     set_shadows(width);
     draw_row(row);
     int middle = pixel_at((left + right) / 2);
@@ -176,7 +171,7 @@ START_TEST(lights_beyond_the_limit_cast_no_shadows)
         begin_lamps(cases[i].type, count);
         set_shadows(0);
         draw_row(bare);
-        frame_forget(&frame);
+        frame_reset(&frame);
         set_shadows(0.03);
         draw_row(row);
         int middle = pixel_at(LAMP_X - LAMP_X * LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT));
@@ -203,7 +198,7 @@ START_TEST(lit_surfaces_do_not_shadow_themselves)
             for (int shadows = 0; shadows < 2; shadows++) {
                 set_shadows(shadows ? 0.03 : 0);
                 frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &image[shadows]);
-                forget();
+                frame_reset(&frame);
             }
             double worst = frame_difference(&image[0], &image[1]);
             ck_assert_msg(worst <= (shape ? 8.0 : 1.0) / 255, "shape %d, turn %d: %g/255", shape, turn, 255 * worst);
@@ -251,7 +246,7 @@ START_TEST(shadows_follow_lights_and_poses)
             light->azimuth_rad = -0.4;
         }
         frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &kept);
-        forget();
+        frame_reset(&frame);
         frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &fresh);
         ck_assert_double_le(frame_difference(&kept, &fresh), 0);
         ck_assert_double_gt(frame_difference(&kept, &before), 0.2);
