@@ -1,5 +1,5 @@
-# Programs called test_*_steps.c count the steps of these folders (support/steps.h): their objects are made again, so
-# that each block of code calls the program's counter. The Makefile includes this.
+# Programs named test_*_steps.c count steps in these folders (support/steps.h): their objects are compiled again with a
+# call of the program's counter in each basic block. The Makefile includes this.
 COUNTED_SRC := $(wildcard $(patsubst %,libhatch/%/*.c,base mesh surface io/mesh))
 COUNTED := $(patsubst %,$(B)/obj/counted/%.o,$(COUNTED_SRC))
 $(B)/obj/counted/%.c.o: %.c $(B)/flags

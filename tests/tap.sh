@@ -1,7 +1,7 @@
-# What the shell tests share: TAP, and a folder of their own to work in. Begin a test with
+# Functions for shell tests, which print TAP. Start a test with
 #     . "${TOP:-.}/tests/tap.sh"
-# and end it with `finish`. tests/run sets TOP (the source), BIN and BUILD; by hand, from the top
-# folder, `sh tests/cli/x.t` does. PATH holds the commands; the working folder is empty and removed.
+# and end it with `finish`. tests/run sets TOP (the source), BIN and BUILD; by hand, run `sh tests/cli/x.t` in the top
+# folder. PATH has the commands; the working folder is empty, and removed at the end.
 set -u
 TOP=${TOP:-$PWD}
 BUILD=${BUILD:-$TOP/build}
@@ -23,7 +23,7 @@ pass() {
     echo "ok $tap_count - $1"
 }
 
-# fail NAME [LINE ...]: the lines say why
+# fail NAME [LINE ...]: reports a failure; the lines give the reason
 fail() {
     tap_count=$((tap_count + 1))
     tap_failed=$((tap_failed + 1))
@@ -37,7 +37,7 @@ skip() {
     echo "ok $tap_count - $1 # SKIP $2"
 }
 
-# ok NAME COMMAND ...: the command must succeed; what it says is shown when it does not
+# ok NAME COMMAND ...: checks that a command succeeds; shows its output if it fails
 ok() {
     tap_name=$1
     shift
@@ -48,7 +48,7 @@ ok() {
     fi
 }
 
-# is NAME GOT WANT
+# is NAME GOT WANT: checks that two strings are equal
 is() {
     if [ "$2" = "$3" ]; then
         pass "$1"
@@ -57,7 +57,7 @@ is() {
     fi
 }
 
-# count_lines FILE: how many lines it has, in $tap_lines; no process is started
+# count_lines FILE: sets $tap_lines to the number of lines, without starting a process
 count_lines() {
     tap_lines=0
     while read -r tap_line; do
@@ -65,15 +65,14 @@ count_lines() {
     done <"$1"
 }
 
-# try COMMAND ...: runs it with its streams in $WORK/.out and $WORK/.err and its exit status in
-# $status; standard input is empty unless given
+# try COMMAND ...: runs a command with its output in $WORK/.out and $WORK/.err; sets $status to its exit status
 try() {
     "$@" >"$WORK/.out" 2>"$WORK/.err"
     status=$?
 }
 
-# refused NAME STATUS LINES: what try ran last must have exited with STATUS (several: "3 5") with
-# that many lines on standard error and nothing on standard output
+# refused NAME STATUS LINES: checks that the last try exited with STATUS (one of several: "3 5"), with LINES lines on
+# standard error and nothing on standard output
 refused() {
     count_lines "$WORK/.err"
     tap_right=no
@@ -88,8 +87,8 @@ refused() {
     fi
 }
 
-# milliseconds LIMIT COMMAND ...: what the cheapest of up to forty runs takes of the processors, ending with the
-# first within LIMIT: the time that others take on a busy machine is not in it
+# milliseconds LIMIT COMMAND ...: prints the processor time of the fastest of up to forty runs, stopping at the first
+# within LIMIT; time of other processes on a busy machine is not counted
 milliseconds() {
     bash -c 'TIMEFORMAT="%3U %3S" limit=$1 best=999999
         shift
@@ -113,7 +112,7 @@ unprivileged() {
 }
 
 finish() {
-    [ $tap_count -gt 0 ] || skip "nothing to test" "nothing is there yet"
+    [ $tap_count -gt 0 ] || skip "nothing to test" "no command was built yet"
     echo "1..$tap_count"
     exit $((tap_failed > 0))
 }

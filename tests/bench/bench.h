@@ -1,5 +1,5 @@
-/* A measurement drawn with the tests' frames: one test of Check's, without a limit of time, since Check's words
- * fail outside a test of its; it prints its rows itself, and what fails is said on standard error. */
+/* The main function of a measurement that draws with tests/support/render_frame.h: one Check test without a time limit,
+ * because Check's assertions need a running test. It prints its own rows; failures go to standard error. */
 #ifndef HATCH_BENCH_H
 #define HATCH_BENCH_H
 

@@ -1,17 +1,18 @@
 #!/bin/sh
-# dirfield's time against the angle to the true principal direction: fixed supports of several sizes and degrees, the
-# adaptive one, both ways of smoothing and the paper's simplified mesh, on clean and noisy irregular shapes of three
-# sizes; a million faces by one way alone. Each row: one run on each of five shapes (torus, ellipsoid, cylinder, saddle, wave); seconds are those of
-# frames, curvature and field on one thread, without reading and writing: median, least and most of the five;
-# angles in degrees are the means of the five shapes' medians and 95th percentiles; singularities those of the torus
-# (0 is right) and the ellipsoid (4). SIZES: which numbers of faces (default "1000 10000 100000 1000000").
+# Measures dirfield's time and the angle to the true principal direction, for fixed supports of several sizes and
+# degrees, the adaptive support, both smoothing methods and the simplified mesh of the paper, on clean and noisy
+# irregular shapes of three sizes; a million faces with one method only. Each row: one run on each of five shapes
+# (torus, ellipsoid, cylinder, saddle, wave). Seconds are those of frames, curvature and field on one thread, without
+# reading and writing: median, minimum and maximum of the five. Angles in degrees are means over the shapes of the
+# median and of the 95th percentile. Singularities are those of the torus (0 is right) and the ellipsoid (4). SIZES:
+# numbers of faces (default "1000 10000 100000 1000000").
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 printf 'method\tfaces\tnoise\tseconds\tseconds_min\tseconds_max\tpeak_kib\tdeg_p50\tdeg_p95\ttorus\tellipsoid\n'
 
-# column FILE NAME: the number under NAME in the first row
+# column FILE NAME: the value of a column in the first row
 column() {
     awk -F'\t' -v name="$2" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i} NR == 2 {print $at}' "$1"
 }

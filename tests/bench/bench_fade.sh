@@ -1,19 +1,19 @@
 #!/bin/sh
-# render-gl --technique rptam: what fade law, way and overlap do to a zoom of one octave towards a plane of tone .3.
-# Drift: the largest difference of the tone from that of the first of nine large pictures. Change and pop
-# (hatchstat frames): how much, and how unevenly, the 120 frames of a way move.
+# Measures the effect of --fade, --fade-by and --overlap of render-gl's technique rptam on a zoom of one octave towards
+# a plane of tone .3. Drift: the largest difference of the tone from that of the first of nine large pictures. Change
+# and pop (hatchstat frames): how much, and how unevenly, the 120 frames of the zoom change.
 #
-# Fixed: the pop of a texture that holds the very strokes of the middle of the way, as that law, way and overlap draw
-# them, and keeps them: size of strokes and tile grow with the surface, so that the depth does not change. That is what
-# resampling alone does to these edges. They have to be its edges: pop is in proportion to the length of all contours
-# times their contrast and sharpness, and small strokes have more contour to their ink than large ones have. The row
-# `texture` is the usual mip-mapped texture of one picture for comparison; its levels soften edges, so that it moves
-# less than any drawing as sharp as the strokes.
+# Fixed: the pop when the strokes of the middle of the zoom, drawn with the same options, scale with the surface, so
+# that the depth does not change. This is the effect of resampling alone on the same edges. The edges must be the same
+# because pop is proportional to the length of all contours times their contrast and sharpness, and small strokes have
+# more contour per ink than large ones. The row `texture` is an ordinary mip-mapped texture of one picture for
+# comparison; its levels soften edges, so it pops less than any drawing as sharp as the strokes.
 #
-# Allowed: fixed, and what must come. From frame to frame the surface grows by g = 4^(1/119) on the screen; as many
-# strokes lie on an area of the screen as before, so of the ink a share of g - 1 begins in each frame. Ink a that begins
-# at once between two frames adds a to the second difference of the one and takes it from that of the other: 2 a, and
-# no more beside what moves, as |x + a| <= |x| + |a|. With a mean tone of t, 2 t (g - 1).
+# Allowed: fixed plus the strokes that must appear. From frame to frame the surface grows by g = 4^(1/119) on the
+# screen, while the number of strokes per area of the screen is constant, so a share g - 1 of the ink appears in each
+# frame. Ink a that appears suddenly between two frames adds a to the second difference of one frame and subtracts it
+# from that of the next: 2 a in all, and no more when combined with other changes, since |x + a| <= |x| + |a|. For a
+# mean tone t this is 2 t (g - 1).
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -37,7 +37,7 @@ seedgen -n 64 --layers 4 --candidates 300 -o "$work/sets"
 view="--camera 0,0,8:0,0,0 --fov 14.25 --lines none" # the square fills the picture
 strokes="$work/plane.obj -t rptam --seeds $work/sets --tone-range .3:.3"
 
-# film ARGUMENT ...: frames of a way
+# film ARGUMENT ...: the 120 frames of a zoom
 film() {
     "$MEASURE" 1 render-gl "$@" $view --size 160x160 --frames 120 --animate zoom=1..2 -o "$work/f%03d.png"
 }
@@ -64,7 +64,7 @@ fade() {
         FILENAME == "-" {fixed = $5; next}
         {print $1, $2, $3, sprintf("%.5f\t%.5f", fixed, fixed + $4)}' - "$work/row"
 }
-# The strokes of the middle of the way, four times as fine.
+# The strokes of the middle of the zoom at four times the resolution.
 render-gl $strokes $view --size 904x904 --seed-tile 256 --stroke 56x6 -o "$work/strokes.png"
 row texture - 0 "$work/plane.gltf" --technique gouraud --texture-tone --light 0:0 --tone-range 0:1
 awk -F'\t' -v OFS='\t' '{print $1, $2, $3, $2, $2}' "$work/row"

@@ -1,9 +1,10 @@
 #!/bin/sh
-# One sphere, one map of 255 tones, all ways to draw it (Webb et al. 2002, Figure 4, in figures): time per frame,
-# grey strokes, tone and jagged edges. Milliseconds are the timer's, for the surfaces alone; gouraud stands in each
-# run as the reference, so that `ratio` is of one run. Figures are those of hatchstat ink: grey_strokes is a share
-# of the inked pixels, the tone error is from gouraud's picture, jagged the edge error from the same technique
-# with 16 samples a pixel; bytes are those of the file. Strokes are the style's, and the same four pixels wide.
+# Measures all ways to draw one map of 255 tones on a sphere (Webb et al. 2002, Figure 4): time per frame, grey
+# strokes, tone and jagged edges. Milliseconds are measured by the driver for the surfaces alone; each run also times
+# gouraud as the reference, so that `ratio` compares times of one run. hatchstat ink measures the rest: grey_strokes is
+# a share of the inked pixels, the tone error is relative to gouraud's picture, jagged is the edge error relative to
+# the same technique with 16 samples per pixel. bytes is the size of the file. Strokes have the width of the style, and
+# four pixels.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

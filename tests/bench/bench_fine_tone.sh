@@ -1,8 +1,8 @@
 #!/bin/sh
-# What is made of one map of 255 tones, 256 pixels, four levels: error, tone error and grey strokes against
-# memory, over numbers of bins and tones, plain and in blocks, in colour too (an array of 8 tones is what a map of 8
-# columns shows). Each row: five runs on two threads, reading and writing included; figures of hatchstat tones, the
-# mean over levels of detail.
+# Measures the textures made from one map of 255 tones, 256 pixels and four levels: error, tone error and grey strokes
+# against memory, for several numbers of bins and tones, plain and block-compressed, grey and coloured (an array of 8
+# tones equals a map of 8 columns). Each row: five runs on two threads, including reading and writing; figures of
+# hatchstat tones are means over levels of detail.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,11 +1,11 @@
 #!/bin/sh
-# lapped-param's time, and how many patches of what quality it makes: for several sizes of patch on a torus that
-# carries its true field; for the size that it chooses on tori of 1000 to 1,000,000 faces, and on ellipsoids with
-# noise of a tenth of an edge, whose poles are crumpled; and on scans from ../shared, where they lie beside the
-# source, the armadillo cut to 346,000 faces. Seconds of the whole command on one thread, reading and writing
-# included: median, least and most of five runs, of three over 200,000 faces; overlap: faces of all patches over those
-# of the surface; stretch: 99th percentile; degrees to the field: median and 95th percentile, by faces and by area.
-# SIZES: which numbers of faces; FEW: those for which all sizes of patch are tried.
+# Measures lapped-param's time and the number and quality of its patches: for several patch sizes on a torus with its
+# true field; for the default size on tori of 1000 to 1,000,000 faces and on ellipsoids with noise of a tenth of an
+# edge, whose poles are crumpled; and on the scans in ../shared, if that folder exists, the armadillo decimated to
+# 346,000 faces. Seconds are those of the whole command on one thread, including reading and writing: median, minimum
+# and maximum of five runs, of three above 200,000 faces. overlap: faces of all patches divided by faces of the
+# surface; stretch: 99th percentile; degrees to the field: median and 95th percentile, by faces and by area. SIZES:
+# numbers of faces; FEW: those for which all patch sizes are measured.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,8 +1,8 @@
 #!/bin/sh
-# render-gl's techniques: time per frame against the error of the tone that they draw, over the teapot at
-# three distances, 1280x720. Milliseconds are the timer's, for the surfaces alone; gouraud stands in each
-# run as the reference, so that `ratio` is of one run. The error is the largest difference from gouraud,
-# in linear light, over windows of 64 pixels, the mean over the distances: strokes are averaged away there.
+# Measures the time per frame and the tone error of render-gl's techniques, on the teapot at three distances, 1280x720.
+# Milliseconds are measured by the driver for the surfaces alone; each run also times gouraud as the reference, so that
+# `ratio` compares times of one run. The error is the largest difference from gouraud in linear light over windows of
+# 64 pixels, which average strokes out; mean over the distances.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -17,7 +17,7 @@ picture() {
         --lines none -o "$work/$1.exr"
 }
 
-# row NAME TECHNIQUE ANISOTROPY SIZE: the size that one tile of the driver holds, for that is what is timed
+# row NAME TECHNIQUE ANISOTROPY SIZE: SIZE fits in one tile, since only one tile is timed
 row() {
     "$MEASURE" 1 render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --anisotropy "$3" \
         --size "$4" --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"

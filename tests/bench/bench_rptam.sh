@@ -1,8 +1,9 @@
 #!/bin/sh
-# render-gl --technique rptam: time per frame against the number of seeds for both of its loops, on the teapot,
-# 640x360, one sample a pixel, four layers. The tile grows with the number of seeds, so that all draw as many
-# strokes. Milliseconds are the timer's, for the surfaces alone; gouraud stands in each run as the reference, tam
-# in a row of its own. The error is the largest difference from the picture of the other loop, of 1.
+# Measures the time per frame of render-gl's technique rptam against the number of seed points for both values of
+# --seed-loop, on the teapot, 640x360, one sample per pixel, four layers. The tile grows with the number of seed
+# points, so that the number of strokes is constant. Milliseconds are measured by the driver for the surfaces alone;
+# each run also times gouraud as the reference, and one row times tam. The error is the largest difference from the
+# picture of the other loop, 0..1.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,8 +1,8 @@
 #!/bin/sh
-# seedgen's time against the number of seeds for its three methods, up to the point where backtracking
-# gives up (`found`: the share of twenty tries that find a cycle within a million digits), and how far apart seeds lie against
-# the number of candidates: mean over five files of four layers, beside random points and the Bayer
-# order. Distances are over the hexagonal bound.
+# Measures seedgen's time against the number of seed points for its three methods, up to the size at which backtracking
+# gives up (`found`: the share of twenty runs that find a cycle within a million digits), and the distances between seed
+# points against the number of candidates: means over five files of four layers, compared with random points and the
+# Bayer order. Distances are divided by the hexagonal bound.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -10,7 +10,7 @@ trap 'exit 1' INT TERM HUP
 printf 'method\tseeds\tlayers\tcandidates\tfound\tseconds\tseconds_min\tseconds_max\tcpu_seconds\tpeak_kib'
 printf '\tdistance\tdistance_random\tdistance_bayer\n'
 
-# row METHOD SEEDS LAYERS CANDIDATES FILES: five runs, distances of FILES of them
+# row METHOD SEEDS LAYERS CANDIDATES FILES: five runs; distances are measured in the first FILES of them
 row() {
     set -- "$5" "$1" "$2" "$3" "$4" seedgen --method "$1" -n "$2" --layers "$3" --candidates "$4" --max-nodes 1000000
     files=$1

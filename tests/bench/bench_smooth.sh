@@ -1,6 +1,6 @@
 #!/bin/sh
-# What dirfield's --smooth trades: singularities against the angle to the curvature as it is, where that is most
-# certain (a third of the points), on scans from ../shared, where they lie beside the source. One thread.
+# Measures the trade-off of dirfield's --smooth on the scans in ../shared, if that folder exists: singularities against
+# the angle to the unsmoothed principal direction at the most certain third of the points. One thread.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -9,7 +9,7 @@ models=$(dirname "$0")/../../../shared/data/meshes
 printf 'model\tmethod\tsmooth\tfaces\tsingularities\tdeg_p50\tdeg_p95\tsmoothness\tenergy\t'
 printf 'seconds\tseconds_min\tseconds_max\tcpu_seconds\tpeak_kib\n'
 
-# column NAME <TABLE: of the last row
+# column NAME <TABLE: the value of a column in the last row
 column() {
     awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i} END {print $c}'
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# tamgen's time against the evenness of what it draws: both methods over numbers of candidates, on the
-# paper's size, and the larger work on one thread and two. Each row: five runs with the seeds 1 to 5;
-# evenness (1: chance; lower is better) at the boxes N/32, N/16, N/8, N/4, the mean over seeds and tones.
+# Measures tamgen's time and the evenness of its strokes: both methods with several numbers of candidates at the size of
+# the paper, and larger maps on one and two threads. Each row: five runs with the random seeds 1 to 5; evenness (1:
+# random; lower is better) for boxes of N/32, N/16, N/8 and N/4, means over seeds and tones.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,7 +1,7 @@
-/* How wide strokes are on the screen, over what was asked, on the teapot seen from 0.01 to 1000 radii: of rptam
- * as it is drawn; as Algorithm 2 is printed, which measures across the strokes on the surface and not in the
- * picture; and of a tonal art map of four levels that suits a distance of 3 radii. Widths are those across the
- * stroke as the picture shows it, by the true derivatives of each face's texture coordinates. */
+/* Measures the width of strokes on the screen relative to the requested width, on the teapot from 0.01 to 1000 radii:
+ * for rptam as drawn; for Algorithm 2 as printed, which measures across the strokes on the surface and not in the
+ * picture; and for a tonal art map of four levels made for a distance of 3 radii. Widths are measured across the stroke
+ * in the picture, with the exact derivatives of each face's texture coordinates. */
 #include <stdio.h>
 
 #include "bench.h"
@@ -29,7 +29,7 @@ static void begin(void)
     frame_picture(&frame, "rptam");
 }
 
-/* The width of a strip along u that is one unit of v wide, on the screen. */
+/* The width on the screen of a strip along u that is one unit of v wide. */
 static double across(double pixels[2][2])
 {
     return fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]) / hypot(pixels[0][0], pixels[0][1]);
@@ -40,7 +40,7 @@ struct widths {
     double rptam[SAMPLES], paper[SAMPLES], map[SAMPLES];
 };
 
-/* The surface along a unit of u and of v on one face, in the axes of the unit scene. */
+/* Computes the derivatives of the position with respect to u and v on a face, in the unit scene. */
 static bool face_spans(const struct hatch_view *view, const struct zoom_corner *const c[3], double span[6])
 {
     const double *axes[3] = {view->right, view->up, view->back};
@@ -62,7 +62,8 @@ static bool face_spans(const struct hatch_view *view, const struct zoom_corner *
     return fabs(turn) > 0;
 }
 
-/* A map that repeats once a unit of u and v, read at the level that its texels' longer side on the screen asks for. */
+/* Width of the strokes of a map with one tile per unit of u and v, at the level given by the longer side of its texels
+ * on the screen. */
 static double map_width(double pixels[2][2])
 {
     const double texels = MAP_PX;
@@ -111,7 +112,7 @@ static void print_row(const char *method, double radii, double *widths, size_t c
            widths[count - 1 - count / 20], (double)within / (double)count);
 }
 
-/* From over the middle of a face, off its normal by half a radian. */
+/* A view of the centroid of a face, half a radian off its normal. */
 static struct hatch_view view_over(uint32_t face, double radii)
 {
     double corner[3][3], point[3], normal[3], side[3];

@@ -1,7 +1,7 @@
-/* render-gl rptam through eighty octaves of zoom, drawn by floats alone and with pieces of near faces: how far
- * strokes lie from where a reference in pairs of doubles has them, and how the tone of a plane drifts. Octave 0
- * sees 2 units of the scene. Above it the picture comes nearer; below it the same way is gone over texture
- * coordinates 2^40 times as dense, so that -40 is as near as 40, and 0 shows their whole square 2^40 times. */
+/* Measures rptam over eighty octaves of zoom, drawn with floats alone and with pieces of near faces: the distance of
+ * strokes from their positions by a reference in pairs of doubles, and the change of the tone of a plane. Octave 0
+ * shows 2 units of the scene; above it the camera moves closer. Below it the same distances are used with texture
+ * coordinates 2^40 times as dense: octave -40 is as close as octave 40. */
 #include <stdio.h>
 
 #include "bench.h"
@@ -41,7 +41,7 @@ static double mean_ink(const struct hatch_view *view, double tone)
     return sum / (WIDTH * HEIGHT);
 }
 
-/* The largest difference of five tones from what they were when they were kept. */
+/* The largest change of five tones since the call with `keep`. */
 static double drift(const struct hatch_view *view, double first[TONES], bool keep)
 {
     double most = 0;
@@ -67,7 +67,7 @@ static void zoom(const char *surface, enum hatch_shape shape, const double point
     begin(shape, sign < 0 ? 0x1p40f : 1.0f);
     for (int octave = 0; octave <= 40; octave += 2)
         for (int alone = 0; alone < 2; alone++) {
-            int out = sign < 0 ? 40 - octave : octave; /* of the way in */
+            int out = sign < 0 ? 40 - octave : octave; /* octaves zoomed in */
             struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - out), (double)WIDTH / HEIGHT);
             frame.shown.floats_alone = alone;
             double tone = shape == HATCH_SHAPE_PLANE ? drift(&view, first, !alone && octave == 0) : -1;

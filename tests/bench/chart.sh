@@ -1,6 +1,6 @@
 #!/bin/sh
-# chart.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. charts/SUBJECT.gp plots the
-# file whose name stands in `data`, with the terminal and the output set before.
+# chart.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. charts/SUBJECT.gp plots the file named by
+# the variable `data`; terminal and output are set before it runs.
 set -eu
 for plot in "$(dirname "$0")"/charts/*.gp; do
     [ -e "$plot" ] || continue

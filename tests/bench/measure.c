@@ -1,6 +1,6 @@
-/* measure N COMMAND ...: runs a command N times, its standard output thrown away, and prints the
- * median, shortest and longest seconds, the mean processor seconds and the peak memory in KiB,
- * tab-separated. In COMMAND, @ stands for the number of the run, from 1. */
+/* measure N COMMAND ...: runs a command N times, discards its standard output, and prints the median, shortest and
+ * longest seconds, the mean processor seconds and the peak memory in KiB, separated by tabs. In COMMAND, @ stands for
+ * the number of the run, from 1. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 #!/bin/sh
-# run.sh FOLDER: measures. Each bench_SUBJECT.sh prints a TSV with a header line, which goes to
-# FOLDER/SUBJECT.tsv: method, size of the work, median, minimum and maximum seconds of five runs or
-# more, peak memory, error with its name and unit. $MEASURE runs and times a command: measure.c. SUBJECT, a
-# name or a pattern, measures that alone: make bench SUBJECT=fine_frames.
+# run.sh FOLDER: runs the benchmarks. Each bench_SUBJECT.sh prints a table with a header line, which is written to
+# FOLDER/SUBJECT.tsv: method, size of the work; median, minimum and maximum seconds of five or more runs; peak memory;
+# errors, with name and unit. $MEASURE runs and times a command (measure.c). The environment variable SUBJECT, a name
+# or a pattern, selects benchmarks: make bench SUBJECT=fine_frames.
 set -eu
 mkdir -p "$1"
 MEASURE=$(cd "$1" && pwd)/measure

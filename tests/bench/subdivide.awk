@@ -1,4 +1,4 @@
-# Reads a mesh of triangles as OBJ and writes it with every face cut in four.
+# Reads a triangle mesh as OBJ and writes it with every face divided into four.
 function middle(a, b,    key) {
     key = a < b ? a " " b : b " " a
     if (!(key in found)) {

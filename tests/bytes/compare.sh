@@ -1,7 +1,7 @@
 #!/bin/sh
-# compare.sh OLD NEW [PATTERN]: does runs.sh for two builds and prints the runs that differ, each with what does: what
-# it wrote, its exit status, or what it said on standard error. OLD may be a file that runs.sh printed. Exit 1 when any
-# run differs or is missing, as those of windows may be where there is no screen.
+# compare.sh OLD NEW [PATTERN]: executes runs.sh for two builds and prints the runs that differ, each with the parts
+# that do: the files written ("wrote"), the exit status ("status"), standard error ("said"). OLD may be a file with the
+# output of runs.sh. Exits with 1 when a run differs or is missing, as runs of the window may be without a display.
 set -u
 [ $# -ge 2 ] || { echo "usage: compare.sh OLD NEW [PATTERN]" >&2; exit 2; }
 runs=$(dirname "$0")/runs.sh

@@ -1,6 +1,6 @@
-# What runs.sh runs: inputs and runs, a line each. The words that are no commands are functions of runs.sh.
+# The inputs and runs of runs.sh, a line each. Words that are not commands are functions of runs.sh.
 
-# inputs: a file and what makes it, a line each. No run writes to one of these names.
+# inputs: prints the inputs, each with its name and the command that makes it. No run may write to one of these names.
 inputs() {
     cat <<'END'
 teapot.glb meshgen teapot --faces 1200
@@ -50,7 +50,7 @@ END
     echo "small.svg echo '$drawing'"
 }
 
-# What each technique does with all that it meets.
+# Every technique with every kind of scene and option.
 list_techniques() {
     for technique in tam tam-flat tam-face tam-gouraud tam-triple tam-threshold gouraud rptam volume threshold \
         threshold-soft; do
@@ -280,7 +280,7 @@ time-field render-gl field.glb --show field --size 96x72 --time 1 | without_ms
 END
 }
 
-# What render-gl refuses, or draws with a warning.
+# Scenes and options that render-gl refuses, or draws with a warning.
 list_refusals() {
     cat <<'END'
 refused-no-map draw teapot.glb
@@ -345,7 +345,7 @@ refused-layers printf 'nib 3\n' >bad.layers; draw teapot.glb -t rptam --layers b
 refused-long draw teapot.glb -t rptam --stroke 900x2 --seed-tile 100
 refused-memory draw teapot.glb --tam map.exr --size 65536x65536 --max-memory 100M
 refused-shaders draw teapot.glb --tam map.exr --shader-dir gone
-refused-shader with_shaders sh -c "echo 'void main(' >shaders/tam.frag; render-gl --shader-dir shaders -T map.exr teapot.glb"
+refused-shader with_shaders sh -c "sed -i 's/void main()/void main(/' \$(find shaders -name tam.frag); render-gl --shader-dir shaders -T map.exr teapot.glb"
 refused-driver MESA_GL_VERSION_OVERRIDE=3.3 draw teapot.glb --tam map.exr
 refused-display unset DISPLAY WAYLAND_DISPLAY; draw teapot.glb --tam map.exr --window
 refused-texture sed 's/ridges.png/map.tsv/' bumpy.gltf >bad.gltf; draw bad.gltf -t gouraud --pixel-light
@@ -450,8 +450,8 @@ lapped-param-again lapped-param lapped.glb
 END
 }
 
-# The window, where it can be had; it says which pictures it saved. How far a step nearer goes depends on what was drawn
-# before it, so that there is a picture between any two.
+# The window, where Xvfb and xdotool are installed; it reports the pictures that it saves. The size of a zoom step
+# depends on the last frame, so a picture is saved between any two steps.
 list_windows() {
     command -v Xvfb >/dev/null && command -v xdotool >/dev/null || return 0
     cat <<'END'
@@ -472,7 +472,7 @@ window-help open_window ring.obj -t gouraud; shot question r; close_window
 END
 }
 
-# Texts that may be changed on purpose.
+# Help texts and messages, which may change on purpose.
 list_help() {
     for command in dirfield hatchstat lapped-param meshgen render-gl seedgen tamgen tampack tamthresh tamvol; do
         echo "help-$command $command --help; $command --version"

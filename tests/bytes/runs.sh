@@ -1,32 +1,32 @@
 #!/bin/sh
-# runs.sh BUILD [PATTERN]: runs the commands of a build on everything that they can do, small, two runs at a time, and
-# prints a line for each: its name, a checksum of all that it wrote, its exit status, a checksum of what it said on
-# standard error; tab-separated. What shall change no byte gives the same lines before and after: compare.sh.
+# runs.sh BUILD [PATTERN]: runs the commands of a build with all their features on small inputs, two runs at a time, and
+# prints a line for each run, separated by tabs: its name, a checksum of all files it wrote, its exit status, a checksum
+# of its standard error. A change that is to alter no output gives the same lines before and after (compare.sh).
 #
-# PATTERN, a regular expression, takes only the runs whose names have it. KEEP, a folder that is not there yet, keeps
-# what they wrote, each in runs/NAME. Pictures depend on the driver: compare builds on one machine.
+# PATTERN, a regular expression, selects runs by name. The environment variable KEEP, a folder that does not exist yet,
+# keeps the files of each run in runs/NAME. Pictures depend on the driver, so compare builds on one machine.
 #
-# The first lines are the inputs, which the build's own commands and scenes.pl make. They stand in the folder of each
-# run under their names. A run's name begins with what it is about.
+# The first lines are the inputs, which the build's own commands and scenes.pl make. The folder of each run has links to
+# them. The name of a run starts with its subject.
 set -u
 LC_ALL=C
 export LC_ALL
 # shellcheck source-path=SCRIPTDIR
 . "$(dirname "$0")/list.sh"
 
-# Words of the list, for the runs themselves.
+# Functions for the commands in list.sh.
 
-# draw SCENE [OPTION ...]: a picture
+# draw SCENE [OPTION ...]: draws a picture
 draw() {
     render-gl --size 160x120 -o picture.png "$@"
 }
 
-# film SCENE [OPTION ...]: three small ones
+# film SCENE [OPTION ...]: draws three small frames
 film() {
     render-gl --size 96x72 --samples 1 --frames 3 -o picture%d.png "$@"
 }
 
-# with_shaders COMMAND ...: with a copy of the build's, which is no output
+# with_shaders COMMAND ...: runs a command with a copy of the build's shaders, which does not count as output
 with_shaders() {
     cp -r "$BUILD/share/hatch/shaders" . || return
     "$@"
@@ -35,13 +35,13 @@ with_shaders() {
     return $with_status
 }
 
-# without_ms: a report on standard input without its times
+# without_ms: prints the report on standard input without its times
 without_ms() {
     awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) timed[i] = $i ~ /_ms$/ || $i == "device"}
         {line = ""; for (i = 1; i <= NF; i++) if (!timed[i]) line = line "\t" $i; print substr(line, 2)}'
 }
 
-# mesh FILE: all that commands make of a mesh; --show field draws what lapped-param read
+# mesh FILE: runs all commands that read meshes; --show field draws the field
 mesh() {
     hatchstat mesh "$1"
     dirfield -r report.tsv -o directions.glb "$1"
@@ -51,7 +51,7 @@ mesh() {
     draw directions.glb --show field
 }
 
-# soon COMMAND ...: until it succeeds; what never comes is given up after a minute
+# soon COMMAND ...: repeats a command until it succeeds, for about a minute
 soon() {
     tries=0
     until "$@"; do
@@ -61,8 +61,8 @@ soon() {
     done
 }
 
-# open_window SCENE [OPTION ...]: on a screen of its own, which is as large, so that the pointer is always in it; and
-# waits for its first frame, whose title it has then
+# open_window SCENE [OPTION ...]: opens a window on a screen of its own and of the same size, so that the pointer is
+# always in it, and waits for its first frame, which sets its title
 open_window() {
     Xvfb -noreset -displayfd 3 -screen 0 200x150x24 3>.display >/dev/null 2>&1 &
     server=$!
@@ -76,7 +76,7 @@ open_window() {
     shots=0
 }
 
-# shot KEY ...: what s saves after these keys
+# shot KEY ...: presses these keys and s, and waits for the picture
 shot() {
     shots=$((shots + 1))
     xdotool key "$@" s
@@ -92,13 +92,13 @@ close_window() {
     wait "$window"
 }
 
-# line NAME STATUS: what the working folder holds that is no link, and what .err says
+# line NAME STATUS: prints the line of a run, with checksums of the regular files in the working folder and of .err
 line() {
     find . -type f ! -name .err | sort | xargs -r sha256sum >../.sums
     printf '%s\t%s\t%s\t%s\n' "$1" "$(sha256sum <../.sums | cut -c 1-64)" "$2" "$(sha256sum <.err | cut -c 1-64)"
 }
 
-# one N: the list's Nth run, in a folder of its own
+# one N: executes the Nth run of the list in a folder of its own
 one() {
     run=$(sed -n "$1p" "$WORK/runs.list")
     name=${run%% *}
@@ -112,7 +112,7 @@ one() {
     [ -n "${KEEP-}" ] || rm -r "$WORK/runs/$name"
 }
 
-# make_inputs: in the working folder
+# make_inputs: makes the inputs in the working folder and prints their lines
 make_inputs() {
     cp "$TESTS/drawings/hatching.svg" . || exit 1
     perl "$TESTS/bytes/scenes.pl" || exit 1

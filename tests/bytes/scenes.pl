@@ -1,6 +1,6 @@
 #!/usr/bin/env perl
-# scenes.pl: writes small scenes and meshes into the working folder for runs.sh: what glTF and other formats can say
-# and meshgen does not.
+# scenes.pl: writes small scenes and meshes into the working folder for runs.sh, with features of glTF and other formats
+# that meshgen does not write.
 use strict;
 use warnings;
 use Compress::Zlib;
@@ -16,7 +16,7 @@ sub write_file {
     close $file or die "$name: $!\n";
 }
 
-# png WIDTH HEIGHT CHANNELS TEXEL: TEXEL is asked for the bytes at x and y.
+# png WIDTH HEIGHT CHANNELS TEXEL: the bytes of a PNG; TEXEL returns the channels at x and y
 sub png {
     my ($wide, $high, $channels, $texel) = @_;
     my $rows = '';
@@ -29,13 +29,13 @@ sub png {
         . $chunk->('IDAT', compress($rows)) . $chunk->('IEND', '');
 }
 
-# What a glTF file is made of; the numbers of all of them lie in scenes.bin.
+# Buffer views and accessors of the scenes; their data are in scenes.bin.
 my $bytes = '';
 my (@views, @accessors);
 my %width = (SCALAR => 1, VEC2 => 2, VEC3 => 3, VEC4 => 4, MAT4 => 16);
 my %component = ('f<' => 5126, 'S<' => 5123, 's<' => 5122, 'C' => 5121, 'c' => 5120);
 
-# put TYPE CODE NUMBER ...: an accessor of them; CODE is pack's
+# put TYPE CODE NUMBER ...: adds an accessor with these numbers; CODE is a template of pack
 sub put {
     my ($type, $code, @numbers) = @_;
     my $data = pack "$code*", @numbers;
@@ -92,7 +92,7 @@ sub primitive {
 }
 
 my @scenes;
-# scene NAME NODES MORE ...: its nodes are all roots that nobody names as a child.
+# scene NAME NODES MORE ...: writes a scene; its roots are the nodes that are no node's child
 sub scene {
     my ($name, $nodes, %more) = @_;
     my %child = map { $_ => 1 } map { @{$_->{children} || []} } @$nodes;
@@ -101,7 +101,7 @@ sub scene {
 }
 sub mesh { return {primitives => [@_]} }
 
-# A texture of a globe's kind, one with holes, and one of normals; all with an edge that shows how they lie.
+# A colour texture, one with holes, and a normal map, all asymmetric so that their orientation shows.
 write_file('texture.png', png(48, 32, 3, sub {
     my ($x, $y) = @_;
     return (255 * $x / 47, (($x >> 3) + ($y >> 3)) % 2 ? 230 : 60, 255 * $y / 31);
@@ -140,7 +140,7 @@ scene('bumpy', [{mesh => 0}, {mesh => 1, translation => [2, 0, 0], rotation => [
             extensions => {KHR_texture_transform => {scale => [2, 1], rotation => 0.3}}}},
         {%{colored(0)}, normalTexture => {index => 2}}]);
 
-# A tube that three joints bend, one for each way of interpolation; with a normal map.
+# A tube bent by three joints, one for each kind of interpolation, with a normal map.
 my @heights = map { $tube->{texcoords}[2 * $_ + 1] } 0 .. @{$tube->{texcoords}} / 2 - 1;
 my $bent = primitive($tube, 0, JOINTS_0 => put('VEC4', 'C', map { (0, 1, 2, 0) } @heights),
     WEIGHTS_0 => put('VEC4', 'f<', map { !$_ ? (0) x 4 : $_ < 0.5 ? (1 - 2 * $_, 2 * $_, 0, 0)
@@ -162,7 +162,7 @@ scene('skinned', [{mesh => 0, skin => 0}, {children => [2], translation => [0, -
         {channels => [{sampler => 0, target => {node => 0, path => 'translation'}}],
             samplers => [{input => $times, output => put('VEC3', 'f<', 0, 0, 0, 1, 0, 0, 0, 1, 0)}]}]);
 
-# A hill that two targets shape, at rest and in motion.
+# A hill shaped by two morph targets, at rest and animated.
 my @count = 0 .. @{$hill->{points}} / 3 - 1;
 my $shaped = {%{primitive($hill)}, targets => [{POSITION => put('VEC3', 'f<', map { (0, 0, sin $_ / 9) } @count),
         NORMAL => put('VEC3', 'f<', map { (0.2 * cos($_ / 9), 0, 0) } @count)},
@@ -172,7 +172,7 @@ scene('morphs', [{mesh => 0}, {mesh => 0, translation => [2.3, 0, 0], weights =>
         channels => [{sampler => 0, target => {node => 0, path => 'weights'}}],
         samplers => [{input => $times, output => put('SCALAR', 'f<', 0, 0, 1, 0.5, 0, 1)}]}]);
 
-# What nodes do: mirrored, by a matrix, below another, many times over; whole numbers for floats; strips.
+# Nodes that mirror, with a matrix, with parents, and with shared meshes; normalised integers; strips.
 my @places = (put('VEC3', 'f<', -2, 0, 0, 2, 0, 1, 0, 2, 0),
     put('VEC4', 'f<', 0, 0, 0, 1, 0, 0.6, 0, 0.8, 0.6, 0, 0, 0.8));
 my $small = {attributes => {POSITION => put('VEC3', 's<', -900, -900, 0, 900, -900, 300, -900, 900, 300, 900, 900, 0),
@@ -190,7 +190,7 @@ scene('nodes', [{mesh => 0, scale => [-1, 1, 1]}, {mesh => 0, children => [2], m
         mesh(primitive($hill, 1))], materials => [{doubleSided => JSON::PP::true}, {}],
     extensionsUsed => ['EXT_mesh_gpu_instancing', 'KHR_mesh_quantization']);
 
-# Cameras, of which one moves; and lamps, each alone, together, and more than are drawn.
+# Cameras, one of which moves; lamps alone, together, and more than the limit.
 scene('cameras', [{mesh => 0}, {mesh => 1, translation => [0.5, 0, -2]}, {camera => 0, translation => [0.3, 0.2, 4]},
         {camera => 1, translation => [1, 0.5, 3], rotation => [-0.05, 0.15, 0, 0.9873]}],
     meshes => [mesh(primitive($tube)), mesh(primitive($hill))], cameras => [
@@ -207,7 +207,7 @@ my %lamps = (sun => ['sun'], point => ['point'], spot => ['spot'], all => [qw(su
 for my $name (sort keys %lamps) {
     my @lit = @{$lamps{$name}};
     my @nodes = ({mesh => 0}, {mesh => 1, translation => [0, 0, -1]});
-    for my $i (0 .. $#lit) { # towards the tube from above, each from elsewhere
+    for my $i (0 .. $#lit) { # lamps above the tube at different places
         my ($across, $up, $away) = $name eq 'far' ? (0, -sqrt 0.5, 1e8) : (0.2 * cos $i, -0.21, 1);
         push @nodes, {translation => [2 * cos $i, (1.5 + 0.01 * $i) * $away, 3 + sin $i],
             rotation => [$up, $across, 0, sqrt 1 - $up**2 - $across**2],
@@ -216,8 +216,7 @@ for my $name (sort keys %lamps) {
     scene("lamps-$name", \@nodes, meshes => [mesh(primitive($tube)), mesh(primitive($hill))],
         extensionsUsed => ['KHR_lights_punctual'], extensions => {KHR_lights_punctual => {lights => [@lamp{@lit}]}});
 }
-# What modelers leave: faces with corners of their own, a corner on another's side, an edge on other faces, texture
-# coordinates that are all one.
+# Defects of modelling programs: unwelded faces, T-junctions, edges inside other faces, constant texture coordinates.
 my @loose = ([0, 0, 0], [0, 2, 0], [-2, 1, 0.5], [0, 0, 0], [2, 0.5, 0], [0, 1, 0], [0, 1, 0], [2, 1.5, 0.5], [0, 2, 0],
     [0, 3, 0], [1, 3, 0], [0.5, 4, 0], [0, 3, 0], [1, 2.5, 0], [1, 3.6, 0], [1, 3, 0], [0, 3.5, 0], [0, 2.6, 0]);
 my %loose = (POSITION => put('VEC3', 'f<', map { @$_ } @loose));
@@ -233,7 +232,7 @@ for (@scenes) {
         bufferViews => \@views, accessors => \@accessors}));
 }
 
-# One shape, a ring of quadrangles that is closed one way, in each format of meshes.
+# A ring of quadrangles, closed in one direction, in each mesh format.
 my $ring = grid(9, 4, sub { return tube(@_) });
 my @points = map { [@{$ring->{points}}[3 * $_ .. 3 * $_ + 2]] } 0 .. @{$ring->{points}} / 3 - 1;
 my @faces = map { my $i = $_; [map { $ring->{corners}[3 * $i + $_] } 0 .. 2] } 0 .. @{$ring->{corners}} / 3 - 1;
@@ -258,7 +257,7 @@ write_file('binary.stl', pack('A80V', 'a ring', $faces),
     map { pack 'f<12S<', 0, 0, 1, (map { @{$points[$_]} } @$_), 0 } @faces);
 write_file('text.stl', "solid ring\n", (map { ("facet normal 0 0 1\nouter loop\n",
     (map { "vertex @{$points[$_]}\n" } @$_), "endloop\nendfacet\n") } @faces), "endsolid ring\n");
-# Far from 0 0 0; with every fault at once; and with one side only.
+# Meshes far from the origin, with every fault at once, and one-sided.
 write_file('far.obj', (map { "v " . join(' ', $_->[0] + 1e6, $_->[1] - 3e6, $_->[2]) . "\n" } @points),
     map { 'f ' . join(' ', map { $_ + 1 } @$_) . "\n" } @quads);
 write_file('faulty.obj', (map { "v @$_\n" } @points), "v 9 9 9\n", (map { 'f ' . join(' ', map { $_ + 1 }

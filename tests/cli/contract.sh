@@ -1,5 +1,5 @@
-# contract.sh command NAME, contract.sh line N: the checks of one command, and those of one line of
-# commands.tsv, for contract.t. FIXTURES is its folder of inputs.
+# contract.sh command NAME, contract.sh line N: checks one command, or one line of commands.tsv, for contract.t.
+# FIXTURES is the folder of inputs.
 . "${TOP:-.}/tests/tap.sh"
 
 table=$TOP/tests/cli/commands.tsv
@@ -26,7 +26,7 @@ check_help() {
     fi
 }
 
-# refused_option COMMAND NAME: what try ran last ended in two lines, the first about that option
+# refused_option COMMAND NAME: whether the last try was refused in two lines, the first of which names that option
 refused_option() {
     count_lines .err
     read -r first <.err
@@ -34,7 +34,7 @@ refused_option() {
     case $first in "$1: --$2: "*) ;; *) return 1 ;; esac
 }
 
-# Values that no numeric option takes; the table says which options are numeric.
+# Values that every numeric option refuses; --options-table lists the numeric options.
 check_values() {
     "$1" --options-table >options.tsv
     awk -F'\t' 'NR > 1 && $3 ~ /^(int|real|size|pair)$/ {
@@ -66,7 +66,7 @@ check_values() {
     done
 }
 
-# SYNOPSIS as it is printed is the usage line; what OPTIONS lists is in the table, and the reverse.
+# The printed SYNOPSIS equals the usage line; the manual's OPTIONS and --options-table list the same options.
 check_manual() {
     manual=$TOP/man/man1/$1.1
     mandoc -Tascii -Owidth=1000 "$manual" 2>/dev/null | sed 's/.\x08//g' >manual.txt
@@ -93,18 +93,19 @@ check_manual() {
     is "$1's manual lists every option of its own" "$(comm -23 own.list named.list)" ""
     is "$1's manual has the table's ranges, defaults and choices" \
         "$(perl "$TOP/tests/cli/manual_options.pl" options.tsv "$manual" 2>&1)" ""
-    is "and so has hatch(7), of the common ones" \
+    is "hatch(7) has the ranges, defaults and choices of common options" \
         "$(perl "$TOP/tests/cli/manual_options.pl" options.tsv "$TOP/man/man7/hatch.7" 2>&1)" ""
 }
 
-# run OUTPUT [OPTION ...]: the line's command on $input
+# run OUTPUT [OPTION ...]: runs the command of the line on $input
 run() {
     output=$1
     shift
     with_input "$arguments" "$@" -o "$output"
 }
 
-# with_input ARGUMENTS [OPTION ...]: IN becomes $input, which may hold spaces; $through are words before the command
+# with_input ARGUMENTS [OPTION ...]: runs the command with $input, which may have spaces, in place of IN; $through is
+# put before the command
 with_input() {
     words=$1
     shift
@@ -123,7 +124,7 @@ check_output() {
     is "$label works" "$status $(wc -c <.out)" "0 0"
     [ -s reference ] || return 1
     try with_input "$arguments"
-    same "$label: standard output takes the same bytes" .out
+    same "$label: the same bytes to standard output" .out
     try run again
     same "$label: the same bytes again" again
     try run "n e w" -j 1
@@ -176,12 +177,12 @@ check_refused_output() {
         refused "$label: read-only output folder" 4 1
     fi
     (trap '' PIPE; with_input "$arguments" 2>.err; echo $? >.status) | true
-    is "$label: a closed pipe is silent" "$(cat .err | grep -vc 'broken pipe')" 0
+    is "$label: a closed pipe gives no message" "$(cat .err | grep -vc 'broken pipe')" 0
     with_input "$arguments" 2>.err | head -c 1 >/dev/null
-    is "$label: a reader that stops early" "$(cat .err)" ""
+    is "$label: a reader that stops early gives no message" "$(cat .err)" ""
 }
 
-# refused_input NAME STATUS: $input is bad; an existing output stays as it was, and no other is left
+# refused_input NAME STATUS: checks that $input is refused and that an existing output stays as it was
 refused_input() {
     echo old >kept
     try run kept
@@ -230,7 +231,7 @@ check_input() {
         count_lines .err
         [ ! -e cut.out ] && [ "$tap_lines" -eq 1 ] || bad="$bad $part%:left"
     done
-    is "$label: a cut file" "$bad" ""
+    is "$label: a truncated file" "$bad" ""
     head -c $((size / 2)) "$good" >"$input"
     refused_input "half a file" 3
     input=secret.${good##*.}
@@ -240,18 +241,19 @@ check_input() {
     then
         chmod 777 . # another user writes here
         try unprivileged "$command" $(printf '%s' "$arguments" | sed "s|IN|$input|g")
-        refused "$label: a file that may not be read" 4 1
+        refused "$label: an unreadable file" 4 1
     fi
     input=$good
 }
 
-# Nothing but signals/kept lies in that folder.
+# no_litter: whether the folder signals holds nothing but kept
 no_litter() {
     set -- signals/* signals/.[!.]*
     [ "$*" = 'signals/kept signals/.[!.]*' ]
 }
 
-# Twenty moments over the run's length and a little beyond, the same ones in every run of the test.
+# Interrupts the command at twenty moments over its duration and a little beyond, the same ones in every run of the
+# test.
 check_signals() {
     slow=${slow_arguments:-$arguments}
     [ -z "$SANITIZE" ] || slow=$arguments
@@ -286,7 +288,7 @@ command)
     check_values "$2"
     check_manual "$2"
     grep -q "^$2$tab" "$table"
-    is "$2 stands in commands.tsv" $? 0
+    is "$2 has a line in commands.tsv" $? 0
     ;;
 line)
     grep -v '^#' "$table" | sed -n "$2p" >line.tsv

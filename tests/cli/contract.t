@@ -1,8 +1,8 @@
-# What every command keeps (hatch(7)): contract.sh's checks for each command and for each line of
-# commands.tsv, two at a time.
+# The rules that all commands follow (hatch(7)): runs contract.sh for each command and for each line of commands.tsv,
+# two at a time.
 . "${TOP:-.}/tests/tap.sh"
 
-# The inputs are made by the commands themselves, small.
+# Makes small inputs with the commands.
 FIXTURES=$WORK/fixtures
 export FIXTURES
 mkdir "$FIXTURES"
@@ -36,7 +36,7 @@ grep -v '^#' "$TOP/tests/cli/commands.tsv" | awk -F'\t' '{print $1, NR}' |
 mkdir results
 awk '{print $1, $2, "results/" NR}' jobs >numbered
 xargs -P 2 -L 1 sh -c 'sh "$TOP/tests/cli/contract.sh" "$0" "$1" >"$2" 2>&1' <numbered
-# One plan for all: each part's own is checked and dropped.
+# Merges the TAP of all parts: checks each part's plan and prints one plan.
 cat $(awk '{print $3}' numbered) | awk -v jobs="$(wc -l <jobs)" '
     /^1\.\./ {jobs--; if (substr($0, 4) + 0 != part) print "not ok " ++all " - a part broke off"; part = 0; next}
     /^(not )?ok / {part++; sub(/ok [0-9]+/, "ok " (++all))}

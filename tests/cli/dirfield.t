@@ -1,15 +1,15 @@
-# dirfield: directions, constraints by hand, reports, arrows; what it refuses.
+# dirfield: directions, constraints, reports, arrows and refusals.
 . "${TOP:-.}/tests/tap.sh"
 command -v dirfield >/dev/null || { skip "direction fields" "no dirfield"; finish; }
 
-# column NAME [ROW] <TABLE: the first row's by default
+# column NAME [ROW] <TABLE: prints a value of a table, of the first row by default
 column() {
     awk -F'\t' -v name="$1" -v row="${2:-1}" '
         NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i}
         NR == row + 1 {print $c}'
 }
 
-# angle A B: the median angle between two fields, rounded to degrees
+# angle A B: prints the median angle between two fields, rounded to degrees
 angle() {
     hatchstat field "$1" --reference "$2" | column deg_p50 | awk '{printf "%.0f\n", $1}'
 }
@@ -21,13 +21,13 @@ dirfield torus.glb -o max.glb
 dirfield torus.glb --direction min -o min.glb
 dirfield torus.glb --direction 30 -o turned.glb
 dirfield torus.glb --direction -60 -o other.glb
-is "the field is the torus's own" "$(angle max.glb true.glb | awk '{print ($1 < 3)}')" 1
-is "min is across" "$(angle min.glb max.glb)" 90
-is "30 degrees are" "$(angle turned.glb max.glb)" 30
-is "30 and -60 degrees are counted the same way" "$(angle turned.glb other.glb)" 90
+is "the field of a torus is its true field" "$(angle max.glb true.glb | awk '{print ($1 < 3)}')" 1
+is "--direction min is orthogonal to max" "$(angle min.glb max.glb)" 90
+is "--direction 30 is 30 degrees from max" "$(angle turned.glb max.glb)" 30
+is "--direction 30 and -60 are at a right angle" "$(angle turned.glb other.glb)" 90
 for how in '--method hz' '--solver cholesky' '--radius 2 --degree 2' '--coarse 500' '--smooth 0'; do
     try dirfield torus.glb $how -o how.glb
-    is "$how: the same but for a few degrees" \
+    is "$how: within a few degrees of the default" \
         "$status $(hatchstat field how.glb --reference max.glb | column deg_p50 | awk '{print ($1 < 8)}')" "0 1"
 done
 
@@ -35,23 +35,23 @@ meshgen ellipsoid --jitter 1 --noise 0.1 -o noisy.glb
 dirfield -q noisy.glb >here.glb
 GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX,-FMA4,-AVX2_Usable,-FMA_Usable dirfield -q noisy.glb >there.glb
 cmp -s here.glb there.glb
-is "the same bytes by an older processor's sines" $? 0
+is "the same bytes with an older processor's libm" $? 0
 
-# energy METHOD SMOOTH
+# energy METHOD SMOOTH: prints the energy of the solution
 energy() {
     dirfield -q noisy.glb --method "$1" --smooth "$2" --report - -o field.glb | column energy
 }
 for smooth in 0.1 0.3 0.6 0.9; do
-    is "--smooth $smooth: linear's energy is not above that of hz" \
+    is "--smooth $smooth: linear has no more energy than hz" \
         "$(awk -v a="$(energy linear $smooth)" -v b="$(energy hz $smooth)" 'BEGIN {print (a + 0 > 0 && a <= b)}')" 1
 done
 
 try dirfield plane.glb -o flat.glb
-is "a plane has no direction, and that is said" "$status $(grep -c '100 % of the faces.*without a principal direction' .err)" "0 1"
-is "and have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
-is "but are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print ($1 < 1e-6)}')" 1
+is "a plane without a principal direction is warned of" "$status $(grep -c '100 % of the faces.*without a principal direction' .err)" "0 1"
+is "directions of a plane have no confidence" "$(hatchstat field flat.glb | column confidence_p75)" 0
+is "directions of a plane are smooth" "$(hatchstat field flat.glb | column smoothness | awk '{print ($1 < 1e-6)}')" 1
 
-# given HEADER ROW ...: dirfield of the plane with these constraints
+# given HEADER ROW ...: runs dirfield on the plane with these constraints
 given() {
     printf '%b\n' "$@" >hand.tsv
     try dirfield plane.glb --constraints hand.tsv -o hand.glb
@@ -64,15 +64,15 @@ towards() { # DX DY: a plane with this true field
 }
 towards 1 1
 given 'vertex\tdx\tdy\tdz\tweight' '7\t1\t1\t0\t1'
-is "one vertex turns a whole plane" "$status $(wc -c <.err) $(angle hand.glb towards.glb)" "0 0 0"
+is "one constraint at a vertex sets the field of a plane" "$status $(wc -c <.err) $(angle hand.glb towards.glb)" "0 0 0"
 given '# towards the viewer as well' 'weight\tz\ty\tx\tdz\tdy\tdx' '' '1\t5\t0.1\t0.1\t3\t2\t-2'
-is "and so does the point nearest to a place" "$status $(angle hand.glb towards.glb)" "0 90"
+is "so does one constraint at the point nearest to a position" "$status $(angle hand.glb towards.glb)" "0 90"
 try dirfield -q plane.glb --constraints all.tsv --direction min -o hand.glb
-is "--direction does not turn what was given" "$status $(angle hand.glb towards.glb)" "0 0"
+is "--direction does not rotate constraints" "$status $(angle hand.glb towards.glb)" "0 0"
 given 'vertex\tdx\tdy\tdz\tweight' '7\t1\t0\t0\t1' '7\t1\t1\t0\t1'
-is "the later row counts" "$status $(angle hand.glb towards.glb)" "0 0"
+is "the last of several constraints at a point counts" "$status $(angle hand.glb towards.glb)" "0 0"
 
-# Two squares of 2 by 2; a node turns the second by a quarter about z, makes it twice as large and puts it at x = 10.
+# Two squares of 2 x 2; a node rotates the second by a quarter turn about z, scales it by 2 and moves it to x = 10.
 # floats NUMBER ...: ones, minus ones and zeros
 floats() {
     for number; do
@@ -101,16 +101,16 @@ printf 'x\ty\tz\tdx\tdy\tdz\tweight\n0\t0\t0\t1\t1\t0\t9\n10\t0\t0\t1\t0\t0\t9\n
 try dirfield -q posed.gltf --constraints hand.tsv -o hand.glb
 printf 'vertex\tdx\tdy\tdz\tweight\n0\t1\t1\t0\t9\n4\t0\t1\t0\t9\n' >own.tsv
 dirfield -q posed.gltf --constraints own.tsv -o own.glb
-is "positions are those of the scene, vertices those of the mesh" \
+is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
 
-# bad_row SENTENCE HEADER ROW ...
+# bad_row SENTENCE HEADER ROW ...: checks that these constraints are refused with this message
 bad_row() {
     sentence=$1
     shift
     given "$@"
     refused "refused: $sentence" 3 1
-    is "as it says" "$(cat .err)" "dirfield: hand.tsv: $sentence"
+    is "the message is: $sentence" "$(cat .err)" "dirfield: hand.tsv: $sentence"
 }
 head='vertex\tdx\tdy\tdz\tweight'
 bad_row "line 3: weight 'x' is not a number" "$head" '1\t1\t0\t0\t1' '1\t1\t0\t0\tx'
@@ -127,45 +127,45 @@ bad_row "header: no column 'weight'; want vertex, or x y z, and dx dy dz weight"
 bad_row "header: 'vertex' excludes 'y'; want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
 bad_row "no header line; want vertex, or x y z, and dx dy dz weight" ''
 try dirfield plane.glb --constraints nonesuch.tsv -o out.glb
-refused "constraints that are missing" 4 1
+refused "a missing file of constraints" 4 1
 
 dirfield torus.glb --report report.tsv -o again.glb
 cmp -s again.glb max.glb
 is "a report changes nothing in the mesh" $? 0
-is "its rows" "$(cut -f1 report.tsv | paste -sd' ')" "kind mesh component all"
+is "a report has rows for each mesh, each component and all" "$(cut -f1 report.tsv | paste -sd' ')" "kind mesh component all"
 is "faces, index and Euler characteristic of a torus" \
     "$(column faces 2 <report.tsv) $(column index_sum 2 <report.tsv) $(column euler 2 <report.tsv)" \
     "$(hatchstat mesh torus.glb | column faces) 0 0"
 meshgen ellipsoid --faces 2000 | dirfield --json --report report.json >ellipsoid.glb
-is "an ellipsoid has four singularities of a half in its report" \
+is "the report of an ellipsoid has four singularities of index 1/2" \
     "$(grep -c '"kind": "singularity".*"index": 0.5' report.json) $(grep -c '"index_sum": 2' report.json)" "4 2"
-is "and hatchstat finds them too" "$(hatchstat field ellipsoid.glb | column singularities)" 4
+is "hatchstat finds the same four singularities" "$(hatchstat field ellipsoid.glb | column singularities)" 4
 
 dirfield torus.glb --arrows arrows.ply >piped.glb
-is "arrows are a mesh, a rhomb for each point" "$(hatchstat mesh -q arrows.ply | cut -f1,2)" \
+is "--arrows writes a rhombus for each point" "$(hatchstat mesh -q arrows.ply | cut -f1,2)" \
     "$(printf 'vertices\tfaces\n%d\t%d' $((4 * $(column points 1 <report.tsv))) $((2 * $(column points 1 <report.tsv))))"
 cmp -s piped.glb max.glb
 is "arrows change nothing in the mesh" $? 0
 try dirfield torus.glb --arrows arrows.obj -o out.glb
-refused "arrows are PLY" 2 2
+refused "--arrows to another format than PLY" 2 2
 try dirfield torus.glb --report /dev/full -o full.glb
 refused "a report on a full disk" 4 1
-is "leaves no mesh" "$(ls full.glb .full* 2>/dev/null)" ""
+is "no mesh is left when the report cannot be written" "$(ls full.glb .full* 2>/dev/null)" ""
 try dirfield torus.glb --report report.tsv --arrows report.tsv -o out.glb
-refused "two outputs in one place" "2 4" 2
+refused "two outputs to one file" "2 4" 2
 
 try dirfield --constraints - <torus.glb
 refused "two inputs from one pipe" 2 2
 try dirfield torus.glb --direction up
 refused "an unknown direction" 2 2
 try dirfield torus.glb --direction 400
-refused "a turn of more than a turn" 2 2
+refused "a direction of more than a full turn" 2 2
 try dirfield torus.glb --method hz --solver cholesky
-refused "a solver of another method" 2 2
+refused "a solver that the method does not have" 2 2
 try dirfield torus.glb --coarse 100 --radius 3
-refused "a radius for the coarse fit" 2 2
+refused "--radius with --coarse" 2 2
 
-# A strip of ten quads whose ends meet upside down.
+# A Moebius strip of ten quads.
 awk 'BEGIN {
     for (i = 0; i < 10; i++) for (side = -1; side < 2; side += 2) {
         a = i * 6.283185307179586 / 10; r = 1 + side * .3 * cos(a / 2)
@@ -178,7 +178,7 @@ awk 'BEGIN {
 }' >moebius.obj
 try dirfield moebius.obj --direction 45 -o out.glb
 grep -q 'one-sided surface' .err
-is "a one-sided surface is not turned by 45 degrees" "$status $? $(wc -l <.err)" "3 0 2"
+is "a one-sided surface refuses a rotation by 45 degrees" "$status $? $(wc -l <.err)" "3 0 2"
 try dirfield moebius.obj --direction min -o out.glb
-is "but by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"
+is "a one-sided surface accepts a rotation by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"
 finish

@@ -1,9 +1,9 @@
-# Every example of the manuals and of --help runs, as it stands, in the order in which it stands. In those of
-# formats (man5), lines are commands and blocks are files.
+# Runs every example of the manuals and of --help literally and in order. In manuals of formats (man5), lines are
+# commands and blocks are files.
 . "${TOP:-.}/tests/tap.sh"
-[ -z "$SANITIZE" ] || { skip "examples" "they are run without sanitizers"; finish; }
+[ -z "$SANITIZE" ] || { skip "examples" "only run without sanitizers"; finish; }
 
-# What the examples take as given.
+# The files that the examples assume.
 mkdir given && cd given || exit 1
 meshgen torus --faces 2000 -o model.glb
 cp model.glb scene.glb
@@ -19,7 +19,7 @@ for picture in a b picture reference; do
 done
 cd .. || exit 1
 
-# manual_examples MANUAL WHAT: the blocks of EXAMPLES, its lines, or both, as a reader sees them
+# manual_examples MANUAL WHAT: prints the blocks of EXAMPLES, its lines, or both, as a reader sees them
 manual_examples() {
     awk -v what="$2" '/^\.Sh/ {inside = /EXAMPLES/; next}
         inside && /^\.Bd -literal/ {literal = 1; next}
@@ -28,16 +28,16 @@ manual_examples() {
         inside && sub(/^\.Dl /, "") && what != "blocks" {print}' "$1" | sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g'
 }
 
-# run_examples NAME: the shell lines in .lines; they may warn, but not fail
+# run_examples NAME: runs the shell lines in .lines; they may warn, but not fail
 run_examples() {
     cp -R given "in.$1"
-    # One frame is as good as forty-eight; what is installed stands in the build folder.
+    # Draw one frame instead of forty-eight; installed files are in the build folder.
     sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share\\(/[^ ]*\\)|\"$BUILD/share\\1\"|" .lines >lines
     while IFS= read -r line; do
         case $line in *exrheader*) command -v exrheader >/dev/null || { skip "$1: $line" "no exrheader"; continue; } ;; esac
         (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
         status=$?
-        case $line in *' -v '* | *' --fit '*) : >.err ;; esac # it asked for words
+        case $line in *' -v '* | *' --fit '*) : >.err ;; esac # messages were requested
         is "$1: $line" "$status $(grep -v ': warning: ' .err)" "0 "
     done <lines
 }
@@ -56,9 +56,9 @@ for manual in "$TOP"/man/man5/*; do
 done
 cd given || exit 1
 render-gl model.glb --technique rptam --layers example.layers --size 64x48 -o layers.png
-is "layers.5: the file is one" $? 0
+is "layers.5: the example is a valid file" $? 0
 eval "$(sed -n 's/^# //p' example.seeds)" | cmp - example.seeds
-is "seeds.5: the file is what its comment makes" $? 0
+is "seeds.5: the command in the example's comment makes the example" $? 0
 cd .. || exit 1
 for command in $(ls "$BIN"); do
     "$command" --help | sed '1,/^examples:/d' >.lines

@@ -1,5 +1,5 @@
-# Issue 5, pictures of one sphere by one map of 255 tones: grey strokes, tone and edges of three techniques, the
-# single threshold beside them. bench_fine_frames.sh measures the same, larger, with times.
+# Grey strokes, tone and edges of pictures of a sphere with one map of 255 tones, for three techniques and a single
+# threshold. bench_fine_frames.sh measures larger pictures, with times.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --tones 255 --set 'darkest 1' -o map.exr
@@ -16,7 +16,7 @@ figure() {
     hatchstat ink "$2" --reference "$3" |
         awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at[name]}'
 }
-# over NAME A FACTOR B: A is larger than FACTOR times B
+# over NAME A FACTOR B: checks that A is larger than FACTOR times B
 over() {
     is "$1 ($2 > $3 x $4)" "$(awk -v a="$2" -v f="$3" -v b="$4" 'BEGIN {print (a > f * b)}')" 1
 }
@@ -45,10 +45,10 @@ over "with four samples a pixel far more so" "$(cat threshold-soft.smooth)" 2.5 
 over "edges of thresholds with one sample" 0.25 1 "$(cat threshold.jagged)"
 over "with four" 0.04 1 "$(cat threshold.smooth)"
 
-# Figures of pictures that are known: a checkerboard of half greys, and its reference.
+# A checkerboard of half greys, whose figures are known, and its reference.
 printf 'P2 4 4 255\n%s\n' '188 188 188 188 188 188 188 188 188 188 188 188 188 188 188 188' >grey.pgm
 printf 'P2 4 4 255\n%s\n' '0 0 255 255 0 0 255 255 0 0 255 255 0 0 255 255' >black.pgm
-is "all grey, half black" "$(hatchstat ink grey.pgm black.pgm | cut -f 2-5 | paste -sd' ' | tr '\t' ' ')" \
+is "ink of a grey checkerboard against a black one" "$(hatchstat ink grey.pgm black.pgm | cut -f 2-5 | paste -sd' ' | tr '\t' ' ')" \
     "inked grey grey_strokes tone_error 1 1 1 nan 0.5 0 0 nan"
 try hatchstat ink grey.pgm --reference tone.exr
 refused "a reference of another size" 3 1

@@ -1,12 +1,12 @@
-# tamvol and tamthresh: sizes, layouts, what is refused and what is warned of.
+# tamvol and tamthresh: sizes, layouts, accuracy, refusals and warnings.
 . "${TOP:-.}/tests/tap.sh"
 command -v tamvol >/dev/null && command -v tamthresh >/dev/null || { skip "fine tones" "no tamvol"; finish; }
 
-# u32 FILE OFFSET: a number of a KTX2 header
+# u32 FILE OFFSET: prints a number of a KTX2 header
 u32() {
     od -An -tu4 -j "$2" -N 4 "$1" | tr -d ' '
 }
-# shape FILE: VkFormat, width, height, depth, layers, levels
+# shape FILE: prints VkFormat, width, height, depth, layers, levels
 shape() {
     for offset in 12 20 24 28 32 40; do
         u32 "$1" $offset
@@ -16,21 +16,21 @@ tamgen --tones 255 -o map.exr
 tamgen --size 64 --tones 3 --levels 2 --ids -o few.exr
 
 try tamvol map.exr -o volume.ktx2
-is "a volume of the paper's size" "$status $(shape volume.ktx2) $(wc -c <.err)" "0 9 256 256 64 0 9 0"
+is "a volume has the size given in the paper" "$status $(shape volume.ktx2) $(wc -c <.err)" "0 9 256 256 64 0 9 0"
 try tamvol --tones 32 --layout array map.exr -o array.ktx2
-is "an array" "$status $(shape array.ktx2)" "0 9 256 256 0 32 9"
+is "--layout array makes a texture array" "$status $(shape array.ktx2)" "0 9 256 256 0 32 9"
 try tamvol --compress map.exr -o packed.ktx2
-is "blocks" "$status $(shape packed.ktx2)" "0 139 256 256 0 64 9"
+is "--compress makes BC4 blocks" "$status $(shape packed.ktx2)" "0 139 256 256 0 64 9"
 tamgen --tones 64 --palette dusk --set 'darkest 1' --candidates 100:50 -o colour.exr
 try tamvol -v --compress colour.exr -o colour.ktx2
-is "blocks of colour" "$status $(shape colour.ktx2)" "0 131 256 256 0 64 9"
-is "their error is told" "$(grep -c 'compression error: 0\.[0-9]* at most, 0\.[0-9]* root mean square' .err)" 1
+is "--compress makes BC1 blocks of colours" "$status $(shape colour.ktx2)" "0 131 256 256 0 64 9"
+is "-v reports the compression error" "$(grep -c 'compression error: 0\.[0-9]* at most, 0\.[0-9]* root mean square' .err)" 1
 try tamvol -q --compress --layout volume --tones 16 colour.exr -o seven.ktx2
-is "blocks of colour in a volume" "$status $(shape seven.ktx2)" "0 145 256 256 16 0 9"
+is "--compress --layout volume makes BC7 blocks of colours" "$status $(shape seven.ktx2)" "0 145 256 256 16 0 9"
 try tamthresh map.exr -o thresholds.ktx2
-is "thresholds" "$status $(shape thresholds.ktx2) $(wc -c <.err)" "0 37 256 256 0 4 9 0"
+is "tamthresh makes an array of RGBA8" "$status $(shape thresholds.ktx2) $(wc -c <.err)" "0 37 256 256 0 4 9 0"
 try tamthresh --exact map.exr -o exact.ktx2
-is "exact runs" "$status $(shape exact.ktx2 | cut -d' ' -f1,2,4-)" "0 98 1024 0 0 1"
+is "tamthresh --exact makes a texture of words" "$status $(shape exact.ktx2 | cut -d' ' -f1,2,4-)" "0 98 1024 0 0 1"
 
 # Issue 5, memory of a map of 256² in 255 tones, in thousands of bytes.
 at_most() {
@@ -44,7 +44,7 @@ at_most 4000 colour.ktx2
 at_most 1800 thresholds.ktx2
 at_most 4000 exact.ktx2
 
-# figures FILE: the largest of each figure over the levels of detail
+# figures FILE [MAP]: prints the largest value of each figure over the levels of detail
 figures() {
     hatchstat tones "$1" --reference "${2:-map.exr}" --samples 20000 -o figures.tsv
     awk -F'\t' 'NR > 1 {for (i = 3; i <= NF; i++) if ($i > most[i]) most[i] = $i}
@@ -71,45 +71,45 @@ below "thresholds have fewer grey strokes than a volume" "$(grey thresholds.ktx2
 below "a volume has fewer than eight blended columns" "$(grey volume.ktx2)" "$(grey eight.ktx2)"
 
 try tamvol few.exr -o few.ktx2
-is "a coarse map is warned of, with figures" \
+is "a map of few tones is warned of, with figures" \
     "$status $(grep -c 'warning: [0-9]* of 96 slices .* up to 0\.[0-9]*: 3 columns are too few for 64 tones' .err)" "0 1"
-is "ids that are left out are told" "$(grep -c 'ids are left out' .err)" 1
+is "ids that are left out are warned of" "$(grep -c 'ids are left out' .err)" 1
 tamgen --size 64 --tones 1 --levels 2 -o one.exr
 try tamvol one.exr -o x
-refused "a map that is too coarse" 3 1
+refused "a map with too few tones" 3 1
 try tamvol --tones 48 map.exr -o x
-refused "tones that are no power of two" 2 2
+refused "a number of tones that is no power of two" 2 2
 try tamvol --compress --layout volume map.exr -o x.ktx2
-refused "grey blocks in a volume" 2 2
+refused "--compress --layout volume with a grey map" 2 2
 try tamvol --compress map.exr -o x.exr
-refused "blocks in EXR" 2 2
+refused "--compress with EXR" 2 2
 try tamvol map.exr -o x.png
-refused "another ending" 2 2
+refused "an unknown file name extension" 2 2
 
 for bins in 0 8 1.5 .5,.4 0,.5 .5,1 nan .5,nan .5, , '' x .1,.2,.3,.4,.5,.6,.7; do
     try tamthresh --bins "$bins" map.exr -o x
     refused "--bins '$bins'" 2 2
 done
 try tamthresh --bins .5,.8 map.exr -o bins.ktx2
-is "--bins with tones" "$status $(grep -ac 'hatch:bins.0 0.5 0.8 1' bins.ktx2)" "0 1"
+is "--bins sets the tones of the bins" "$status $(grep -ac 'hatch:bins.0 0.5 0.8 1' bins.ktx2)" "0 1"
 try tamthresh --exact --bins 3 map.exr -o x
 refused "--exact with --bins" 2 2
 try tamthresh --exact map.exr -o x.exr
-refused "--exact in EXR" 2 2
+refused "--exact with EXR" 2 2
 tamthresh --seed 2 map.exr -o other.ktx2
-is "another seed, other choices" "$(cmp -s other.ktx2 thresholds.ktx2; echo $?)" 1
+is "another random seed gives other thresholds" "$(cmp -s other.ktx2 thresholds.ktx2; echo $?)" 1
 meshgen plane --faces 2 | render-gl - --technique gouraud --size 32x32 -o picture.png
 try tamthresh --modulate picture.png --mask picture.png map.exr -o pictures.ktx2
-is "pictures in the spare channels" "$status $(cmp -s pictures.ktx2 thresholds.ktx2; echo $?)" "0 1"
+is "--modulate and --mask fill the spare channels" "$status $(cmp -s pictures.ktx2 thresholds.ktx2; echo $?)" "0 1"
 try tamthresh --mask nonesuch.png map.exr -o x
-refused "a picture that is not there" 4 1
+refused "a missing picture" 4 1
 
 # Parts of an EXR file are its slices, and its layers.
 if command -v exrheader >/dev/null; then
     tamvol --tones 16 few.exr -q -o volume.exr
-    is "a part for each slice" "$(exrheader volume.exr | grep -c 'name (type string): "slice.0')" 16
+    is "EXR has a part for each slice" "$(exrheader volume.exr | grep -c 'name (type string): "slice.0')" 16
     tamthresh -q few.exr -o thresholds.exr
-    is "a part for each layer" \
+    is "EXR has a part for each layer" \
         "$(exrheader thresholds.exr | sed -n 's/^name (type string): "\(.*\)"/\1/p' | paste -sd' ')" "x.0 x.1 dy.0 dy.1"
 else
     skip "parts of EXR files" "no exrheader"
@@ -120,5 +120,5 @@ try hatchstat tones map.exr --reference volume.ktx2
 refused "a reference that is no map" 3 1
 rm -f x
 try tamthresh volume.ktx2 -o x
-refused "no map" 3 1
+refused "a texture instead of a map" 3 1
 finish

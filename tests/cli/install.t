@@ -1,27 +1,27 @@
-# An installation works wherever it was moved, and the source tar is the commit's alone. `make check`
-# has installed everything into $BUILD/stage.
+# An installation works after it was moved, and the source tar depends on the commit only. Needs $BUILD/stage, into
+# which `make check` installs.
 . "${TOP:-.}/tests/tap.sh"
 
 cp -R "$BUILD/stage" "moved here" || exit 1
 here="$WORK/moved here/usr"
 PATH=$here/bin:/usr/bin:/bin
 for command in $(ls "$BIN"); do
-    is "$command is found where it was moved" "$(command -v "$command")" "$here/bin/$command"
+    is "$command is found in the moved installation" "$(command -v "$command")" "$here/bin/$command"
     ok "$command runs there" "$command" --version
     manual=$here/share/man/man1/$command.1
-    [ ! -e "$TOP/man/man1/$command.1" ] || ok "$command brought its manual" test -e "$manual"
-    ok "$command brought its bash completion" \
+    [ ! -e "$TOP/man/man1/$command.1" ] || ok "$command has its manual" test -e "$manual"
+    ok "$command has its bash completion" \
         bash -n "$here/share/bash-completion/completions/$command"
     for shell in zsh/site-functions/_"$command" fish/vendor_completions.d/"$command".fish; do
         if command -v "${shell%%/*}" >/dev/null; then
             ok "$command: ${shell%%/*} reads its completion" "${shell%%/*}" -n "$here/share/$shell"
         else
-            ok "$command brought its ${shell%%/*} completion" test -s "$here/share/$shell"
+            ok "$command has its ${shell%%/*} completion" test -s "$here/share/$shell"
         fi
     done
 done
 
-# What bash offers, asked as readline asks.
+# Asks bash for completions like readline.
 cat >ask.bash <<'ASK'
 . "$1/share/bash-completion/completions/$2"
 shift
@@ -50,7 +50,7 @@ if command -v git >/dev/null && git -C "$TOP" rev-parse HEAD >/dev/null 2>&1; th
     done
     ok "make dist makes the same bytes again" sh -c 'cmp one/*.tar.gz two/*.tar.gz'
     tar xzf one/*.tar.gz
-    ok "the source tar holds a source" sh -c 'cd hatch-*/ && make -n >/dev/null 2>&1'
+    ok "the source tar can be built" sh -c 'cd hatch-*/ && make -n >/dev/null 2>&1'
 else
     skip "make dist" "not a git checkout"
 fi

@@ -1,14 +1,14 @@
-# lapped-param and hatchstat lapped: what they keep, refuse and say.
+# lapped-param and hatchstat lapped: what they keep, change, refuse and report.
 . "${TOP:-.}/tests/tap.sh"
 
-# unpack FILE.glb NAME: as NAME.gltf, which sed can change, and NAME.bin
+# unpack FILE.glb NAME: splits a GLB into NAME.gltf, which sed can edit, and NAME.bin
 unpack() {
     length=$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')
     tail -c +21 "$1" | head -c "$length" |
         sed "s/\"buffers\":\\[{/&\"uri\":\"$2.bin\",/" >"$2.gltf"
     tail -c +$((29 + length)) "$1" >"$2.bin"
 }
-# The bytes that follow a GLB's JSON: all numbers of all meshes.
+# numbers FILE.glb: prints the binary chunk of a GLB, all numbers of all meshes
 numbers() {
     tail -c +$((29 + $(od -An -tu4 -j12 -N4 "$1" | tr -d ' '))) "$1"
 }
@@ -16,7 +16,7 @@ numbers() {
 meshgen torus --faces 800 -o torus.glb
 dirfield torus.glb | lapped-param -o piped.glb
 ok "a mesh without a field" lapped-param torus.glb -o alone.glb
-ok "it gets the field that dirfield gives it" cmp piped.glb alone.glb
+ok "a mesh without a field gets the field of dirfield" cmp piped.glb alone.glb
 printf 'OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 2 1 0\n4 4 5 6 7\n%s' \
     '4 0 1 5 4
 4 1 2 6 5
@@ -25,9 +25,9 @@ printf 'OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 
 ' >cube.off
 dirfield -q cube.off | lapped-param -q -o piped.cube.glb
 lapped-param -q cube.off -o alone.cube.glb
-ok "and normals, where it has none" cmp piped.cube.glb alone.cube.glb
+ok "a mesh without normals gets them" cmp piped.cube.glb alone.cube.glb
 awk 'NF == 3 && NR > 2 {print 3 * $1, 2 * $2, $3; next} {print}' cube.off >box.off
-is "on a box its coordinates follow the field as it stands in space" "$(dirfield -q box.off |
+is "texture coordinates of a box follow the field of each face" "$(dirfield -q box.off |
     lapped-param -q | hatchstat lapped | awk -F'\t' '
         NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at["angle_max"] < 0.01}')" 1
 cat >placed.gltf <<END
@@ -42,64 +42,64 @@ cat >placed.gltf <<END
 END
 lapped-param -q placed.gltf -o placed.glb
 unpack placed.glb unplaced
-is "the outline does not lie where a texture lay" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
+is "the outline does not take over a texture's transform" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
 lapped-param <torus.glb >filter.glb
-ok "as a filter" cmp filter.glb alone.glb
+ok "from a pipe to a pipe" cmp filter.glb alone.glb
 lapped-param --seed 2 torus.glb -o other.glb
-ok "another seed, another cover" test "$(cksum <other.glb)" != "$(cksum <alone.glb)"
+ok "another random seed gives other patches" test "$(cksum <other.glb)" != "$(cksum <alone.glb)"
 cp torus.glb "two words.glb"
 lapped-param "two words.glb" -o "the result.glb"
-ok "names with spaces" cmp "the result.glb" alone.glb
+ok "file names may have spaces" cmp "the result.glb" alone.glb
 
 try lapped-param alone.glb
-refused "a file that is lapped" 3 1
-ok "is said to be" grep -q 'alone.glb: is lapped already' .err
+refused "a file that is lapped already" 3 1
+ok "the message says that it is lapped already" grep -q 'alone.glb: is lapped already' .err
 try lapped-param -v torus.glb -o /dev/null
 is "-v counts patches" "$(grep -cE '^lapped-param: [0-9]+ patches, overlap [0-9.]+' .err)" 1
 
-# A texture, in this file its own buffer's beginning: what is not drawn need not be an image.
+# A texture whose image is the start of the mesh's buffer: images that are not drawn are not decoded.
 unpack torus.glb textured
 sed 's/"primitives":\[{/&"material":0,/
     s/,"accessors"/,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}}],"textures":[{"source":0}],"images":[{"bufferView":0,"mimeType":"image\/png"}]&/' \
     textured.gltf >t.gltf && mv t.gltf textured.gltf
 try lapped-param textured.gltf -o textured.glb
-is "textures go with a warning" "$(cat .err)" \
+is "textures are left out with a warning" "$(cat .err)" \
     "lapped-param: textured.gltf: warning: 1 texture left out: their texture coordinates have been replaced"
-is "and colours stay" "$(grep -ac '"baseColorFactor":\[0.5,0.25,1,1\]' textured.glb)" 1
+is "colours of materials are kept" "$(grep -ac '"baseColorFactor":\[0.5,0.25,1,1\]' textured.glb)" 1
 numbers alone.glb >a
 numbers textured.glb >b
-ok "and patches are the same" cmp a b
+ok "patches do not depend on textures" cmp a b
 
-# Sizes are those of the scene: a node that shows the mesh twice as large asks for half of its own.
+# Sizes are those of the scene: under a node that scales by 2 they are half as large in the mesh.
 unpack torus.glb large
 sed 's/"nodes":\[{/&"scale":[2,2,2],/' large.gltf >t.gltf && mv t.gltf large.gltf
-is "a scaled node" "$(grep -c '"nodes":\[{"scale":\[2,2,2\],"name"' large.gltf)" 1
+is "the test's scene has a scaled node" "$(grep -c '"nodes":\[{"scale":\[2,2,2\],"name"' large.gltf)" 1
 lapped-param large.gltf -o large.glb
 numbers large.glb >b
-ok "by default a model's size does not matter" cmp a b
+ok "by default patches do not depend on the size of the model" cmp a b
 lapped-param --tile 1 --size 0.3 large.gltf -o large.glb
 lapped-param --tile 0.5 --size 0.3 torus.glb -o half.glb
 numbers large.glb >a
 numbers half.glb >b
-ok "a tile's length is in the scene's units, a patch's a share of the scene" cmp a b
+ok "--tile is in units of the scene, --size a share of it" cmp a b
 lapped-param --tile 1 --size 0.3 torus.glb -o whole.glb
 numbers whole.glb >b
-ok "another tile is another" test "$(cksum <a)" != "$(cksum <b)"
+ok "--tile changes the texture coordinates" test "$(cksum <a)" != "$(cksum <b)"
 
 lapped-param --atlas torus.glb -o atlas.glb
 mesh_column() {
     hatchstat mesh "$2" | awk -F'\t' -v name="$1" \
         'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i} NR == 2 {print $at}'
 }
-is "an atlas is of the whole mesh, none of it mirrored or without a place" \
+is "an atlas has every face, none of them mirrored or degenerate" \
     "$(for name in faces points uv uv_mirrored uv_degenerate; do mesh_column $name atlas.glb; done | xargs)" \
     "$(mesh_column faces torus.glb) $(mesh_column points torus.glb) 1 0 0"
 try lapped-param atlas.glb -o /dev/null
 is "an atlas can be lapped" $status 0
 try lapped-param --atlas --mask-size 64 torus.glb
-refused "an atlas has no mask" 2 2
+refused "--mask-size with --atlas" 2 2
 try lapped-param --atlas --tile 1 torus.glb
-refused "nor a tile" 2 2
+refused "--tile with --atlas" 2 2
 
 ok "hatchstat lapped reads standard input" sh -c 'hatchstat lapped <alone.glb >figures.tsv'
 column() {
@@ -107,18 +107,18 @@ column() {
         'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i} NR == 2 {print $at}'
 }
 is "the torus is covered" "$(column covered alone.glb)" 1
-is "and no face is turned over" "$(column flipped alone.glb)" 0
-is "the surface's faces are the mesh's" "$(column faces alone.glb)" "$(hatchstat mesh torus.glb | tail -n 1 | cut -f2)"
+is "no face is flipped" "$(column flipped alone.glb)" 0
+is "the number of faces is that of the mesh" "$(column faces alone.glb)" "$(hatchstat mesh torus.glb | tail -n 1 | cut -f2)"
 try hatchstat lapped torus.glb
-refused "what is not lapped" 3 1
+refused "a file without patches" 3 1
 try hatchstat lapped alone.glb --samples 0
-refused "no samples" 2 2
+refused "zero samples" 2 2
 
-# One patch holds a plane of two faces and meets all bars; a coarse torus without limits misses some.
+# One patch covers a plane of two faces and passes all limits; a coarse torus without limits on patches does not.
 meshgen plane --faces 2 | lapped-param -o plane.glb
-ok "--check of a good cover" hatchstat lapped plane.glb --check -o /dev/null
+ok "--check passes good patches" hatchstat lapped plane.glb --check -o /dev/null
 meshgen torus --faces 60 | lapped-param --turn 90 --stretch 10 -o rough.glb
 try hatchstat lapped rough.glb --check -o /dev/null
-is "--check of a bad one" "$status" 1
-ok "names the bar" grep -qE 'rough.glb: warning: (angle|stretch|overlap).* want .* at most' .err
+is "--check fails bad patches" "$status" 1
+ok "the message names the limit that was missed" grep -qE 'rough.glb: warning: (angle|stretch|overlap).* want .* at most' .err
 finish

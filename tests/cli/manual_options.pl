@@ -1,11 +1,11 @@
 #!/usr/bin/env perl
-# manual_options.pl TABLE MANUAL: prints where a manual's options differ from their table, which COMMAND --options-table
-# prints, in range, default or choices. An option's line ends in what the table holds,
+# manual_options.pl TABLE MANUAL: prints the differences between the options of a manual and the table that COMMAND
+# --options-table prints, in range, default and choices. An option's line in the manual ends in range and default,
 #     .It Fl -tone-gamma Ar G Pq 0.05 to 20 ; default 1
-# a pair's range in "each"; more words may follow the default behind a comma. Without a default in the table there is
-# none here, or one in words: "default: as noise asks". Numbers may be written 2^53, 1e9 and 4G. Each choice is a Cm of
-# the option's entry, or an item of the section to which it refers; items of Cm are choices. A default that is a number
-# in the help is the table's, too.
+# with "each" for pairs; further words may follow the default after a comma. An option without a default in the table has
+# none in the manual, or one in words: "default: as noise asks". Numbers may be written 2^53, 1e9 and 4G. Each choice is
+# a Cm in the option's entry or an item of the section to which it refers, and all such items are choices. A number given
+# as the default in the help must be the table's.
 use strict;
 use warnings;
 
@@ -38,7 +38,7 @@ while (my $line = <$table>) {
     $options{$row{name}} = \%row;
 }
 
-# What stands behind Pq in an option's line; its text; the items of each section.
+# The words after Pq in each option's line; the text of each option; the items of each section.
 my (%claim, %text, %items, $option, $section);
 open my $manual, '<', $manual_path or die "$manual_path: $!\n";
 while (my $line = <$manual>) {

@@ -1,37 +1,37 @@
-# What commands say where no table of options says it for them: one clear line, two where the usage was wrong.
+# Messages that do not come from the parser of options: one clear line, two for wrong usage.
 . "${TOP:-.}/tests/tap.sh"
 meshgen torus --faces 60 -o mesh.glb
 tamgen --size 64 --tones 1 --levels 1 -o map.exr
 
-# says NAME STATUS LINES TEXT COMMAND ...: TEXT stands in the first line
+# says NAME STATUS LINES TEXT COMMAND ...: checks that COMMAND is refused and that the first line contains TEXT
 says() {
     name=$1 want=$2 lines=$3 text=$4
     shift 4
     try "$@"
     refused "$name" "$want" "$lines"
     head -n 1 .err | grep -qF -e "$text"
-    is "$name: it says '$text'" $? 0
+    is "$name: the message contains '$text'" $? 0
 }
 says "an operand that is missing" 2 2 "too few operands, want SHAPE" meshgen
 says "a subject that is missing" 2 2 "want SUBJECT [FILE ...]" hatchstat
-says "what only the library knows to be wrong usage" 2 2 "powers of four" seedgen -n 100000 --method backtrack
-says "--check where nothing is checked" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
-says "--max-difference where nothing differs" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
+says "wrong usage that only the library detects" 2 2 "powers of four" seedgen -n 100000 --method backtrack
+says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
+says "--max-difference with a subject that has none" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
 says "one file too few" 2 2 "diff: 1 file, want 2" hatchstat diff mesh.glb
 says "a window without a display" 4 1 "no display" \
     env -u DISPLAY -u WAYLAND_DISPLAY render-gl mesh.glb --technique gouraud --window
 says "a picture that is too large" 5 1 "bytes in use, limit" render-gl mesh.glb --technique gouraud --size 65536x65536
 try tampack -v --layout dds --ink 1 map.exr -o map.dds
-is "one is one" "$(cat .err)" "tampack: 1 tone, 7 levels; 1 file"
+is "counts of 1 are singular" "$(cat .err)" "tampack: 1 tone, 7 levels; 1 file"
 meshgen ellipsoid --faces 1000 -o ellipsoid.glb
 try dirfield -v ellipsoid.glb -o field.glb
-is "and many are many" "$(sed -n '$p' .err)" "dirfield: 4 singularities"
+is "other counts are plural" "$(sed -n '$p' .err)" "dirfield: 4 singularities"
 
-# Nothing is asked of the environment, and names are bytes.
+# Commands need no environment variables, and file names are bytes.
 try env -i "$BIN/tamgen" --size 64 -o "$(printf 'm\377 p.exr')"
-is "no environment, a name that is no text" "$status $(cat .err)" "0 "
+is "an empty environment and a file name that is not UTF-8" "$status $(cat .err)" "0 "
 try env -u HOME TMPDIR=/nonesuch "$BIN/render-gl" mesh.glb --tam "$(printf 'm\377 p.exr')" --size 64x48 -o a.png
-is "no home, no folder for temporary files" "$status $(cat .err)" "0 "
+is "no home and no folder for temporary files" "$status $(cat .err)" "0 "
 says "a name with control characters" 4 1 "a?[1mb.glb: cannot open" dirfield "$(printf 'a\033[1mb.glb')"
 try sh -c 'meshgen torus >&-'
 is "a closed standard output" "$status $(wc -l <.err)" "4 1"

@@ -8,8 +8,8 @@ try tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet /dev/full
 refused "the last of three outputs is a full disk" 4 1
 is "the other outputs stay as they were" "$(cat map.exr strokes.tsv)" "$(printf 'old\nold')"
 try sh -c 'tamgen --size 64 --strokes strokes.tsv >/dev/full'
-is "standard output is a full disk: the file beside it stays" "$status $(cat strokes.tsv)" "4 old"
-is "nothing is left over" "$(ls -A | grep -c '^\.tamgen')" 0
+is "standard output is a full disk: the other output stays" "$status $(cat strokes.tsv)" "4 old"
+is "no temporary file is left" "$(ls -A | grep -c '^\.tamgen')" 0
 
 ln -s map.exr link
 for second in map.exr ./map.exr "$WORK/map.exr" link; do
@@ -17,7 +17,7 @@ for second in map.exr ./map.exr "$WORK/map.exr" link; do
     refused "two outputs go to map.exr: $second" 2 2
 done
 try tamgen --size 64 -o new.exr --strokes ./new.exr
-refused "two outputs go to a file that is not there yet" 2 2
+refused "two outputs go to one new file" 2 2
 try tamgen --size 64 --strokes -
 refused "two outputs go to standard output" 2 2
 is "the old output stays" "$(cat map.exr)" old
@@ -26,15 +26,15 @@ try sh -c 'meshgen plane --faces 2 | hatchstat mesh - -'
 refused "two inputs come from standard input" 2 2
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
 
-# Files that belong together are old or new together.
+# Either all files of a set are replaced or none.
 echo old >tiles.000.00.png
 ln -s /dev/full tiles.005.01.png
 try tampack --quiet --layout png map.exr -o tiles.png
-refused "the last but a few of many files is a full disk" 4 1
-is "the others stay as they were" "$(cat tiles.000.00.png; ls -A | grep -c tiles)" "old
+refused "one of the last of many files is a full disk" 4 1
+is "the other files stay as they were" "$(cat tiles.000.00.png; ls -A | grep -c tiles)" "old
 2"
 
-# A driver or a library that crashes leaves no litter; the hidden file is there before standard input is read.
+# A crash, of a driver for example, leaves no temporary file, which exists before standard input is read.
 mkfifo pipe
 tampack --layout array -o crashed.ktx2 <pipe 2>.err &
 process=$!
@@ -42,10 +42,10 @@ exec 3>pipe
 until ls -A | grep -q '^\.tampack'; do sleep 0.05; done
 kill -ABRT "$process"
 wait "$process" 2>.err
-is "a crash" "$? $(ls -A | grep -c '^\.tampack\|crashed')" "134 0"
+is "a crash leaves no file" "$? $(ls -A | grep -c '^\.tampack\|crashed')" "134 0"
 exec 3>&-
 
-# A name that promises another format.
+# File name extensions of other formats are refused.
 for line in "meshgen plane -o plane.obj" "tamgen --size 64 -o map.png" "tampack map.exr -o map.dds" \
     "tamgen --size 64 -o /dev/null --contact-sheet sheet.jpg"; do
     try $line

@@ -1,14 +1,14 @@
-# hatchstat diff and frames: figures that are known in closed form, other formats, exit statuses.
+# hatchstat diff and frames: figures known in closed form, other image formats, exit statuses.
 . "${TOP:-.}/tests/tap.sh"
 command -v hatchstat >/dev/null || { skip "pictures" "no hatchstat"; finish; }
 
-# flat FILE GREY [WIDTH HEIGHT]: a grey PPM of one sRGB code
+# flat FILE GREY [WIDTH HEIGHT]: writes a PPM of one grey, an sRGB code
 flat() {
     awk -v grey="$2" -v width="${3:-16}" -v height="${4:-16}" 'BEGIN {
         printf "P3\n%d %d\n255\n", width, height
         for (i = 0; i < width * height * 3; i++) print grey }' >"$1"
 }
-# field NAME: that column of the report on standard input
+# field NAME: prints a column of the report on standard input
 field() {
     awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) at = i; next}
         {print $at}'
@@ -18,7 +18,7 @@ flat black.ppm 0
 flat white.ppm 255
 flat grey.ppm 128
 flat wide.ppm 128 17 16
-is "black is one away from white" "$(hatchstat diff black.ppm white.ppm | field max)" 1
+is "the difference of black and white is 1" "$(hatchstat diff black.ppm white.ppm | field max)" 1
 is "a picture is equal to itself" "$(hatchstat diff grey.ppm grey.ppm | field psnr_db)" inf
 is "grey 128 is 0.2159 in linear light" \
     "$(hatchstat diff grey.ppm black.ppm | field mean | cut -c 1-6)" 0.2158
@@ -39,15 +39,15 @@ refused "one frame" 2 2
 try hatchstat nonesuch grey.ppm
 refused "an unknown subject" 2 2
 
-# Black, grey, white: in linear light from 0 over 0.2159 to 1.
+# Black, grey, white: 0, 0.2159 and 1 in linear light.
 hatchstat frames black.ppm grey.ppm white.ppm >frames.tsv
 is "a row for each frame and one for all" "$(wc -l <frames.tsv)" 5
-is "the mean of each" "$(field mean <frames.tsv | cut -c 1-5 | paste -sd' ')" "0 0.215 1 0.405"
-is "change from frame to frame" "$(field change <frames.tsv | cut -c 1-5 | paste -sd' ')" \
+is "frames: the mean of each frame" "$(field mean <frames.tsv | cut -c 1-5 | paste -sd' ')" "0 0.215 1 0.405"
+is "frames: the change from frame to frame" "$(field change <frames.tsv | cut -c 1-5 | paste -sd' ')" \
     "nan 0.215 0.784 0.5"
-is "the pop around the second" "$(field pop <frames.tsv | cut -c 1-5 | paste -sd' ')" \
+is "frames: the pop at the second frame" "$(field pop <frames.tsv | cut -c 1-5 | paste -sd' ')" \
     "nan 0.568 nan 0.568"
-is "the largest drift" "$(field drift <frames.tsv | tail -n 1)" 1
+is "frames: the largest drift" "$(field drift <frames.tsv | tail -n 1)" 1
 
 # A 2 x 2 picture in formats that the plugin reads: red, green; blue, white.
 printf 'P6\n2 2\n255\n\377\0\0\0\377\0\0\0\377\377\377\377' >colours.ppm
@@ -56,15 +56,15 @@ printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0' >>colours.bmp
 printf '\377\0\0\377\377\377\0\0\0\0\377\0\377\0\0\0' >>colours.bmp
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\030\040\0\0\377\0\377\0\377\0\0\377\377\377' >colours.tga
 for format in bmp tga; do
-    is "$format is read as ppm is" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
+    is "$format is read like ppm" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
 done
-is "the content of a BMP counts, not its name" \
+is "formats are recognised by content, not by name" \
     "$(hatchstat diff - colours.ppm <colours.bmp | field max)" 0
 for format in ppm bmp tga; do
     size=$(wc -c <colours.$format)
     head -c $((size - 4)) colours.$format >"cut.$format"
     try hatchstat diff "cut.$format" colours.ppm
-    refused "a cut $format" 3 1
+    refused "a truncated $format" 3 1
 done
 printf '\377\330\377\300\0\021\10\377\334\377\334\3\1\042\0\2\021\1\3\021\1\377\332' >huge.jpg
 try hatchstat diff huge.jpg huge.jpg
@@ -72,7 +72,7 @@ refused "a JPEG header of 65500 x 65500" 5 1
 if [ -z "$SANITIZE" ]; then
     ms=$(milliseconds 50 hatchstat diff huge.jpg huge.jpg)
     [ "$ms" -le 50 ]
-    is "... is refused within 50 ms ($ms)" $? 0
+    is "the JPEG header is refused within 50 ms ($ms)" $? 0
 fi
 printf 'neither this nor that' >text.foo
 try hatchstat diff text.foo text.foo

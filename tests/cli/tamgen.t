@@ -1,4 +1,4 @@
-# tamgen: styles by name, file and pipe; brush images; sizes; the files beside the map.
+# tamgen: styles by name, file and pipe; brush images; sizes; additional outputs.
 . "${TOP:-.}/tests/tap.sh"
 small='--size 64 --tones 2 --levels 1 --candidates 20:20'
 
@@ -6,60 +6,60 @@ tamgen $small --style pencil -o pencil.exr
 mkdir pencil
 echo 'brush stipple' >ink
 tamgen $small --style pencil -o again.exr
-ok "a folder does not hide a style that comes with the commands" cmp pencil.exr again.exr
+ok "a folder does not hide an installed style of the same name" cmp pencil.exr again.exr
 tamgen $small -o default.exr
 tamgen $small --style ./ink -o mine.exr
-ok "a path is a file" test "$(cksum <default.exr)" != "$(cksum <mine.exr)"
+ok "a style given as a path is a file" test "$(cksum <default.exr)" != "$(cksum <mine.exr)"
 echo 'brush stipple' >dots
-ok "a bare name that no style has is a file" tamgen $small --style dots -o dots.exr
+ok "a name of no installed style is a file" tamgen $small --style dots -o dots.exr
 try tamgen $small --style - -o piped.exr <dots
-is "a style comes through a pipe" "$status" 0
-is "a style is called after its file, or by its name" \
+is "a style is read from a pipe" "$status" 0
+is "the map names the style by its file or its name" \
     "$(grep -aoc dots dots.exr) $(grep -aoc custom piped.exr) $(grep -aoc pencil pencil.exr)" "2 2 2"
 
 try tamgen $small --style nowhere -o x.exr
-refused "a style that is nowhere is wrong usage" 2 2
+refused "an unknown style is wrong usage" 2 2
 try tamgen $small --style nowhere.style -o x.exr
-refused "a file that is nowhere cannot be opened" 4 1
+refused "a missing style file cannot be opened" 4 1
 printf 'width 3\nwidth wide\n' >bad.style
 try tamgen $small --style bad.style -o x.exr
 refused "a bad style is bad input" 3 1
-is "its line is named" "$(cat .err)" "tamgen: bad.style: line 2: width: 'wide' is not a number"
+is "the message names the bad line" "$(cat .err)" "tamgen: bad.style: line 2: width: 'wide' is not a number"
 try tamgen $small --set 'width 3; colour red' -o x.exr
 refused "a bad setting is wrong usage" 2 2
-ok "it says what is bad" grep -q "line 2: no such key 'colour'" .err
+ok "the message names the bad key" grep -q "line 2: no such key 'colour'" .err
 try tamgen $small --style . -o x.exr
-refused "a folder is no style" 3 1
+refused "a folder as a style is bad input" 3 1
 
 tamgen $small --set 'width 5' -o wide.exr
 printf 'name ink\nwidth 5\n' >wide.style
 tamgen $small --style wide.style -o same.exr
-ok "settings go behind the style's lines; what a file leaves out is the ink style's" cmp wide.exr same.exr
+ok "--set overrides the style; unset keys are those of the style ink" cmp wide.exr same.exr
 
 mkdir brushes
 tamgen --size 64 --tones 1 --levels 1 --contact-sheet brushes/bar.png -o /dev/null
 echo 'brush image bar.png' >brushes/bar.style
 tamgen $small --style brushes/bar.style -o beside.exr
-ok "a brush image stands beside its style" test -s beside.exr
+ok "a brush image is found beside its style" test -s beside.exr
 tamgen $small --style brushes/bar.style --brush brushes/bar.png -o given.exr
-ok "and can be given" cmp beside.exr given.exr
+ok "--brush gives the same map as the style's brush" cmp beside.exr given.exr
 try tamgen $small --brush missing.png -o x.exr
-refused "a brush that is not there" 4 1
+refused "a missing brush image" 4 1
 try tamgen $small --brush bad.style -o x.exr
-refused "a brush that is no picture" 3 1
+refused "a brush that is not an image" 3 1
 
 for wrong in '--size 100' '--size 128 --levels 4' '--tones 0' '--tones 257' '--growth 1' '--growth nan' \
     '--candidates 0:5' '--candidates 5' '--method best'; do
     try tamgen $wrong -o x.exr
     refused "$wrong is wrong usage" 2 2
 done
-ok "nothing was left by any of these" test ! -e x.exr
+ok "refused commands leave no file" test ! -e x.exr
 
 tamgen $small --strokes strokes.tsv --contact-sheet sheet.png -o map.exr
-is "the script's columns" "$(head -1 strokes.tsv | tr '\t' ' ')" \
+is "--strokes writes a table with these columns" "$(head -1 strokes.tsv | tr '\t' ' ')" \
     "x y length angle width tone r g b id column level grain"
 is "strokes are counted from 1" "$(tail -n +2 strokes.tsv | cut -f10 | sort -n | head -1)" 1
-is "a PNG is a PNG" "$(head -c 4 sheet.png | tail -c 3)" PNG
+is "--contact-sheet writes a PNG" "$(head -c 4 sheet.png | tail -c 3)" PNG
 tamgen $small --strokes - -o map2.exr >piped.tsv
-ok "the script may be piped" cmp strokes.tsv piped.tsv
+ok "--strokes may write to a pipe" cmp strokes.tsv piped.tsv
 finish

@@ -1,7 +1,8 @@
-# Draws hatching.svg, as somebody would in Inkscape: layers with transforms, relative and absolute commands,
-# style attributes and attributes of their own, shapes that are no paths.
+# Writes hatching.svg with features of drawings made in Inkscape: layers with transforms, relative and absolute commands,
+# style attributes and presentation attributes, shapes other than paths.
 #     sh tests/drawings/hatching.sh >tests/drawings/hatching.svg
-# Strokes go evenly over the page, from ochre to blue black, so that it gets darker everywhere at once.
+# Strokes are spread evenly over the page in drawing order, from ochre to blue black, so that the whole page darkens
+# evenly.
 LC_ALL=C awk '
 function random() { # the same everywhere, unlike awk'"'"'s
     seed = (seed * 16807) % 2147483647
@@ -14,7 +15,7 @@ function place() { # the next point of an even sequence over the page
     py = (0.5 + number * 0.5698402910) % 1 * 256
 }
 function mix(from, to, share) { return from + (to - from) * share }
-function hex(share,  t) { # of the colours along the drawing: ochre, red chalk, blue black
+function hex(share,  t) { # colour at a share of the drawing: ochre, red chalk, blue black
     if (share < 0.45) {
         t = share / 0.45
         return sprintf("#%02x%02x%02x", mix(214, 166, t), mix(150, 52, t), mix(48, 44, t))
@@ -31,7 +32,7 @@ function open_layer(name, matrix) {
     printf "  <g\n     inkscape:groupmode=\"layer\"\n     inkscape:label=\"%s\"\n", name
     printf "     style=\"fill:none;stroke-linecap:round\"\n     transform=\"%s\">\n", matrix
 }
-# A stroke as a hand draws it: it bows and wavers a little.
+# A stroke like one drawn by hand, slightly bent and wavy.
 function hatch(length_px, angle, share, width,  dx, dy, bow) {
     place()
     angle += spread(-0.06, 0.06)

@@ -1,13 +1,14 @@
 #!/bin/sh
-# long.sh BINARY ...: runs each fuzzer RUNS times (a million) from its corpus; what crashes or takes over
-# two seconds of the processor goes to build/fuzz/found/. Ends with the number of fuzzers that passed and failed.
+# long.sh BINARY ...: runs each fuzzer RUNS times (default: a million) from its corpus. Inputs that crash or take over two
+# seconds of processor time are written to build/fuzz/found/. Prints the numbers of fuzzers that passed and failed.
 set -u
 found=build/fuzz/found
 mkdir -p "$found"
 passed=0
 failed=0
 
-# fuzz BINARY NAME: what was slow by the clock is tried again: the machine may have been busy elsewhere
+# fuzz BINARY NAME: runs a fuzzer; inputs that were slow by the clock are measured again in processor time, since the
+# machine may have been busy
 fuzz() {
     "$1" -runs="${RUNS:-1000000}" -seed=1 -timeout=30 -report_slow_units=2 -rss_limit_mb=1024 -max_len=65536 \
         -print_final_stats=1 -artifact_prefix="$found/$2-" "build/fuzz/grown/$2" tests/fuzz/corpus/"$2" || return 1

@@ -1,4 +1,4 @@
-# Every fuzz target has a corpus, and gets through it, and through every bad input that it could read.
+# Every fuzz target has a corpus and runs on it, and on all bad inputs of its format, without a failure.
 . "${TOP:-.}/tests/tap.sh"
 bad=$TOP/../shared/bad
 ok "inputs are generated" perl "$TOP/tests/bad/make.pl" own

@@ -1,5 +1,5 @@
-// compare_tam.mjs FLOATS TEXELS SIZE TONES INDEX INK: fails unless TEXELS, RGBA8 level after level, is
-// three tones from 3 INDEX on of FLOATS, which holds tone after tone, each level after level.
+// compare_tam.mjs FLOATS TEXELS SIZE TONES INDEX INK: fails unless TEXELS (RGBA8, level after level) equals the three
+// tones from 3 * INDEX on in FLOATS (tone after tone, each level after level).
 import { readFileSync } from 'node:fs';
 import assert from 'node:assert/strict';
 

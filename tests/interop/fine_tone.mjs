@@ -1,5 +1,5 @@
-// fine_tone.mjs WHAT FLOATS TEXELS NUMBER ...: fails unless TEXELS, as ktx-parse read them, are what FLOATS
-// are, as OpenImageIO read them: part after part, each level after level.
+// fine_tone.mjs KIND FLOATS TEXELS NUMBER ...: fails unless TEXELS, as read by ktx-parse, equal FLOATS, as read by
+// OpenImageIO: part after part, each level after level.
 import { readFileSync } from 'node:fs';
 import assert from 'node:assert/strict';
 
@@ -12,7 +12,7 @@ const [size] = numbers.map(Number);
 const sides = [];
 for (let side = size; side >= 1; side >>= 1) sides.push(side);
 const chain = sides.reduce((sum, side) => sum + side * side, 0);
-// Where a level of a part of EXR begins, in texels.
+// Offset of a level of a part of EXR, in texels.
 const starts = sides.map((_, level) => sides.slice(0, level).reduce((sum, side) => sum + side * side, 0));
 const near = (got, want, most, where) =>
     assert(Math.abs(got - 255 * want) <= most, `${where}: ${got} for ${255 * want}`);
@@ -70,7 +70,7 @@ const checks = {
                          floats[4 * (layer * chain + starts[level]) + i], 0.1, `layer ${layer}`);
         });
     },
-    // All steps of a texel sum up to the darkness of the last column, and the masks are 1.
+    // The steps of a texel sum to the darkness of the last column, and the masks are 1.
     sums(size, columns) {
         sides.forEach((side, level) => {
             const plane = side * side * 4, at = 16 * starts[level];

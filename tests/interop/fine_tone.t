@@ -1,5 +1,5 @@
-# Volumes, threshold textures and exact runs: the texels that ktx-parse reads from the files of tamvol and
-# tamthresh equal those that OpenImageIO reads from tamgen's map, and from their EXR files, on every level.
+# Texels of volumes, threshold textures and exact runs as read by ktx-parse equal those that OpenImageIO reads from the
+# map and from EXR files of tamvol and tamthresh, on every level.
 . "${TOP:-.}/tests/tap.sh"
 INTEROP=$BUILD/interop
 export INTEROP
@@ -7,7 +7,7 @@ if [ ! -d "$INTEROP/node_modules/ktx-parse" ]; then
     skip "other readers read fine tones exactly" "make check-interop fetches them"
     finish
 fi
-# texels FILE: its texels, read by ktx-parse
+# texels FILE: prints the texels as read by ktx-parse
 texels() {
     node "$TOP/tests/interop/ktx_parse.mjs" "$1"
 }

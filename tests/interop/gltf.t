@@ -1,4 +1,4 @@
-# The files that the commands write pass Khronos' glTF validator, which `make check-interop` fetches.
+# glTF files written by the commands pass Khronos' validator, which `make check-interop` fetches.
 . "${TOP:-.}/tests/tap.sh"
 INTEROP=$BUILD/interop
 export INTEROP

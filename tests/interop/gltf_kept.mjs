@@ -1,4 +1,5 @@
-// gltf_kept.mjs A B: does B hold all of A's scene but for what lapped-param replaces? "kept", or what is lost.
+// gltf_kept.mjs A B: prints "kept" if B has all of A's scene except the parts that lapped-param replaces, else what is
+// missing.
 import { readFileSync } from 'node:fs';
 
 function read(path) {
@@ -16,7 +17,7 @@ function numbers({ json, bin }, index) {
     return Array.from({ length: count * widths[type] }, (_, i) => bin[reader](at + i * size));
 }
 
-// What stands at each place: attributes of every vertex of a mesh, by its position.
+// Attributes of every vertex of a mesh, by its position.
 function places(file, mesh, names) {
     const found = new Map();
     for (const { attributes } of file.json.meshes[mesh].primitives) {
@@ -37,7 +38,7 @@ const lost = [];
 const same = (what, x, y) => JSON.stringify(x) === JSON.stringify(y) || lost.push(what);
 for (const part of ['nodes', 'cameras', 'extensions', 'scenes'])
     same(part, a.json[part], b.json[part]);
-// Materials' textures make way for the outline, and with them how they were placed.
+// The outline replaces the textures of materials and their transforms.
 const used = (file) => file.json.extensionsUsed?.filter((name) => name !== 'KHR_texture_transform');
 same('extensionsUsed', used(a), used(b));
 const skins = (file) => file.json.skins?.map((s) => [s.joints, numbers(file, s.inverseBindMatrices)]);

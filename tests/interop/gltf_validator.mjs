@@ -1,4 +1,4 @@
-// gltf_validator.mjs FILE: Khronos' validator's count of errors and warnings, and what they are.
+// gltf_validator.mjs FILE: prints the number of errors and warnings of Khronos' validator, and their messages.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 

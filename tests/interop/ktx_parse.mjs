@@ -1,5 +1,5 @@
-// ktx_parse.mjs FILE: the texels of a KTX2 file as ktx-parse reads them, level after level, on standard
-// output. Fails when the header, the data format descriptor or the order of the keys breaks a rule.
+// ktx_parse.mjs FILE: prints the texels of a KTX2 file as read by ktx-parse, level after level. Fails when the header, the
+// data format descriptor or the order of the keys violates the specification.
 import { readFileSync, writeSync } from 'node:fs';
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -46,7 +46,7 @@ const keys = Object.keys(ktx.keyValue);
 assert.deepEqual(keys, [...keys].sort());
 assert(keys.includes('KTXwriter'));
 
-// Levels: smallest first in the file, aligned to lcm(4, block), none overlapping.
+// Levels must be stored smallest first, aligned to lcm(4, block), without overlap.
 const alignment = block === 3 ? 12 : Math.max(block, 4);
 let end = 0;
 for (let level = ktx.levels.length; level-- > 0; ) {

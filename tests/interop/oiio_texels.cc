@@ -1,5 +1,5 @@
-// oiio_texels FILE CHANNEL ...: the texels of an image as OpenImageIO reads them, on standard
-// output: part after part, level after level, as floats, the channels in the order given.
+// oiio_texels FILE CHANNEL ...: prints the texels of an image as read by OpenImageIO: part after part, level after
+// level, as floats, the channels in the given order.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -7,7 +7,7 @@
 
 #include <OpenImageIO/imageio.h>
 
-// One channel as floats; whole numbers as they are, where OpenImageIO would scale them to 0 .. 1.
+// One channel as floats. Integers keep their values, which OpenImageIO would scale to 0..1.
 static bool read_channel(OIIO::ImageInput &input, int part, int level, int channel, std::vector<float> &values)
 {
     OIIO::ImageSpec spec = input.spec(part, level);

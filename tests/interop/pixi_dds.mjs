@@ -1,5 +1,4 @@
-// pixi_dds.mjs FILE: the texels of a DDS file of two dimensions as PixiJS reads them, level after level,
-// on standard output.
+// pixi_dds.mjs FILE: prints the texels of a two-dimensional DDS file as read by PixiJS, level after level.
 import { readFileSync, writeSync } from 'node:fs';
 import assert from 'node:assert/strict';
 import { pathToFileURL } from 'node:url';

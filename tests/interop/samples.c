@@ -163,7 +163,7 @@ static void make_meshes(struct hatch_scene_mesh meshes[2])
         check(hatch_mesh_add(&arena, torus, names[i], i < 3 ? 4 : 1, &data[i], &err));
     for (size_t v = 0; v < torus->vertex_count; v++) {
         float weight = (float)(v % 17) / 16;
-        data[0][4 * v + 1] = weight < 1 ? 1 : 0; /* joint 0 where the weight is 0 */
+        data[0][4 * v + 1] = weight < 1 ? 1 : 0; /* joint 0 if its weight is 0 */
         data[1][4 * v] = weight;
         data[1][4 * v + 1] = 1 - weight;
         data[2][4 * v] = data[2][4 * v + 3] = 1;

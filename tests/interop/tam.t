@@ -1,5 +1,5 @@
-# The texels that three.js uploads of tampack's textures equal those that OpenImageIO reads from tamgen's map,
-# rounded to 8 bits, on every level.
+# Texels that three.js uploads from textures of tampack equal those that OpenImageIO reads from the map, rounded to 8
+# bits, on every level.
 . "${TOP:-.}/tests/tap.sh"
 INTEROP=$BUILD/interop
 export INTEROP

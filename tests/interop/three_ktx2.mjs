@@ -1,5 +1,5 @@
-// three_ktx2.mjs FILE: the texels that three.js's KTX2Loader would upload of a KTX2 file, level after
-// level, on standard output. Fails when it would make mip levels of its own.
+// three_ktx2.mjs FILE: prints the texels that KTX2Loader of three.js would upload from a KTX2 file, level after level.
+// Fails when it would generate mip levels.
 import { readFileSync, writeSync } from 'node:fs';
 import assert from 'node:assert/strict';
 import { pathToFileURL } from 'node:url';

@@ -1,4 +1,4 @@
-# Who includes whom: libhatch/DEPS, and where the packages' headers may stand.
+# Includes between modules follow libhatch/DEPS, and only certain files include headers of packages.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 
@@ -13,14 +13,14 @@ bad=$(awk '!/^#/ && NF {
         module = $1; sub(/:/, "", module)
         for (i = 2; i <= NF; i++) if (!($i in seen)) print module " includes " $i ", which is not above it"
         seen[module] = 1 }' libhatch/DEPS)
-is "DEPS lists every module below those that it includes" "$bad" ""
+is "DEPS lists every module after those that it includes" "$bad" ""
 
 bad=""
 for folder in libhatch/*/; do
     module=$(basename "$folder")
     grep -q "^$module:" libhatch/DEPS || bad="$bad $module"
 done
-is "every module stands in DEPS" "$bad" ""
+is "every module is listed in DEPS" "$bad" ""
 
 bad=$(find libhatch -name '*.[ch]' -o -name '*.cc' | sort | while read -r file; do
     module=$(echo "$file" | cut -d/ -f2)
@@ -76,7 +76,7 @@ done
 is "no technique is named outside of its file, its shaders and the list" "$bad" ""
 
 bad=$(includes $(ours) | grep -E '<(epoxy|GL|GLES[23]?|EGL|GLFW|KHR)/' | grep -vE '^(cmd/render-gl/|tests/cli/render-gl/shader_spy\.c)')
-is "OpenGL stands only in cmd/render-gl and in what listens to its calls" "$bad" ""
+is "only cmd/render-gl and the shader spy include OpenGL" "$bad" ""
 
 # In .cc files, and in headers that only .cc files include.
 bad=$(includes $(ours) | grep -E 'tiny_gltf|OpenMesh|OpenImageIO' | cut -d' ' -f1 | sort -u |
@@ -84,13 +84,13 @@ bad=$(includes $(ours) | grep -E 'tiny_gltf|OpenMesh|OpenImageIO' | cut -d' ' -f
     includes $(ours) | grep -F " ${header#libhatch/}" | grep -vE '^libhatch/[a-z/]*/[a-z_0-9]*\.cc ' ||
         case $header in libhatch/*.h) ;; *) echo "$header" ;; esac
 done)
-is "C++ packages stand only in the adapters' .cc files and their own headers" "$bad" ""
+is "only adapters' .cc files and their headers include C++ packages" "$bad" ""
 
-# What libhatch takes from the system.
+# Headers of packages in libhatch.
 system='assert|complex|ctype|dlfcn|errno|fenv|float|inttypes|limits|math|pthread|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
 bad=$(includes $(find libhatch -name '*.[ch]') | grep '<' |
     grep -vE " <($system)\.h>|^libhatch/io/|^libhatch/sparse/cholmod.* <suitesparse/")
-is "packages stand only in io, CHOLMOD in sparse" "$bad" ""
+is "only io includes packages, and sparse CHOLMOD" "$bad" ""
 bad=$(includes $(find cmd -name '*.[ch]') | grep -E '<(openexr|OpenEXR|png|zstd|zlib|ktx|jansson|libdeflate)')
-is "commands see no package but OpenGL's" "$bad" ""
+is "commands include no package but OpenGL's" "$bad" ""
 finish

@@ -1,4 +1,4 @@
-# Every source is as clang-format 14, Debian 12's, writes it by .clang-format: one layout, one width.
+# Every source is formatted as by clang-format 14 (Debian 12) with .clang-format.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 case $(clang-format --version 2>/dev/null) in

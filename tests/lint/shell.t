@@ -1,4 +1,4 @@
-# Shell scripts are read by the shell without complaint, and run where they are said to.
+# The syntax of shell scripts is correct, and programs are executable.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 for script in bootstrap .ci/run $(find tests cmd $(ls -d pipelines 2>/dev/null) -name '*.sh' -o -name '*.t' | sort); do

@@ -1,4 +1,4 @@
-# Sizes, words and what libhatch must not call.
+# Sizes of files and functions, forbidden words, and functions that libhatch must not call.
 . "${TOP:-.}/tests/tap.sh"
 cd "$TOP" || exit 1
 sources=$(find libhatch cmd tests -name '*.c' -o -name '*.h' -o -name '*.cc' -o -name '*.glsl' \
@@ -12,18 +12,18 @@ is "no function over 60 lines" "$(awk '
     $(echo "$sources" | grep -E '\.(c|cc)$'))" ""
 is "no line over 120 columns" "$(awk 'length($0) > 120 {print FILENAME ":" FNR}' $sources)" ""
 is "no folder of sources with more than 22 files" "$(find libhatch cmd tests -path tests/fuzz/corpus -prune -o -type f -print |
-    sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 22')" ""
-is "the Makefile stays one page or three" "$(wc -l <Makefile | awk '$1 > 220')" ""
+    sed "s|/[^/]*\$||" | sort | uniq -c | awk '$1 > 22')" ""
+is "the Makefile has at most 220 lines" "$(wc -l <Makefile | awk '$1 > 220')" ""
 
 texts=$(find . -path ./build -prune -o -path ./.git -prune -o -path ./tests/lint -prune -o -type f \
     \( -name '*.[ch1-7]' -o -name '*.cc' -o -name '*.sh' -o -name '*.t' -o -name '*.md' -o -name '*.mk' \
     -o -name '*.glsl' -o -name '*.vert' -o -name '*.frag' -o -name Makefile -o -name bootstrap \) -print)
-is "no words that say unfinished" \
+is "no marks of unfinished work" \
     "$(grep -nwE 'TODO|FIXME|XXX' $texts
         grep -nwiE 'todo|fixme|stub|not implemented|for now|placeholder' $texts)" ""
-is "no paths of one machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
+is "no paths of a particular machine" "$(grep -nE '/work/|/home/[a-z]' $texts)" ""
 
-# calls PATTERN FILE ...: calls outside comments and strings
+# calls PATTERN FILE ...: prints calls outside comments and strings
 calls() {
     calls_pattern=$1
     shift
@@ -33,14 +33,14 @@ calls() {
         line ~ pattern {print FILENAME ":" FNR ": " $0}' "$@"
 }
 library=$(find libhatch -name '*.c' -o -name '*.cc' -o -name '*.h')
-is "libhatch never prints or ends the process" \
+is "libhatch neither prints nor ends the process" \
     "$(calls 'v?f?printf|f?puts|f?putc|putchar|perror|_?exit|abort|signal' $library)" ""
-is "libhatch allocates from arenas alone" \
+is "libhatch allocates only from arenas" \
     "$(calls 'malloc|calloc|realloc|aligned_alloc|strdup' \
         $(echo "$library" | grep -v libhatch/base/arena.c))" ""
-is "libhatch does not look at clock, environment or locale" \
+is "libhatch does not depend on clock, environment or locale" \
     "$(calls 'time|clock|clock_gettime|gettimeofday|getenv|setlocale|s?rand|random' $library)" ""
-is "commands print through cmd alone" \
+is "commands print only through cmd" \
     "$(calls 'v?f?printf|f?puts|putchar|perror|_?exit|abort|setlocale|getenv' \
         $(find cmd -name '*.c' | grep -v '^cmd/shared/'))" ""
 finish

@@ -1,11 +1,11 @@
-# One seed is one file: for any number of threads, in any locale and folder, from either compiler at any
-# level of optimisation.
+# A random seed determines the bytes of a map, for any number of threads, any locale, folder, compiler and level of
+# optimisation.
 . "${TOP:-.}/tests/tap.sh"
 runs='--size_128_--tones_9 --size_64_--tones_255_--style_stipple --size_128_--style_pencil_--growth_0.4_--ids
     --size_128_--style_charcoal_--method_exhaustive_--candidates_40:10
     --size_128_--replay_drawing.svg_--fit_-q --size_64_--style_arcs_--palette_dusk'
 
-# sums PROGRAM THREADS: one for each of the runs, script and all
+# sums PROGRAM THREADS: prints a checksum of the map, the table of strokes and the contact sheet of each run
 sums() {
     cp "$TOP/tests/drawings/hatching.svg" drawing.svg
     for run in $runs; do
@@ -15,20 +15,20 @@ sums() {
 }
 want=$(sums tamgen 1)
 for threads in 2 8; do
-    is "$threads threads make the bytes of one" "$(sums tamgen $threads)" "$want"
+    is "$threads threads make the same bytes as one" "$(sums tamgen $threads)" "$want"
 done
 mkdir -p 'another folder/ink'
 cd 'another folder' || exit 1
-is "so does another folder" "$(sums tamgen 1)" "$want"
+is "another folder makes the same bytes" "$(sums tamgen 1)" "$want"
 cd ..
 locale=$(locale -a 2>/dev/null | grep -iE '^(de|fr)_' | head -1)
 if [ -n "$locale" ]; then
-    is "and another locale" "$(LC_ALL=$locale sums tamgen 1)" "$want"
+    is "another locale makes the same bytes" "$(LC_ALL=$locale sums tamgen 1)" "$want"
 else
-    skip "another locale" "none with a decimal comma is here"
+    skip "another locale" "no locale with a decimal comma"
 fi
 
-# build COMPILER FLAG: tamgen with nothing of what the Makefile sets but what its results rest on
+# build COMPILER FLAG: builds tamgen with only those flags of the Makefile that its results depend on
 build() {
     mkdir -p objects bin
     rm -f objects/*

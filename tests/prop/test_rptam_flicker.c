@@ -1,5 +1,5 @@
-/* What moves in pictures of a zoom by one octave in 120 frames, in doubles: no more than in those of a fixed
- * texture, plus the strokes that have to come so that there are as many as before. */
+/* Flicker in a zoom by one octave in 120 frames, in doubles: no more than that of a fixed texture plus that of the
+ * strokes that must appear to keep their density. */
 #include "arenas.h"
 #include "rptam_model.h"
 
@@ -8,8 +8,8 @@ enum { SIZE = 90, FRAMES = 120, SHOWN = 48 };
 static struct hatch_rptam rptam;
 static double frames[3][SIZE * SIZE];
 
-/* Frame t of the zoom towards a place that is none of the pattern's corners. fixed: the strokes of the middle
- * frame grow with the surface. */
+/* Draws frame t of the zoom towards a position that is no corner of a tile; returns the mean ink.
+ *   fixed  the strokes of the middle frame scale with the surface */
 static double draw(int t, bool fixed, double amount, double *picture)
 {
     double depth = 0.2 - (double)t / FRAMES, span = SIZE / rptam.layers[0].style.tile_px * exp2(depth), sum = 0;
@@ -22,7 +22,7 @@ static double draw(int t, bool fixed, double amount, double *picture)
     return sum / (SIZE * SIZE);
 }
 
-/* As hatchstat frames has it: the mean of |I(t - 1) - 2 I(t) + I(t + 1)|. */
+/* Returns the flicker as hatchstat frames defines it: the mean of |I(t - 1) - 2 I(t) + I(t + 1)|. */
 static double pop(bool fixed, double amount, double *tone)
 {
     double sum = 0;
@@ -48,7 +48,7 @@ enum { FADES = sizeof fades / sizeof *fades };
 static const double amounts[] = {1, 0.5, 0.2};
 enum { AMOUNTS = sizeof amounts / sizeof *amounts };
 
-START_TEST(a_zoom_moves_no_more_than_a_texture_and_what_must_come)
+START_TEST(a_zoom_flickers_no_more_than_a_texture_plus_new_strokes)
 {
     struct model_how how = {.seeds = 64, .tile_px = 60, .length_px = 14, .width_px = 2, .angle_rad = {0.5}};
     double tone, fixed_tone, amount = amounts[_i / FADES];
@@ -57,8 +57,8 @@ START_TEST(a_zoom_moves_no_more_than_a_texture_and_what_must_come)
     how.overlap = fades[_i % FADES].overlap;
     model_make(&how, &keep, &scratch, &rptam);
     double texture = pop(true, amount, &fixed_tone), strokes = pop(false, amount, &tone);
-    /* Of the ink that is there, 4^(1/120) - 1 comes with each frame; what comes at once counts twice. Which
-     * strokes come in the frames that are looked at is chance: two standard deviations of their number. */
+    /* Each frame adds 4^(1/120) - 1 of the ink, and a sudden change counts twice. The number of strokes that appear in
+     * the measured frames is random: allow two standard deviations. */
     double share = exp2(2.0 / FRAMES) - 1, tiles = SIZE / rptam.layers[0].style.tile_px;
     double coming = SHOWN * share * how.seeds * amount * tiles * tiles;
     double must = 2 * tone * share * (1 + 2 / sqrt(coming));
@@ -73,7 +73,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("rptam flicker");
     TCase *tests = tcase_create("flicker");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, a_zoom_moves_no_more_than_a_texture_and_what_must_come, 0, FADES * AMOUNTS);
+    tcase_add_loop_test(tests, a_zoom_flickers_no_more_than_a_texture_plus_new_strokes, 0, FADES * AMOUNTS);
     suite_add_tcase(suite, tests);
     return suite;
 }

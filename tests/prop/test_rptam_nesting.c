@@ -1,11 +1,11 @@
-/* Strokes of a further depth are a part of those of a nearer one, and over a zoom that goes one way none comes and
- * goes: in doubles, with every set of seeds that a cycle gives. */
+/* Strokes at a larger depth are a subset of those at a smaller one, and none appears while zooming out: in doubles, for
+ * seed sets of all cycles. */
 #include "arenas.h"
 #include "rptam_model.h"
 
 enum { TILES = 4, STEPS = 24 };
 
-/* Dots so small that only whether they are there counts, even two octaves out. */
+/* Dots that do not overlap, even after zooming out by two octaves. */
 static const struct model_how how = {.tile_px = 4096, .length_px = 8, .width_px = 8, .solid = true};
 
 static struct hatch_rptam rptam;
@@ -27,8 +27,8 @@ static const struct {
              {HATCH_FADE_WEIGHTED, 0.3}};
 enum { FADES = sizeof fades / sizeof *fades };
 
-/* Every stroke of 4 by 4 tiles over two octaves outwards. */
-START_TEST(strokes_only_fade_while_the_view_goes_out)
+/* Follows every stroke of 4 x 4 tiles while zooming out by two octaves. */
+START_TEST(strokes_only_fade_while_zooming_out)
 {
     static const uint32_t counts[] = {2, 5, 16, 37, 64};
     static const double amounts[] = {1, 0.5, 0.25};
@@ -57,8 +57,8 @@ START_TEST(strokes_only_fade_while_the_view_goes_out)
 }
 END_TEST
 
-/* At whole depths: those of M + 1 are the strokes that are there a tile's half apart, exactly a quarter. */
-START_TEST(a_quarter_stays_at_each_level)
+/* At whole depths the strokes of depth M + 1 are a subset of those of depth M, exactly a quarter of them. */
+START_TEST(a_quarter_of_the_strokes_stays_at_each_level)
 {
     static const uint32_t counts[] = {2, 3, 16, 37, 64, 250};
     struct model_how model = how;
@@ -78,9 +78,9 @@ START_TEST(a_quarter_stays_at_each_level)
 }
 END_TEST
 
-/* s -> fraction of 2 s takes seed i to seed i + 1, the last to the first: of every size up to 2048 and of all
- * three methods. Places hold 64 bits of a fraction that does not end, so one bit in the last comes from beyond. */
-START_TEST(every_set_holds_itself)
+/* s -> 2 s modulo 1 maps seed point i to seed point i + 1 and the last to the first, for every size up to 2048 and all
+ * three methods. Points hold 64 bits of an infinite fraction, so the last bit after doubling is unknown. */
+START_TEST(doubling_maps_every_seed_set_onto_itself)
 {
     static uint8_t crumbs[2048];
     static struct hatch_seed_point places[2048];
@@ -108,9 +108,9 @@ static Suite *suite(void)
     Suite *suite = suite_create("rptam nesting");
     TCase *tests = tcase_create("nesting");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, strokes_only_fade_while_the_view_goes_out, 0, 5 * FADES);
-    tcase_add_loop_test(tests, a_quarter_stays_at_each_level, 0, 6);
-    tcase_add_test(tests, every_set_holds_itself);
+    tcase_add_loop_test(tests, strokes_only_fade_while_zooming_out, 0, 5 * FADES);
+    tcase_add_loop_test(tests, a_quarter_of_the_strokes_stays_at_each_level, 0, 6);
+    tcase_add_test(tests, doubling_maps_every_seed_set_onto_itself);
     suite_add_tcase(suite, tests);
     return suite;
 }

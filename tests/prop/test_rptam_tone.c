@@ -33,7 +33,7 @@ static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
 
 static double mean_ink(double depth, double tone)
 {
-    enum { POINTS = 121393, STRIDE = 75025 }; /* Fibonacci numbers: no rows that strokes could fall between */
+    enum { POINTS = 121393, STRIDE = 75025 }; /* Fibonacci lattice: no rows that strokes could fall between */
     double amounts[HATCH_RPTAM_LAYERS_MAX], sum = 0;
     struct hatch_rptam_pattern patterns[4];
     hatch_rptam_amounts(&rptam, tone, amounts);
@@ -49,7 +49,7 @@ static double mean_ink(double depth, double tone)
     return sum / POINTS;
 }
 
-/* The largest difference from the tone at depth 0 over the octave. */
+/* The largest difference from the tone at depth 0 over an octave. */
 static double drift(double tone)
 {
     double begin = mean_ink(0, tone), most = 0;
@@ -67,7 +67,7 @@ static const struct {
              {HATCH_FADE_WEIGHTED, true, 0.3}, {HATCH_FADE_WEIGHTED, false, 1}, {HATCH_FADE_WEIGHTED, true, 0}};
 enum { MODES = sizeof modes / sizeof *modes };
 
-START_TEST(the_tone_holds_in_every_mode)
+START_TEST(zooming_keeps_the_tone_in_every_fade_mode)
 {
     make_model(modes[_i].law, modes[_i].size, modes[_i].overlap);
     for (int tone = 1; tone <= 5; tone += 2) {
@@ -78,20 +78,19 @@ START_TEST(the_tone_holds_in_every_mode)
 }
 END_TEST
 
-START_TEST(the_linear_law_does_not)
+START_TEST(zooming_changes_the_tone_with_the_fade_law_paper)
 {
     make_model(HATCH_FADE_PAPER, false, 1);
     ck_assert_double_gt(drift(0.4), 0.05);
 }
 END_TEST
 
-/* Over a one-way zoom out, and towards lighter tones, no stroke comes: the ink in the middle of strokes, which keep
- * their places, never rises. */
-START_TEST(strokes_only_go_while_the_view_goes_out)
+/* While zooming out and towards lighter tones, the ink at the centres of strokes never increases. */
+START_TEST(no_stroke_appears_while_zooming_out)
 {
     make_model(modes[_i].law, modes[_i].size, modes[_i].overlap);
     const struct hatch_rptam_layer *layer = &rptam.layers[0];
-    rptam.layers[0].style.length_px = rptam.layers[0].style.width_px = 0.5; /* none grows over another */
+    rptam.layers[0].style.length_px = rptam.layers[0].style.width_px = 0.5; /* too small to overlap */
     uint32_t gone = 0, stayed = 0;
     for (uint32_t i = 0; i < 16 * layer->count; i++) {
         const double uv[2] = {(double)layer->points[i / 16].u * 0x1p-64 + i % 4,
@@ -109,8 +108,8 @@ START_TEST(strokes_only_go_while_the_view_goes_out)
 }
 END_TEST
 
-/* Zooming by 2^n changes nothing where the place is at the origin's image, through 40 octaves. */
-START_TEST(forty_octaves_look_alike)
+/* Scaling texture coordinates by 2^n and adding n to the depth changes nothing, over 40 octaves each way. */
+START_TEST(patterns_repeat_over_forty_octaves)
 {
     double amounts[HATCH_RPTAM_LAYERS_MAX] = {1, 1, 0.5, 0};
     make_model(HATCH_FADE_EVEN, false, 0.3);
@@ -129,10 +128,10 @@ static Suite *suite(void)
     Suite *suite = suite_create("rptam tone");
     TCase *tests = tcase_create("tone");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_loop_test(tests, the_tone_holds_in_every_mode, 0, MODES);
-    tcase_add_test(tests, the_linear_law_does_not);
-    tcase_add_loop_test(tests, strokes_only_go_while_the_view_goes_out, 0, MODES);
-    tcase_add_test(tests, forty_octaves_look_alike);
+    tcase_add_loop_test(tests, zooming_keeps_the_tone_in_every_fade_mode, 0, MODES);
+    tcase_add_test(tests, zooming_changes_the_tone_with_the_fade_law_paper);
+    tcase_add_loop_test(tests, no_stroke_appears_while_zooming_out, 0, MODES);
+    tcase_add_test(tests, patterns_repeat_over_forty_octaves);
     suite_add_tcase(suite, tests);
     return suite;
 }

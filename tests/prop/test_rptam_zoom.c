@@ -1,4 +1,4 @@
-/* Zooming in through forty octaves: where strokes lie, against a reference in pairs of doubles, and the tone. */
+/* Zooming in by forty octaves: positions of strokes compared with a reference in pairs of doubles, and coverage. */
 #include "run.h"
 
 #include "rptam_model.h"
@@ -27,7 +27,8 @@ static void make_shape(enum hatch_shape shape, uint32_t faces)
     mesh = frame_shape(&frame, shape, faces);
 }
 
-/* A place on a face by its corners' shares, and the face's normal. */
+/* Computes a point of a face and the normal of the face.
+ *   share  barycentric coordinates */
 static void face_point(uint32_t face, const double share[3], double point[3], double normal[3])
 {
     double corner[3][3];
@@ -38,7 +39,7 @@ static void face_point(uint32_t face, const double share[3], double point[3], do
     hatch_vec_normalize(normal);
 }
 
-/* Towards the eye: off the normal by a tilt. */
+/* Computes the direction to the eye: the normal rotated by an angle. */
 static void lean(const double normal[3], double tilt, double back[3])
 {
     double side[3];
@@ -56,7 +57,7 @@ static void check_places(const struct hatch_view *view, double pixels, uint32_t 
     ck_assert_uint_gt(error.pixels, 20);
 }
 
-/* Pixels that nothing covers. */
+/* The number of pixels that show the background. */
 static uint32_t bare_pixels(const struct hatch_view *view)
 {
     static float rgba[4 * WIDTH * HEIGHT];
@@ -84,7 +85,7 @@ static const struct {
 };
 enum { SURFACES = sizeof surfaces / sizeof *surfaces };
 
-START_TEST(strokes_keep_their_place_through_forty_octaves)
+START_TEST(strokes_keep_their_places_over_forty_octaves)
 {
     static const int octaves[] = {0, 3, 6, 9, 14, 20, 27, 33, 40, 42};
     double point[3], normal[3], back[3];
@@ -106,9 +107,8 @@ START_TEST(strokes_keep_their_place_through_forty_octaves)
 }
 END_TEST
 
-/* Texture coordinates that reach far from 0, and strokes that are turned: places over 2^40 units of the texture's
- * plane, which a picture near by sees one by one. */
-START_TEST(large_texture_coordinates_keep_theirs)
+/* Texture coordinates far from 0, up to 2^40, with rotated strokes. */
+START_TEST(strokes_keep_their_places_at_large_texture_coordinates)
 {
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_PLANE, 200);
@@ -126,7 +126,7 @@ START_TEST(large_texture_coordinates_keep_theirs)
 }
 END_TEST
 
-START_TEST(orthographic_views_hold)
+START_TEST(strokes_keep_their_places_in_orthographic_views)
 {
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
@@ -144,9 +144,8 @@ START_TEST(orthographic_views_hold)
 }
 END_TEST
 
-/* Where no distance is right: the eye on the surface, on a corner of it, on an edge; looking along it, into it
- * and away. Pieces stay few, and nothing but the surface is drawn. */
-START_TEST(an_eye_on_the_surface_sees_it)
+/* The eye lies on the surface, on a vertex or on an edge, and looks along the surface, into it and away. */
+START_TEST(a_camera_on_the_surface_needs_few_pieces)
 {
     static const double shares[][3] = {{0.3, 0.3, 0.4}, {1, 0, 0}, {0.5, 0.5, 0}};
     double point[3], normal[3], back[3];
@@ -168,8 +167,8 @@ START_TEST(an_eye_on_the_surface_sees_it)
 }
 END_TEST
 
-/* A plane from both sides and through one that fills the picture: no pixel stays bare, at any distance. */
-START_TEST(pieces_leave_no_gap)
+/* A plane that fills the picture, from both sides: every pixel is covered at every distance. */
+START_TEST(pieces_leave_no_gaps)
 {
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_PLANE, _i ? 2000 : 50);
@@ -186,8 +185,7 @@ START_TEST(pieces_leave_no_gap)
 }
 END_TEST
 
-/* A picture drawn in four tiles is the one drawn at once. */
-START_TEST(tiles_join)
+START_TEST(tiled_and_whole_pictures_are_equal)
 {
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
@@ -209,7 +207,7 @@ START_TEST(tiles_join)
 }
 END_TEST
 
-/* A torus, and a point of it seen aslant from so far. */
+/* Opens a torus; returns an oblique view of a point of it from a distance. */
 static struct hatch_view begin_torus(double distance)
 {
     double point[3], normal[3], back[3];
@@ -220,8 +218,8 @@ static struct hatch_view begin_torus(double distance)
     return zoomed_view(&frame, point, back, distance, (double)WIDTH / HEIGHT);
 }
 
-/* As in the window: from afar by halves, then round what the middle shows, and back. */
-START_TEST(a_hand_zooms_without_end)
+/* Like a user of the window: zooms in by halves, turns around the centre of the picture, and zooms out. */
+START_TEST(an_orbit_zooms_in_and_out_over_forty_octaves)
 {
     struct hatch_orbit orbit;
     struct hatch_view view = begin_torus(1);
@@ -235,7 +233,7 @@ START_TEST(a_hand_zooms_without_end)
     struct hatch_view low = orbit.view;
     hatch_orbit_set_distance(&orbit, 0.5 * orbit.distance);
     hatch_orbit_zoom(&orbit, 1);
-    for (int k = 0; k < 3; k++) /* a new middle on the same line of sight is no step */
+    for (int k = 0; k < 3; k++) /* a new centre on the line of sight does not move the eye */
         ck_assert_double_le(
             fabs(hatch_pair_round(hatch_pair_sub((struct hatch_pair){low.eye[k], low.eye_low[k]},
                                                  (struct hatch_pair){orbit.view.eye[k], orbit.view.eye_low[k]}))),
@@ -247,8 +245,8 @@ START_TEST(a_hand_zooms_without_end)
 }
 END_TEST
 
-/* An orthographic camera's near plane is a wish that zooming must not run into. */
-START_TEST(a_hand_zooms_an_orthographic_view)
+/* The near plane of an orthographic camera must not limit zooming. */
+START_TEST(an_orthographic_orbit_zooms_past_the_near_plane)
 {
     struct hatch_orbit orbit;
     struct hatch_view view = begin_torus(3);
@@ -269,14 +267,14 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam zoom");
     TCase *tests = tcase_create("zoom");
-    tcase_add_loop_test(tests, strokes_keep_their_place_through_forty_octaves, 0, SURFACES);
-    tcase_add_loop_test(tests, large_texture_coordinates_keep_theirs, 0, 2);
-    tcase_add_test(tests, orthographic_views_hold);
-    tcase_add_loop_test(tests, an_eye_on_the_surface_sees_it, 0, 6);
-    tcase_add_loop_test(tests, pieces_leave_no_gap, 0, 2);
-    tcase_add_test(tests, tiles_join);
-    tcase_add_test(tests, a_hand_zooms_without_end);
-    tcase_add_test(tests, a_hand_zooms_an_orthographic_view);
+    tcase_add_loop_test(tests, strokes_keep_their_places_over_forty_octaves, 0, SURFACES);
+    tcase_add_loop_test(tests, strokes_keep_their_places_at_large_texture_coordinates, 0, 2);
+    tcase_add_test(tests, strokes_keep_their_places_in_orthographic_views);
+    tcase_add_loop_test(tests, a_camera_on_the_surface_needs_few_pieces, 0, 6);
+    tcase_add_loop_test(tests, pieces_leave_no_gaps, 0, 2);
+    tcase_add_test(tests, tiled_and_whole_pictures_are_equal);
+    tcase_add_test(tests, an_orbit_zooms_in_and_out_over_forty_octaves);
+    tcase_add_test(tests, an_orthographic_orbit_zooms_past_the_near_plane);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -38,7 +38,7 @@ static void check_nesting(void)
             ck_assert_uint_eq(figures_of(tone, level).lighter_pixels, 0);
 }
 
-/* Every style at 6 and at 255 tones, whole strokes and growing ones. */
+/* For every style, 6 and 255 tones, with and without growth of strokes. */
 START_TEST(strokes_nest_over_tones_and_levels)
 {
     map_style(map_styles[_i % MAP_STYLES], "candidates 100 30", &map);
@@ -127,8 +127,8 @@ START_TEST(no_seam_is_visible_over_many_seeds)
 END_TEST
 
 /* A stroke is drawn only if it brings the mean closer to the target, so no image is darker than its target by more than
- * half of the darkness of a stroke; tested is the darkness of a mean stroke. */
-START_TEST(no_seed_overshoots)
+ * half of the darkness of a stroke. The test uses the darkness of a mean stroke. */
+START_TEST(no_random_seed_makes_images_too_dark)
 {
     for (uint64_t seed = 1; seed <= 50; seed++) {
         struct hatch_arena_mark mark = hatch_arena_mark(&map_arena);
@@ -163,7 +163,7 @@ static void add_evenness(enum hatch_fill_method method, uint64_t seed, double *s
 }
 
 /* Compares five random seeds with bounds, and as many as time allows with the exhaustive method of the paper. */
-START_TEST(strokes_are_even)
+START_TEST(strokes_are_evenly_distributed)
 {
     static const double bounds[HATCH_EVENNESS_BOXES] = {0.62, 0.56, 0.50, 0.40};
     uint64_t compared = getenv("LONG") ? 5 : 1;
@@ -193,8 +193,8 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, tones_are_met_and_no_seam_is_visible, 0, MAP_STYLES);
     tcase_add_loop_test(tests, many_tones_are_met, 0, MAP_STYLES);
     tcase_add_loop_test(tests, no_seam_is_visible_over_many_seeds, 0, MAP_STYLES);
-    tcase_add_test(tests, no_seed_overshoots);
-    tcase_add_test(tests, strokes_are_even);
+    tcase_add_test(tests, no_random_seed_makes_images_too_dark);
+    tcase_add_test(tests, strokes_are_evenly_distributed);
     suite_add_tcase(suite, tests);
     return suite;
 }

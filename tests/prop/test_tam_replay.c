@@ -177,7 +177,7 @@ START_TEST(images_hold_their_strokes_and_no_others)
 END_TEST
 
 /* Columns darker than the drawing are counted and hold all of its strokes. */
-START_TEST(a_drawing_too_light_is_reported)
+START_TEST(too_light_a_drawing_is_reported)
 {
     static const float targets[] = {0.2f, 0.5f, 0.8f, 0.95f};
     prepare(NULL);
@@ -231,7 +231,7 @@ START_TEST(every_failed_allocation_is_a_status)
 }
 END_TEST
 
-START_TEST(nothing_to_replay_is_bad_input)
+START_TEST(a_drawing_without_strokes_is_bad_input)
 {
     prepare(NULL);
     map.strokes.count = 0;
@@ -247,10 +247,10 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, strokes_nest_and_tones_are_met, 0, sizeof variants / sizeof *variants);
     tcase_add_test(tests, hue_is_lost_by_the_first_strokes_and_kept_by_fitting);
     tcase_add_loop_test(tests, images_hold_their_strokes_and_no_others, 0, 2);
-    tcase_add_test(tests, a_drawing_too_light_is_reported);
+    tcase_add_test(tests, too_light_a_drawing_is_reported);
     tcase_add_test(tests, strokes_of_a_map_make_its_darkest_image_again);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
-    tcase_add_test(tests, nothing_to_replay_is_bad_input);
+    tcase_add_test(tests, a_drawing_without_strokes_is_bad_input);
     suite_add_tcase(suite, tests);
     return suite;
 }

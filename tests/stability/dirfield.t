@@ -1,5 +1,5 @@
-# The same surface in bad shape has the same field: what scanners, exporters and programs do to meshes,
-# done to a torus. And surfaces on which there is little to find.
+# A torus damaged as scanners, exporters and programs damage meshes keeps its field; surfaces with few or no principal
+# directions get a valid one.
 . "${TOP:-.}/tests/tap.sh"
 command -v dirfield >/dev/null || { skip "damaged meshes" "no dirfield"; finish; }
 
@@ -8,7 +8,7 @@ column() {
     awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i} NR == 2 {print $c}'
 }
 
-# A torus as OBJ, irregular, its vertices a, its faces b, its size c, moved by d.
+# torus SCALE OFFSET: prints an irregular torus as OBJ
 torus() {
     awk -v scale="$1" -v offset="$2" 'BEGIN {
         pi = 3.14159265358979; n = 60; m = 30; srand(5)
@@ -26,7 +26,7 @@ torus() {
     }'
 }
 
-# same NAME FILE [LIMIT]: its field is the torus's, everywhere, to within so many degrees
+# same NAME FILE [LIMIT]: checks that the field of FILE is that of the torus at all points, to within LIMIT degrees
 same() {
     try dirfield -q "$2" -o out.glb
     hatchstat field -q out.glb --reference torus.glb >figures.tsv 2>.err
@@ -61,32 +61,32 @@ for scale in 1e-3 1e20 1e-20; do
 done
 torus 1e5 1e6 >moved.obj
 same "moved by ten times its size" moved.obj 2
-is "and none of them has singularities" "$(hatchstat field -q out.glb | column singularities)" 0
+is "a moved torus has no singularity" "$(hatchstat field -q out.glb | column singularities)" 0
 
-# fine NAME FILE: a field without NaN whose indices sum to the Euler characteristic
-fine() {
+# has_field NAME FILE: checks that FILE gets a field without NaN whose indices sum to the Euler characteristic
+has_field() {
     try dirfield -q "$2" -o out.glb
     hatchstat field -q out.glb >figures.tsv 2>.err
     is "$1: a field" "$status $(column index_sum <figures.tsv) $(column smoothness <figures.tsv | grep -c nan)" \
         "0 $(column euler <figures.tsv) 0"
 }
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
-fine "one triangle" one.obj
+has_field "one triangle" one.obj
 awk 'BEGIN {for (i = 0; i < 20; i++) printf "v %d 0 %g\nv %d 1 %g\n", i, i * i / 40, i, i * i / 40
     for (i = 1; i < 39; i += 2) printf "f %d %d %d\nf %d %d %d\n", i, i + 2, i + 3, i, i + 3, i + 1}' >strip.obj
-fine "a strip one face wide" strip.obj
+has_field "a strip one face wide" strip.obj
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >cube.obj
-fine "a cube of twelve faces" cube.obj
+has_field "a cube of twelve faces" cube.obj
 meshgen sphere --faces 2000 -o sphere.glb
-fine "a sphere with poles" sphere.glb
-is "of which no line is sure" "$(column confidence_p75 <figures.tsv)" 0
+has_field "a sphere with poles" sphere.glb
+is "directions of a sphere have no confidence" "$(column confidence_p75 <figures.tsv)" 0
 awk '/^v/ {print $1, $2, $3 * 1e-4, $4; next} {print}' torus.obj >flat.obj
-fine "a torus pressed flat, of slivers" flat.obj
+has_field "a torus pressed flat, of slivers" flat.obj
 awk '/^v/ {print $1, $2, $3 * 1000, $4; next} {print}' torus.obj >long.obj
-fine "a torus drawn out, of needles" long.obj
+has_field "a torus drawn out, of needles" long.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0.2\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n' >bow.obj
-fine "two triangles at one point" bow.obj
+has_field "two triangles at one point" bow.obj
 awk 'BEGIN {pi = 3.14159265358979; n = 24; m = 12
     for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
         u = 2 * pi * i / n; v = 2 * pi * j / m; r = 3 + cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v)
@@ -95,7 +95,7 @@ awk 'BEGIN {pi = 3.14159265358979; n = 24; m = 12
         k = j + 1; a = i * m + j; b = i * m + k % m
         c = i + 1 < n ? a + m : (m - j) % m; d = i + 1 < n ? b + m : (m - k) % m
         printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >klein.obj
-fine "a Klein bottle" klein.obj
+has_field "a Klein bottle" klein.obj
 awk 'BEGIN {pi = 3.14159265358979; n = 40; m = 5
     for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
         u = 2 * pi * i / n; v = j / (m - 1) - .5
@@ -103,16 +103,16 @@ awk 'BEGIN {pi = 3.14159265358979; n = 40; m = 5
     for (i = 0; i < n; i++) for (j = 0; j < m - 1; j++) {
         a = i * m + j; b = a + 1; c = i + 1 < n ? a + m : m - 1 - j; d = i + 1 < n ? b + m : m - 2 - j
         printf "f %d %d %d\nf %d %d %d\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1}}' >moebius.obj
-fine "a Moebius strip" moebius.obj
-is "has no singularity" "$(column singularities <figures.tsv)" 0
+has_field "a Moebius strip" moebius.obj
+is "a Moebius strip has no singularity" "$(column singularities <figures.tsv)" 0
 meshgen cylinder --faces 1000 --jitter 1 --field -o open.glb
-fine "open borders" open.glb
-is "at which lines go on as they should" \
+has_field "a surface with open borders" open.glb
+is "directions at open borders are the true ones" \
     "$(hatchstat field -q out.glb --reference open.glb | column deg_max | awk '{print ($1 < 0.2)}')" 1
 meshgen ellipsoid --faces 100000 --jitter 1 --noise 0.2 --seed 7 -o folded.glb
-fine "slivers around a pole that noise lays over one another" folded.glb
-is "turn no direction" "$(column singularities <figures.tsv)" 4
+has_field "overlapping slivers around a noisy pole" folded.glb
+is "overlapping slivers add no singularity" "$(column singularities <figures.tsv)" 4
 awk '/^v/ && ++n == 500 {print "v 1 nan 0"; next} {print}' torus.obj >nan.obj
 try dirfield nan.obj -o nan.glb
-refused "a number that is none" 3 1
+refused "a vertex with NaN" 3 1
 finish

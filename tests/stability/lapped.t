@@ -1,21 +1,22 @@
-# From a mesh in any state to a picture, in one pipe: what was wrong is said once, by the first command; the
-# patches cover every face, turn none over, and hold no NaN; the picture shows the surface.
+# From damaged meshes to pictures in one pipe: the first command warns of each fault once; patches cover every face,
+# flip none and have no NaN; the picture shows the surface.
 . "${TOP:-.}/tests/tap.sh"
 for command in dirfield lapped-param render-gl; do
     command -v $command >/dev/null || { skip "from mesh to picture" "no $command"; finish; }
 done
 tamgen --size 64 --levels 2 --tones 2 -o map.exr
 
-# figures NAME: of the last cover; all that are there are numbers, and the cover is whole
+# figures NAME: checks that lapped.glb is covered completely and that all its figures are numbers
 figures() {
     hatchstat lapped --samples 3000 lapped.glb >figures.tsv 2>.err || { fail "$1: covered" "$(cat .err)"; return; }
-    is "$1: covered, nothing turned over" "$(awk -F'\t' '
+    is "$1: all faces are covered, none is flipped" "$(awk -F'\t' '
         NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
         NR == 2 {print $at["covered"], $at["flipped"], ($0 ~ /nan|inf/) ? "no number" : "numbers"}' figures.tsv)" \
         "1 0 numbers"
 }
 
-# draws NAME FILE LAPPED-PARAM'S-OPTIONS [PATTERN ...]: as many warnings as patterns, one of each; any for '*'
+# draws NAME FILE OPTIONS [PATTERN ...]: runs the pipe, with OPTIONS for lapped-param, and checks that there is one
+# warning for each pattern; '*' allows any warnings
 draws() {
     name=$1
     file=$2
@@ -25,7 +26,7 @@ draws() {
     { dirfield "$file" 2>1.err; echo $? >1.rc; } |
         { lapped-param $options 2>2.err; echo $? >2.rc; } | tee lapped.glb |
         { render-gl - --tam map.exr --size 48x48 -o picture.png 2>3.err; echo $? >3.rc; }
-    is "$name: a picture" "$(cat 1.rc 2.rc 3.rc | tr '\n' ' ')$(
+    is "$name: a picture is drawn" "$(cat 1.rc 2.rc 3.rc | tr '\n' ' ')$(
         hatchstat frames picture.png picture.png | awk 'NR == 2 {print $2 < 0.995 ? "not blank" : "blank"}')" \
         "0 0 0 not blank"
     cat 1.err 2.err 3.err >said
@@ -34,12 +35,12 @@ draws() {
     for pattern in "$@"; do
         grep -q "^dirfield: .*warning: .*$pattern" said || problem="$problem no '$pattern': "
     done
-    [ "${1-}" = '*' ] || is "$name: what was wrong is said" "${problem:+$problem$(cat said)}" ""
+    [ "${1-}" = '*' ] || is "$name: each fault gives one warning" "${problem:+$problem$(cat said)}" ""
     figures "$name"
 }
-nowhere="no direction of their own"
+undirected="without a principal direction"
 
-# A torus as OBJ, of size $1, moved by $2, of $3 by $4 squares
+# torus SCALE OFFSET [N M]: prints a torus of N x M squares as OBJ
 torus() {
     awk -v scale="$1" -v offset="$2" -v n="${3:-30}" -v m="${4:-15}" 'BEGIN {
         pi = 3.14159265358979
@@ -62,18 +63,18 @@ draws "a torus" torus.obj ""
 awk '/^v/ {v[++n] = $0} /^f/ {for (i = 2; i < 5; i++) print v[$i]; print "f -3 -2 -1"}' torus.obj >soup.obj
 draws "every triangle with vertices of its own" soup.obj "" "2250 vertices welded"
 awk '/^f/ && NR % 3 == 0 {print $1, $3, $2, $4; next} {print}' torus.obj >mixed.obj
-draws "every third face turned over" mixed.obj "" "300 faces turned"
+draws "every third face turned over" mixed.obj "" "300 faces flipped"
 awk '{print} /^f/ && NR % 7 == 0 {print; print $1, $2, $4, $3}' torus.obj >twice.obj
 draws "faces given twice and three times" twice.obj "" "256 faces given twice"
 awk '{print} /^f/ && NR % 5 == 0 {print $1, $2, $3, $3} END {print "v 5 5 5\nv 0 0 0"}' torus.obj >waste.obj
 draws "faces without area, vertices without faces" waste.obj "" \
     "2 vertices that no face uses left out, 180 faces without an area left out"
 awk '/^f/ && !done {print "v 0 3 0"; print "f", $2, $3, -1; done = 1} {print}' torus.obj >fin.obj
-draws "a fin on an edge" fin.obj "" "1 edge of more than two faces" "$nowhere"
+draws "a fin on an edge" fin.obj "" "1 edge of more than two faces" "$undirected"
 awk '/^v/ {print; n++} /^f/ {print} END {for (i = 0; i < 30; i++) {
     printf "v %g 1 0\nv %g 1 0\nv %g 1.02 0\n", i / 20, i / 20 + .02, i / 20
     printf "f %d %d %d\n", n + 3 * i + 1, n + 3 * i + 2, n + 3 * i + 3}}' torus.obj >crumbs.obj
-draws "crumbs beside it" crumbs.obj "" "$nowhere"
+draws "crumbs beside it" crumbs.obj "" "$undirected"
 awk '/^f/ && NR % 30 < 10 {next} {print}' torus.obj >open.obj
 draws "open borders" open.obj "" "90 vertices that no face uses"
 awk '/^v/ {print $1, $2, $3 * 1e-4, $4; next} {print}' torus.obj >flat.obj
@@ -87,25 +88,25 @@ done
 torus 1e5 1e6 >moved.obj
 draws "an offset of ten times its size" moved.obj ""
 
-# Where noise is larger than faces are wide no patch of more than a few holds: that is found out once, not for
-# each face anew. It was 29 times, and more the more faces there were.
+# Where noise is larger than faces, only patches of a few faces are possible. That is detected once instead of by
+# solving a large patch for every face, which took 29 solutions here, and more with more faces.
 meshgen ellipsoid --faces 20000 --jitter 1 --noise 0.1 | dirfield -q -o crumpled.glb
 is "crumpled poles do not cost each face a large patch" "$(lapped-param -v crumpled.glb -o crumpled.lapped.glb 2>&1 |
     awk '/solved/ {print ($(NF - 1) > 0 && $(NF - 1) < 12)}')" 1
 
 meshgen sphere --faces 600 -o sphere.glb
-draws "a sphere with poles, without a direction" sphere.glb "" "$nowhere"
+draws "a sphere with poles, without a direction" sphere.glb "" "$undirected"
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .3 .6 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n' >plane.obj
-draws "a plane" plane.obj "" "$nowhere"
+draws "a plane" plane.obj "" "$undirected"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
-draws "one triangle" one.obj "" "$nowhere"
+draws "one triangle" one.obj "" "$undirected"
 awk 'BEGIN {for (i = 0; i < 20; i++) printf "v %g 0 %g\nv %g 1 %g\n", sin(i / 9), cos(i / 9), sin(i / 9), cos(i / 9)
     for (i = 1; i < 39; i += 2) printf "f %d %d %d\nf %d %d %d\n", i, i + 2, i + 3, i, i + 3, i + 1}' >strip.obj
-draws "a strip one face wide, too narrow to be seen to bend" strip.obj "" "$nowhere"
+draws "a strip one face wide, too narrow to be seen to bend" strip.obj "" "$undirected"
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >cube.obj
-draws "a cube" cube.obj "" "$nowhere"
-draws "a cube with faces larger than a patch" cube.obj "--size 0.05" "$nowhere"
+draws "a cube" cube.obj "" "$undirected"
+draws "a cube with faces larger than a patch" cube.obj "--size 0.05" "$undirected"
 torus 1 0 9 8 >coarse.obj
 draws "a torus with faces larger than a patch" coarse.obj "--size 0.02"
 draws "patches as large as the torus" torus.obj "--size 1 --curved 0 --stretch 10 --turn 90"
@@ -116,7 +117,7 @@ awk 'BEGIN {for (i = 0; i <= 40; i++) for (j = 0; j < 6; j++)
         printf "f %d %d %d\nf %d %d %d\n", a, a + 6, b, b, a + 6, b + 6}}' >leg.obj
 draws "patches wider than a leg" leg.obj "--size 0.3 --curved 0"
 
-# A plate, and on it a handle over two of its squares, of which the patch is many times as large.
+# A plate with a handle on two of its squares, much smaller than a patch.
 awk 'BEGIN {n = 24; R = 2
     for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) printf "v %d %d %.9g\n", i, j, .02 * (i - 12) ^ 2
     for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
@@ -140,10 +141,10 @@ draws "a handle smaller than a patch" handle.obj "--size 0.5"
 
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv -1 0 0\nv 0 0 -1
 f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 6 5\nf 1 5 7\nf 5 6 7\nf 6 1 7\n' >bow.obj
-draws "a bow-tie" bow.obj "" "1 point split" "$nowhere"
+draws "a bow-tie" bow.obj "" "1 point split" "$undirected"
 awk 'BEGIN {print "v 0 0 0\nv 0 0 1"
     for (i = 0; i < 5; i++) printf "v %.9g %.9g 0\nf 1 2 -1\n", cos(i * 1.2566), sin(i * 1.2566)}' >book.obj
-draws "five pages of a book" book.obj "" "1 edge of more than two faces" "$nowhere"
+draws "five pages of a book" book.obj "" "1 edge of more than two faces" "$undirected"
 awk 'BEGIN {n = 40
     for (i = 0; i < n; i++) for (k = -1; k <= 1; k++) {a = 6.283185307 * i / n; r = 1 + .3 * k * sin(a / 2)
         printf "v %.9g %.9g %.9g\n", r * cos(a), .3 * k * cos(a / 2), r * sin(a)}

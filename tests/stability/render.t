@@ -1,10 +1,10 @@
-# Scenes, cameras, lights and sizes on which renderers stumble: each draws, and not nonsense.
+# Extreme scenes, cameras, lights and sizes: each gives a plausible picture.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 3000 -o teapot.glb
 
-# draws NAME ARGUMENT ...: a picture comes out, and nothing is said
+# draws NAME ARGUMENT ...: checks that a picture is drawn without messages
 draws() {
     name=$1
     shift
@@ -17,7 +17,7 @@ tone() {
     hatchstat frames "${1:-picture.png}" "${1:-picture.png}" | awk 'NR == 2 {print $2}'
 }
 
-# between LOW HIGH: is the picture's tone?
+# between LOW HIGH: whether the mean of the picture is in this range
 between() {
     tone | awk -v low="$1" -v high="$2" '{exit !($1 > low && $1 < high)}'
 }
@@ -27,7 +27,7 @@ size() {
     perl -e 'open my $f, "<:raw", shift; read $f, my $b, 24; print join "x", unpack("x16NN", $b)' "$1"
 }
 
-# scene LIGHT NODE [POSITIONS [TEXCOORDS]]: a square from -1 to 1, a light and the node that holds it
+# scene LIGHT NODE [POSITIONS [TEXCOORDS]]: prints a glTF scene of a square from -1 to 1, a light and its node
 scene() {
     perl -e '
         use MIME::Base64;
@@ -60,15 +60,15 @@ at() {
 }
 
 draws "a picture of one pixel" teapot.glb --size 1x1
-is "it has one pixel" "$(size picture.png)" 1x1
+is "the picture of one pixel has one pixel" "$(size picture.png)" 1x1
 draws "a column of pixels" teapot.glb --size 1x500
 draws "a picture 16384 pixels wide" teapot.glb --size 16384x32 --samples 1
-is "it is as wide" "$(size picture.png)" 16384x32
-ok "it shows the teapot" between 0.5 0.9999
+is "the picture has the given size" "$(size picture.png)" 16384x32
+ok "the wide picture shows the teapot" between 0.5 0.9999
 draws "a picture wider than the driver's limit" teapot.glb --size 20000x16 --samples 1
-is "it is as wide" "$(size picture.png)" 20000x16
+is "the picture has the given size" "$(size picture.png)" 20000x16
 
-# Smoothed over its edges a box is shaded like a ball.
+# With normals smoothed over its edges a box would be shaded like a sphere.
 awk 'BEGIN {
     for (i = 0; i < 8; i++) print "v", i % 2, int(i / 2) % 2, int(i / 4)
     n = split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", v)
@@ -80,7 +80,7 @@ render-gl flat.obj --technique gouraud --size 160x120 -o flat.exr
 ok "a box without normals has flat sides" hatchstat diff box.exr flat.exr --max-difference 1e-3
 
 draws "a camera inside" teapot.glb --camera 0,0.4,0:1,0.4,0.2 --size 160x120
-ok "it sees the inner wall, with strokes" between 0.05 0.98
+ok "a camera inside sees the inner wall with strokes" between 0.05 0.98
 draws "a camera straight above" teapot.glb --camera 0,5,0 --size 160x120
 draws "a camera very far away" teapot.glb --camera 1e30,0,0 --size 160x120
 scene "$point" "$(at 0,0,2)" >square.gltf
@@ -89,22 +89,22 @@ draws "a camera in the plane of a face" square.gltf --camera 3,0,0:0,0,0 --size 
 
 meshgen teapot --faces 500000 -o large.glb
 draws "500,000 triangles" large.glb --size 320x240 --lines none
-ok "they show the teapot" between 0.5 0.99
+ok "500,000 triangles show the teapot" between 0.5 0.99
 
-# Light: near things are as bright as far ones, once the exposure is chosen; nothing is black. The square is 0.879 of the
-# picture and has a tone of 0.25 where it is lit, which leaves 0.783, and of 0.96 where it is not, which leaves 0.154.
+# With automatic exposure near lamps light the square like distant ones. The square covers 0.879 of the picture; lit,
+# its tone is 0.25 and the mean 0.783, unlit 0.96 and 0.154.
 square="--technique gouraud --camera 0,0,4 --size 64x64 --tone-range .25:1"
 lit="0.77 0.79"
 unlit="0.14 0.16"
 for place in 1,1,0 0,0,0; do
     scene "$point" "$(at $place)" >light.gltf
     draws "a lamp at $place, in the plane of the square" light.gltf $square
-    ok "it does not shine on it" between $unlit
+    ok "a lamp in the plane does not light the square" between $unlit
 done
 for place in 0,0,1e-20 0,0,1 0,0,1e30; do
     scene "$point" "$(at $place)" >light.gltf
     draws "a lamp at $place" light.gltf $square
-    ok "it shines" between $lit
+    ok "the lamp lights the square" between $lit
 done
 scene "$point" "$(at 0,0,1e30)" >far.gltf
 render-gl far.gltf $square -o far.png
@@ -112,37 +112,37 @@ scene '{"type":"directional","intensity":1e30}' '{"extensions":{"KHR_lights_punc
     >sun.gltf
 draws "a sun of 1e30 lux" sun.gltf $square
 is "a lamp infinitely far away is a sun" "$(tone far.png)" "$(tone picture.png)"
-ok "which shines" between $lit
+ok "a distant lamp lights the square" between $lit
 scene '{"type":"spot","intensity":9,"spot":{"innerConeAngle":0,"outerConeAngle":0.0001}}' "$(at 0,0,2)" \
     >spot.gltf
 draws "a spot of no width" spot.gltf $square
-ok "it lights no corner" between $unlit
+ok "a spot of no width lights nothing" between $unlit
 scene '{"type":"point","intensity":0}' "$(at 0,0,2)" >dark.gltf
 draws "a lamp that is off" dark.gltf $square
-ok "it does not shine" between $unlit
+ok "a lamp that is off lights nothing" between $unlit
 
-# Texture coordinates: all at one place, where one texel is read for all, and on one line, huge and tiny, where strokes are
-# lost but their tone, 0.5 of 0.879 of the picture, is not.
+# Texture coordinates that coincide, where all pixels read one texel; and collinear, huge and tiny ones, which lose the
+# strokes but keep their tone, 0.5 on 0.879 of the picture.
 corners="-1 -1 0 1 -1 0 1 1 0 -1 1 0"
 for uv in "0 0 0 0 0 0 0 0" "0 0 1 1 2 2 3 3" "0 1e30 1e30 1e30 1e30 0 0 0" "0 1e-30 1e-30 1e-30 1e-30 0 0 0"; do
     scene "$point" "$(at 0,0,2)" "$corners" "$uv" >uv.gltf
     draws "texture coordinates $uv" uv.gltf --camera 0,0,4 --size 64x64 --lines none --tone-range .5:.5
-    [ "$uv" = "0 0 0 0 0 0 0 0" ] || ok "they have the tone" between 0.53 0.59
+    [ "$uv" = "0 0 0 0 0 0 0 0" ] || ok "degenerate texture coordinates keep the tone" between 0.53 0.59
 done
 
-# Positions: tiny, huge, far from the origin. The picture is that of the plain square.
+# Tiny, huge and distant positions: the picture is that of the plain square.
 scene "$point" "" >plain.gltf
 draws "a square" plain.gltf --size 64x64 --technique gouraud
 plain=$(tone)
 for scale in 1e-15 1e15; do
     scene "$point" "" "$(echo "$corners" | sed "s/1/$scale/g")" >scaled.gltf
     draws "a square of $scale" scaled.gltf --size 64x64 --technique gouraud
-    is "it looks like the plain one" "$(tone)" "$plain"
+    is "the square looks like the plain one" "$(tone)" "$plain"
 done
 moved=$(echo "$corners" | awk '{for (i = 1; i <= NF; i++) printf "%d ", $i + 1000000}')
 scene "$point" "" "$moved" >moved.gltf
 draws "a square a million units away" moved.gltf --size 64x64 --technique gouraud
-is "it looks like the plain one" "$(tone)" "$plain"
+is "the square looks like the plain one" "$(tone)" "$plain"
 
 printf '{"asset":{"version":"2.0"}}' >empty.gltf
 try render-gl empty.gltf --tam map.exr --size 64x64 -o picture.png
@@ -151,9 +151,9 @@ is "an empty scene is drawn, with a warning" "$status $(wc -l <.err) $(tone)" "0
 lamps=$(for i in $(seq 66); do printf ',%s' "$(at 0,0,3)"; done)
 scene "$point" "{\"children\":[$(seq -s, 2 67)]}$lamps" >lamps.gltf
 try render-gl lamps.gltf --tam map.exr --size 32x24 -o picture.png
-is "lights beyond the sixty-fourth are left out with a word" "$status $(cat .err)" \
+is "lights beyond the sixty-fourth are left out with a warning" "$status $(cat .err)" \
     "0 render-gl: lamps.gltf: warning: 2 lights are left out: 64 are the most"
-# Coordinates of a survey: in metres, and in millimetres, which floats hold to 32 of them.
+# Coordinates of a survey in metres and in millimetres; floats hold the latter to 32 mm.
 for far in 0 4000000 4000000000; do
     awk -v far="$far" 'BEGIN {for (i = 0; i <= 24; i++) for (j = 0; j <= 12; j++) {
         a = i * 0.2617993877991494; b = j * 0.5235987755982989; r = 1 + 0.4 * cos(b)
@@ -162,8 +162,8 @@ for far in 0 4000000 4000000000; do
         if (i && j) printf "f %d/%d %d/%d %d/%d %d/%d\n", p, p, p+1, p+1, p+14, p+14, p+13, p+13}}' \
         >far.obj
     render-gl far.obj --tam map.exr --size 64x48 -o "far-$far.png"
-    [ "$far" = 0 ] || ok "as if it lay $far nearer" hatchstat diff --max-difference 0.05 far-0.png "far-$far.png"
+    [ "$far" = 0 ] || ok "a mesh $far units away is drawn like one at the origin" hatchstat diff --max-difference 0.05 far-0.png "far-$far.png"
     hatchstat mesh --quiet far.obj | awk -F'\t' 'NR == 2 {printf "%s %.2f %.3g\n", $3, $14, $15}' >"far-$far.txt"
 done
-is "and is measured there" "$(cat far-4000000000.txt)" "$(awk '{print $1, $2, "4e+09"}' far-0.txt)"
+is "hatchstat mesh reports the true position" "$(cat far-4000000000.txt)" "$(awk '{print $1, $2, "4e+09"}' far-0.txt)"
 finish

@@ -11,7 +11,7 @@ static void check_covers(struct field_case field, double size, uint32_t samples)
     check_patches(&made, samples);
 }
 
-/* Small patches, default size, and patches as large as the surface. */
+/* Covers a mesh with small patches, patches of the default size, and patches as large as the surface. */
 static void check_all_sizes(struct hatch_mesh mesh)
 {
     static const double sizes[] = {0.05, 0, 1};
@@ -29,7 +29,7 @@ static struct hatch_mesh triangle(float x, float y)
     return mesh_of(positions, 3, face, 1);
 }
 
-START_TEST(one_triangle)
+START_TEST(one_triangle_is_covered)
 {
     check_all_sizes(triangle(1, 1));
     check_all_sizes(triangle(1, 1e-4f));
@@ -37,7 +37,7 @@ START_TEST(one_triangle)
 }
 END_TEST
 
-START_TEST(a_strip_one_face_wide)
+START_TEST(a_strip_one_face_wide_is_covered)
 {
     check_all_sizes(band(100, 1, false));
     struct hatch_mesh open = band(100, 1, false);
@@ -46,21 +46,21 @@ START_TEST(a_strip_one_face_wide)
 }
 END_TEST
 
-START_TEST(one_sided_surfaces)
+START_TEST(one_sided_surfaces_are_covered)
 {
     check_all_sizes(band(60, 1, true));
     check_all_sizes(klein(40, 20));
 }
 END_TEST
 
-START_TEST(a_cube)
+START_TEST(a_cube_is_covered)
 {
     check_all_sizes(cube(0, 1));
 }
 END_TEST
 
 /* A fan from a distant point to a fine row: its faces are longer than any patch. */
-START_TEST(huge_faces_beside_tiny_ones)
+START_TEST(huge_faces_beside_tiny_ones_are_covered)
 {
     struct hatch_mesh mesh;
     const uint32_t n = 200;
@@ -80,8 +80,8 @@ START_TEST(huge_faces_beside_tiny_ones)
 }
 END_TEST
 
-/* Patches would reach around a thin tube, or through a handle, and meet themselves. */
-START_TEST(tubes_and_handles_smaller_than_a_patch)
+/* Patches could reach around a thin tube, or through a handle, and meet themselves. */
+START_TEST(tubes_and_handles_smaller_than_a_patch_are_covered)
 {
     struct field_case torus = case_of_shape(HATCH_SHAPE_TORUS, 2000, 1);
     set_direction(&torus, 0, 0, 1);
@@ -161,7 +161,7 @@ static struct hatch_mesh needle_columns(double width)
     return mesh;
 }
 
-START_TEST(rounding_turns_no_needle_over)
+START_TEST(rounding_flips_no_needle)
 {
     static const double widths[] = {1e-3, 1e-6, 1e-7, 1e-8, 1e-9};
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
@@ -190,7 +190,7 @@ START_TEST(needles_have_finite_coordinates)
 }
 END_TEST
 
-START_TEST(components_of_any_size)
+START_TEST(components_of_any_size_are_covered)
 {
     struct hatch_mesh small = bare_shape(HATCH_SHAPE_SPHERE, 200), large = bare_shape(HATCH_SHAPE_TORUS, 800);
     move(&small, 1e-3f, 5);
@@ -203,7 +203,7 @@ START_TEST(components_of_any_size)
 END_TEST
 
 /* Random directions: every other face has an index. */
-START_TEST(a_random_field)
+START_TEST(a_random_field_is_covered)
 {
     struct field_case field = case_of_shape(HATCH_SHAPE_SPHERE, 1500, 1);
     for (uint32_t p = 0; p < field.surface.point_count; p++)
@@ -216,7 +216,7 @@ START_TEST(a_random_field)
 END_TEST
 
 /* Patches end near a singularity, and cover it. */
-START_TEST(singularities)
+START_TEST(singularities_are_covered)
 {
     struct field_case field = case_of_shape(HATCH_SHAPE_PLANE, 2000, 0.7f);
     for (int kind = 0; kind < 2; kind++) {
@@ -238,17 +238,17 @@ static Suite *suite(void)
     Suite *suite = suite_create("lapped limits");
     TCase *tests = tcase_create("limits");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, one_triangle);
-    tcase_add_test(tests, a_strip_one_face_wide);
-    tcase_add_test(tests, one_sided_surfaces);
-    tcase_add_test(tests, a_cube);
-    tcase_add_test(tests, huge_faces_beside_tiny_ones);
-    tcase_add_test(tests, tubes_and_handles_smaller_than_a_patch);
-    tcase_add_test(tests, rounding_turns_no_needle_over);
+    tcase_add_test(tests, one_triangle_is_covered);
+    tcase_add_test(tests, a_strip_one_face_wide_is_covered);
+    tcase_add_test(tests, one_sided_surfaces_are_covered);
+    tcase_add_test(tests, a_cube_is_covered);
+    tcase_add_test(tests, huge_faces_beside_tiny_ones_are_covered);
+    tcase_add_test(tests, tubes_and_handles_smaller_than_a_patch_are_covered);
+    tcase_add_test(tests, rounding_flips_no_needle);
     tcase_add_test(tests, needles_have_finite_coordinates);
-    tcase_add_test(tests, components_of_any_size);
-    tcase_add_test(tests, a_random_field);
-    tcase_add_test(tests, singularities);
+    tcase_add_test(tests, components_of_any_size_are_covered);
+    tcase_add_test(tests, a_random_field_is_covered);
+    tcase_add_test(tests, singularities_are_covered);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -60,7 +60,7 @@ static double worst_degrees(const struct hatch_mesh *mesh, const float *normals)
     return worst;
 }
 
-START_TEST(scales_whose_squares_overflow_floats)
+START_TEST(normals_survive_squares_that_overflow_floats)
 {
     const float scales[] = {1e-30f, 1e25f};
     for (int i = 0; i < 2; i++) {
@@ -71,7 +71,7 @@ START_TEST(scales_whose_squares_overflow_floats)
 }
 END_TEST
 
-START_TEST(unwelded_vertices)
+START_TEST(unwelded_vertices_get_smooth_normals)
 {
     struct hatch_mesh mesh = sphere(1), soup;
     HATCH_TEST_OK(hatch_mesh_make(&keep, mesh.face_count * 3, mesh.face_count, &soup, &err), &err);
@@ -84,7 +84,7 @@ START_TEST(unwelded_vertices)
 }
 END_TEST
 
-START_TEST(inconsistent_winding)
+START_TEST(inconsistent_winding_is_corrected)
 {
     struct hatch_mesh mesh = sphere(1);
     for (uint32_t f = 0; f < mesh.face_count; f += 3) {
@@ -99,8 +99,8 @@ START_TEST(inconsistent_winding)
 }
 END_TEST
 
-/* A cube whose squares are split along arbitrary diagonals: a square has one or two triangles at a corner. */
-START_TEST(corners_with_unequal_triangles)
+/* A cube whose squares are split along arbitrary diagonals: each has one or two triangles at a corner. */
+START_TEST(normals_do_not_depend_on_how_squares_are_split)
 {
     static const char cube[] = "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
                                "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
@@ -114,7 +114,7 @@ START_TEST(corners_with_unequal_triangles)
 }
 END_TEST
 
-START_TEST(non_convex_polygons)
+START_TEST(non_convex_polygons_are_triangulated)
 {
     /* A comb; a triangle fan from a corner covers more than its area. */
     static const char comb[] = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 6 1 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\n"
@@ -140,7 +140,7 @@ START_TEST(non_convex_polygons)
 }
 END_TEST
 
-START_TEST(degenerate_texture_coordinates)
+START_TEST(degenerate_texture_coordinates_give_unit_tangents)
 {
     struct hatch_mesh mesh = sphere(1);
     float *uv;
@@ -166,12 +166,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("stability mesh");
     TCase *tests = tcase_create("faults");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, scales_whose_squares_overflow_floats);
-    tcase_add_test(tests, unwelded_vertices);
-    tcase_add_test(tests, inconsistent_winding);
-    tcase_add_test(tests, corners_with_unequal_triangles);
-    tcase_add_test(tests, non_convex_polygons);
-    tcase_add_test(tests, degenerate_texture_coordinates);
+    tcase_add_test(tests, normals_survive_squares_that_overflow_floats);
+    tcase_add_test(tests, unwelded_vertices_get_smooth_normals);
+    tcase_add_test(tests, inconsistent_winding_is_corrected);
+    tcase_add_test(tests, normals_do_not_depend_on_how_squares_are_split);
+    tcase_add_test(tests, non_convex_polygons_are_triangulated);
+    tcase_add_test(tests, degenerate_texture_coordinates_give_unit_tangents);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,4 +1,4 @@
-/* Places where recursive procedural tonal art maps break when they are done plainly, and what is done here. */
+/* Inputs on which a plain implementation of recursive procedural tonal art maps fails and this one does not. */
 #include "render_frame.h"
 #include "rptam_model.h"
 #include "rptam_raster.h"
@@ -10,9 +10,8 @@ static struct hatch_rptam rptam;
 
 static const struct model_how how = {.tile_px = 64, .length_px = 20, .width_px = 2, .angle_rad = {0.9}, .overlap = 0.3};
 
-/* Where M crosses a whole number inside a triangle, the pattern changes its level: ink has to be the same on
- * both sides. */
-START_TEST(levels_meet)
+/* The pattern changes its level where the depth M is a whole number; ink must be the same on both sides. */
+START_TEST(ink_is_continuous_between_levels)
 {
     static const struct {
         enum hatch_fade_law law;
@@ -46,7 +45,8 @@ START_TEST(levels_meet)
 }
 END_TEST
 
-/* Two squares of one plane, the right one with 2.4 times the texture. own_corners: they share no vertex. */
+/* Makes two squares in one plane; texture coordinates change 2.4 times as fast on the right one.
+ *   own_corners  they share no vertex */
 static void make_bent(bool own_corners, struct hatch_mesh *mesh)
 {
     static float position[24], normal[24], uv[16];
@@ -75,7 +75,7 @@ static const struct hatch_view front = {.eye = {0, 0, 2},
                                         .far = 100,
                                         .pivot = 2};
 
-/* Mean difference of ink between the two sides of the edge, at the same places of it. */
+/* Mean difference of ink between the two sides of the edge. */
 static double cut(struct raster *raster)
 {
     double sum = 0;
@@ -91,16 +91,16 @@ static double cut(struct raster *raster)
     return sum / SIZE;
 }
 
-/* T of each face by itself cuts strokes at an edge between faces of different distortion; T smoothed over
- * vertices does not. The renderer smooths whether faces share their corners or not. */
-START_TEST(strokes_pass_edges)
+/* Derivatives T per face cut strokes at an edge between faces of different distortion; T averaged at vertices does not.
+ * The renderer averages whether or not the faces share vertices. */
+START_TEST(strokes_continue_across_edges)
 {
     struct hatch_mesh shared, apart;
     struct hatch_image pictures[2];
     double plain, smooth;
     frame_arenas(&frame);
     struct model_how model = how;
-    model.angle_rad[0] = 1.5708; /* across the stretch, that the distortion counts */
+    model.angle_rad[0] = 1.5708; /* strokes across the direction of the stretch */
     model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
     for (int own = 1; own >= 0; own--) {
         make_bent(own, own ? &apart : &shared);
@@ -124,7 +124,7 @@ START_TEST(strokes_pass_edges)
 }
 END_TEST
 
-/* Strokes that are longer than the tile is wide: lists hold them all the same, and ink stays ink. */
+/* Coverage lists hold strokes longer than the tile, and ink stays within 0..1. */
 START_TEST(strokes_may_be_larger_than_the_tile)
 {
     struct model_how model = how;
@@ -150,8 +150,8 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("rptam limits");
     TCase *tests = tcase_create("limits");
-    tcase_add_loop_test(tests, levels_meet, 0, 6);
-    tcase_add_test(tests, strokes_pass_edges);
+    tcase_add_loop_test(tests, ink_is_continuous_between_levels, 0, 6);
+    tcase_add_test(tests, strokes_continue_across_edges);
     tcase_add_test(tests, strokes_may_be_larger_than_the_tile);
     suite_add_tcase(suite, tests);
     return suite;

@@ -260,7 +260,7 @@ START_TEST(a_stroke_wider_than_an_image_is_drawn_at_its_tone)
 END_TEST
 
 /* The largest size, and the smallest with the most tones. */
-START_TEST(sizes_at_their_limits)
+START_TEST(maps_are_made_at_the_limits_of_size)
 {
     map_style("ink", "candidates 20 10", &map);
     map.options.size_px = getenv("LONG") ? 4096 : 1024;
@@ -293,7 +293,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_stroke_image_of_one_pixel_draws_bars);
     tcase_add_test(tests, strokes_with_empty_ends_are_placed_evenly);
     tcase_add_test(tests, a_stroke_wider_than_an_image_is_drawn_at_its_tone);
-    tcase_add_test(tests, sizes_at_their_limits);
+    tcase_add_test(tests, maps_are_made_at_the_limits_of_size);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,4 +1,4 @@
-/* An arena for results, a scratch arena and an error, for most test programs; the fixture is
+/* An arena for results, a scratch arena and an error for test programs. Install the fixture with
  * tcase_add_checked_fixture(tests, begin, end). */
 #ifndef HATCH_TEST_ARENAS_H
 #define HATCH_TEST_ARENAS_H

@@ -1,4 +1,4 @@
-/* Fails the n-th allocation of a function, for every n, until it succeeds.
+/* Runs a function with its n-th allocation failing, for n = 1, 2, .. until it succeeds.
  *
  *     static enum hatch_status make(void *context, struct hatch_arena *keep,
  *                                   struct hatch_arena *scratch, struct hatch_err *err)

@@ -8,13 +8,15 @@
 #include "run.h"
 #include "scene/patches.h"
 
-enum { LAPPED_SIZE = 64 }; /* texels of a map's and of an outline's side */
+enum { LAPPED_SIZE = 64 }; /* side of the map and of the outline in texels */
 
-/* How a surface is cut into patches. */
+/* A rule by which a surface is cut into patches. */
 struct cut {
     uint32_t count;
-    uint32_t materials;                                   /* in turns */
-    bool (*holds)(uint32_t patch, const double point[3]); /* a face with this middle? NULL: all */
+    uint32_t materials; /* patch i has material i % materials */
+    bool (*holds)(uint32_t patch,
+                  const double point[3]); /* whether a patch has the face with this centroid; NULL: all */
+    /* Sets the hatch and outline coordinates of a vertex. */
     void (*place)(uint32_t patch, const float *position, float hatch[2], float outline[2]);
 };
 
@@ -27,12 +29,12 @@ static inline void middle_of(const struct hatch_mesh *mesh, size_t face, double 
     }
 }
 
-/* All of the surface's attributes, its faces begun at another corner in each patch. */
+/* A patch with all attributes of the surface; each patch starts its faces at another corner. */
 static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const struct cut *cut, uint32_t patch,
                                          struct hatch_arena *arena, struct hatch_err *err)
 {
     struct hatch_mesh made;
-    uint32_t *now = HATCH_NEW(arena, uint32_t, surface->vertex_count, err); /* number + 1 */
+    uint32_t *now = HATCH_NEW(arena, uint32_t, surface->vertex_count, err); /* new index + 1; 0: unused */
     uint32_t *old = HATCH_NEW(arena, uint32_t, surface->vertex_count, err);
     HATCH_TEST_OK(hatch_mesh_make(arena, surface->vertex_count, surface->face_count, &made, err), err);
     made.vertex_count = made.face_count = 0;
@@ -70,7 +72,7 @@ static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const
     return made;
 }
 
-/* One node with the patches, not joined yet. */
+/* A scene of one node whose meshes are the patches, before hatch_patches_join. */
 static inline void lapped_scene(const struct hatch_mesh *surface, const struct cut *cut, struct hatch_arena *arena,
                                 struct hatch_scene *scene)
 {
@@ -90,7 +92,7 @@ static inline void lapped_scene(const struct hatch_mesh *surface, const struct c
             .mesh = patch_of(surface, cut, i, arena, err), .material = i % cut->materials, .had_normals = true};
 }
 
-/* Shifts of the map and of the outline, in texels, from patch to patch. */
+/* Offsets of each patch in texels: u and v of the map, u and v of the outline. */
 static const int shifts[4][4] = {{0, 0, 0, 0}, {5, 40, 11, -7}, {23, 9, -20, 3}, {50, 31, 2, 17}};
 
 static inline void place_shifted(uint32_t patch, const float *position, float hatch[2], float outline[2])
@@ -102,7 +104,7 @@ static inline void place_shifted(uint32_t patch, const float *position, float ha
     }
 }
 
-/* Caps of a sphere around points of a spiral, each in the plane that touches it there. */
+/* Caps of a sphere around points of a spiral, projected onto the tangent planes there. */
 enum { CAPS = 40 };
 static const double CAP_COS = 0.86;
 
@@ -144,7 +146,7 @@ static inline void cap_place(uint32_t patch, const float *position, float hatch[
 
 static const struct cut caps = {.count = CAPS, .materials = 1, .holds = cap_holds, .place = cap_place};
 
-/* Adds two joints, of which the first leans and moves to the right. */
+/* Adds a skin of two joints; the first one is rotated and moved to the right. */
 static inline void lapped_scene_skin(struct hatch_scene *scene, struct hatch_arena *arena)
 {
     struct hatch_err err = {0};

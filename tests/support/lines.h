@@ -1,4 +1,4 @@
-/* What the tests of feature lines share: meshes that come apart, a view, lengths of chains. */
+/* Support for tests of feature lines: unwelded meshes, views, traces and chains. */
 #ifndef HATCH_TEST_LINES_H
 #define HATCH_TEST_LINES_H
 
@@ -9,7 +9,7 @@
 #include "meshes.h"
 #include "line/trace.h"
 
-/* The same faces, each with corners of its own. */
+/* A copy with separate vertices for all corners. */
 static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
 {
     struct hatch_mesh apart;
@@ -38,7 +38,7 @@ static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uin
     return lines;
 }
 
-/* 400 pixels high; looks at the middle. */
+/* A view of the origin from (x, y, z); pictures are 400 pixels high. */
 static inline struct hatch_view view_from(double x, double y, double z, bool orthographic)
 {
     struct hatch_view view = {.eye = {x, y, z}, .orthographic = orthographic, .aspect = 1};

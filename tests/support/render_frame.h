@@ -1,5 +1,5 @@
-/* render-gl's drawing for tests: a mesh and a map become a picture, without files. Include after
- * run.h; frame_open makes a context, frame_draw draws. */
+/* Draws meshes and maps with render-gl's techniques, without files. Include after run.h; call frame_arenas, frame_open
+ * and frame_draw, and frame_finish last. */
 #ifndef HATCH_TEST_RENDER_FRAME_H
 #define HATCH_TEST_RENDER_FRAME_H
 
@@ -20,22 +20,22 @@
 #define FRAME_TECHNIQUES_MAX 8
 
 struct test_frame {
-    struct cmd_args args;  /* arenas of tests, which they may rewind */
-    struct cmd_args lasts; /* arenas of what techniques keep */
+    struct cmd_args args;           /* arenas of the test, which it may rewind */
+    struct cmd_args technique_args; /* arenas of the techniques */
     struct hatch_err err;
     struct gpu_context context;
     struct hatch_scene scene;
     struct scene on_gpu;
-    struct asset asset;              /* that techniques read */
-    const struct hatch_rptam *model; /* of strokes at seed points */
+    struct asset asset;              /* map or tone texture of the techniques */
+    const struct hatch_rptam *model; /* model of the technique rptam */
     struct assets assets;
     struct frame shown;
-    struct technique_context with;
+    struct technique_context technique_context;
     struct technique_instance instances[FRAME_TECHNIQUES_MAX];
     struct line_overlay *lines; /* drawn over every technique; NULL: none */
 };
 
-/* The scene in units where it is drawn: no bounds are taken off. */
+/* Bounds under which the unit scene equals the scene. */
 static const struct hatch_bounds frame_unit = {.radius = 1.0};
 
 static inline const struct technique *frame_technique(const char *name)
@@ -52,7 +52,7 @@ static inline const struct technique *frame_technique(const char *name)
     return NULL;
 }
 
-/* What pictures are drawn with by a technique, which is prepared. */
+/* Opens and prepares a technique, once; returns the arguments of picture_draw. */
 static inline struct picture frame_picture(struct test_frame *frame, const char *name)
 {
     const struct technique *technique = frame_technique(name);
@@ -61,16 +61,20 @@ static inline struct picture frame_picture(struct test_frame *frame, const char 
         instance++;
     ck_assert_int_lt(instance - frame->instances, FRAME_TECHNIQUES_MAX);
     if (!instance->technique)
-        HATCH_TEST_OK(technique_open(instance, technique, &frame->lasts, &frame->err), &frame->err);
+        HATCH_TEST_OK(technique_open(instance, technique, &frame->technique_args, &frame->err), &frame->err);
     if (technique->state_size == sizeof(struct rptam_state))
         ((struct rptam_state *)instance->state)->model = frame->model;
-    HATCH_TEST_OK(technique_prepare(&frame->with, instance, &frame->err), &frame->err);
-    return (struct picture){
-        .context = &frame->with, .instance = instance, .lines = frame->lines, .draws_lines = frame->lines != NULL};
+    HATCH_TEST_OK(technique_prepare(&frame->technique_context, instance, &frame->err), &frame->err);
+    return (struct picture){.context = &frame->technique_context,
+                            .instance = instance,
+                            .lines = frame->lines,
+                            .draws_lines = frame->lines != NULL};
 }
 
-/* The scene is frame->scene, patches of its meshes (or NULL). A black line on white paper, no ambient
- * light, tones up to the map's darkest. map may be NULL. */
+/* Opens a context and uploads frame->scene. The style is black ink on white paper, without ambient light, with tones up
+ * to the map's darkest.
+ *   patches  the joined patches of the scene's meshes; NULL: none
+ *   map      NULL: none */
 static inline void frame_open_scene(const struct hatch_patch_mesh *patches, const struct hatch_bounds *bounds,
                                     const struct hatch_tam *map, struct test_frame *frame)
 {
@@ -95,11 +99,12 @@ static inline void frame_open_scene(const struct hatch_patch_mesh *patches, cons
         .size_max_px = frame->context.size_max_px,
     };
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
-    frame->with = (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->lasts};
+    frame->technique_context =
+        (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->technique_args};
     memset(frame->instances, 0, sizeof frame->instances);
 }
 
-/* The same for a scene of one mesh. */
+/* Like frame_open_scene, for a scene of one mesh. */
 static inline void frame_open(const struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
                               const struct hatch_tam *map, struct test_frame *frame)
 {
@@ -113,11 +118,11 @@ static inline void frame_arenas(struct test_frame *frame)
     frame->args.max_memory = (uint64_t)1 << 30;
     hatch_arena_init(&frame->args.keep, (size_t)2 << 30);
     hatch_arena_init(&frame->args.scratch, (size_t)1 << 30);
-    hatch_arena_init(&frame->lasts.keep, (size_t)1 << 30);
-    hatch_arena_init(&frame->lasts.scratch, (size_t)1 << 30);
+    hatch_arena_init(&frame->technique_args.keep, (size_t)1 << 30);
+    hatch_arena_init(&frame->technique_args.scratch, (size_t)1 << 30);
 }
 
-/* With all the attributes that shapes have, in the frame's arena. */
+/* A built-in shape with all its attributes, in args.keep. */
 static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch_shape shape, uint32_t faces)
 {
     struct hatch_shape_options how = {.faces = faces, .seed = 1};
@@ -127,7 +132,7 @@ static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch
     return mesh;
 }
 
-/* A square of 2 by 2 whose texture coordinates run from 0 to 1, to the right and down. */
+/* A square of 2 x 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
 static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t faces)
 {
     struct hatch_mesh mesh = frame_shape(frame, HATCH_SHAPE_PLANE, faces);
@@ -140,9 +145,9 @@ static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t f
     return mesh;
 }
 
-/* A scene of a mesh that hangs on two joints, nodes 1 and 2, which are to move as one; some vertices by the first, some
- * by the second or both. */
-static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
+/* Makes a scene of a mesh skinned to two joints, nodes 1 and 2, with weights that differ between vertices. The test
+ * must give both joints the same transform. */
+static inline void frame_skin(struct hatch_mesh *mesh, struct test_frame *frame)
 {
     static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     static struct hatch_node nodes[3];
@@ -173,7 +178,7 @@ static inline void frame_hang(struct hatch_mesh *mesh, struct test_frame *frame)
     scene->meshes[0].joints_used = 2;
 }
 
-/* From a little above and beside, at the distance that frames the scene. */
+/* A view that frames the scene, from a little above and to the side. */
 static inline struct hatch_view frame_view(struct test_frame *frame, double aspect)
 {
     static const struct hatch_view_choice choice = {
@@ -187,7 +192,8 @@ static inline struct hatch_view frame_view(struct test_frame *frame, double aspe
     return view;
 }
 
-/* Draws with a technique into an image of R G B, linear. */
+/* Draws with a technique into a linear RGB image.
+ *   side  samples per pixel along each axis */
 static inline void frame_draw(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                               uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
@@ -200,8 +206,8 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
     canvas_free(&canvas);
 }
 
-/* Draws a technique whose output is numbers, a sample a pixel, over -1. rgba: out: 4 floats each, from the lower left
- * corner. */
+/* Draws with a technique that writes numbers, one sample per pixel; the background is -1.
+ *   rgba  out: 4 floats per pixel, rows from the bottom up */
 static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                                       uint32_t width, uint32_t height, float *rgba)
 {
@@ -211,12 +217,12 @@ static inline void frame_draw_numbers(struct test_frame *frame, const char *tech
     struct canvas canvas;
     const struct frame_request request = {.view = view, .tile = &tile, .canvas = &canvas, .background = nothing};
     HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, 1, &canvas, &frame->err), &frame->err);
-    HATCH_TEST_OK(technique_draw(&frame->with, picture.instance, &request, &frame->err), &frame->err);
+    HATCH_TEST_OK(technique_draw(&frame->technique_context, picture.instance, &request, &frame->err), &frame->err);
     canvas_read_samples(&canvas, rgba);
     canvas_free(&canvas);
 }
 
-/* The largest of all channels, of two pictures of one size. */
+/* The largest difference of a channel of two pictures of the same size. */
 static inline double frame_difference(const struct hatch_image *a, const struct hatch_image *b)
 {
     double worst = 0;
@@ -234,9 +240,8 @@ static inline double frame_ink(const struct hatch_image *image)
     return sum / (3.0 * image->width * image->height);
 }
 
-/* Closes all techniques and frees their programs: a change of style that shaders are compiled for counts from then on.
- */
-static inline void frame_forget(struct test_frame *frame)
+/* Closes all techniques and frees their programs. Needed after changing options that shaders are compiled for. */
+static inline void frame_reset(struct test_frame *frame)
 {
     for (int i = 0; i < FRAME_TECHNIQUES_MAX; i++)
         technique_close(&frame->instances[i]);
@@ -245,10 +250,10 @@ static inline void frame_forget(struct test_frame *frame)
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
 }
 
-/* Releases what frame_open made; the arenas keep what they hold, for the next frame_open. */
+/* Releases the context and the scene on the GPU; the arenas stay for the next frame_open. */
 static inline void frame_close(struct test_frame *frame)
 {
-    frame_forget(frame);
+    frame_reset(frame);
     scene_free(&frame->on_gpu);
     gpu_context_close(&frame->context);
 }
@@ -258,8 +263,8 @@ static inline void frame_finish(struct test_frame *frame)
     frame_close(frame);
     hatch_arena_free(&frame->args.keep);
     hatch_arena_free(&frame->args.scratch);
-    hatch_arena_free(&frame->lasts.keep);
-    hatch_arena_free(&frame->lasts.scratch);
+    hatch_arena_free(&frame->technique_args.keep);
+    hatch_arena_free(&frame->technique_args.scratch);
 }
 
 #endif

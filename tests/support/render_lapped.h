@@ -1,4 +1,5 @@
-/* Lapped scenes drawn with a map of random texels and an outline of one's own. Include after run.h; begin first. */
+/* Draws lapped scenes with a map of random texels and an outline that the test fills. Include after run.h; call begin
+ * first. */
 #ifndef HATCH_TEST_RENDER_LAPPED_H
 #define HATCH_TEST_RENDER_LAPPED_H
 
@@ -21,7 +22,7 @@ static inline void make_scene(const struct hatch_mesh *surface, const struct cut
     lapped_scene(surface, cut, &frame.args.keep, &frame.scene);
 }
 
-static inline void lend_outline(void)
+static inline void set_outline(void)
 {
     GLuint texture = 0;
     HATCH_TEST_OK(material_outline(&mask, &frame.args.scratch, &texture, &frame.err), &frame.err);
@@ -35,7 +36,7 @@ static inline void begin_lapped(const struct hatch_mesh *surface, const struct c
     HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
-    lend_outline();
+    set_outline();
 }
 
 static inline void begin(void)
@@ -51,7 +52,7 @@ static inline void fill_mask(void)
         mask.pixels[2 * i + 1] = 1;
 }
 
-/* A disk with a ramp. */
+/* Sets the outline to a disk with a soft border. */
 static inline void round_mask(void)
 {
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
@@ -60,7 +61,7 @@ static inline void round_mask(void)
     }
 }
 
-/* Ink everywhere, before a technique first draws. */
+/* Makes the map black. Call it before the first technique draws. */
 static inline void black_map(void)
 {
     for (uint32_t t = 0; t < TONES; t++)

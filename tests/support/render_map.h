@@ -1,4 +1,4 @@
-/* A map of random texels, and the view in which each of them is a pixel: what a technique draws can then be
+/* A tonal art map of random texels. Drawn with one texel per pixel (view_facing), the picture of a technique can be
  * computed pixel by pixel. */
 #ifndef HATCH_TEST_RENDER_MAP_H
 #define HATCH_TEST_RENDER_MAP_H
@@ -9,7 +9,7 @@
 #include "run.h"
 #include "tam/tam.h"
 
-/* Every level is random by itself: nothing that a wrong level or column would pass. */
+/* Makes a map of 3 levels. All levels of all columns are independent, so that reading a wrong one is detected. */
 static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_arena *arena, struct hatch_tam *map)
 {
     struct hatch_err err;

@@ -1,5 +1,5 @@
-/* Models of strokes at seeds for tests: seeds, styles and a stroke that is darker along its middle and at one
- * end. Include after run.h. */
+/* Makes models of recursive procedural tonal art maps for tests: seed points, a style, and a stroke that is darker
+ * along its middle and at one end. Include after run.h. */
 #ifndef HATCH_TEST_RPTAM_MODEL_H
 #define HATCH_TEST_RPTAM_MODEL_H
 
@@ -10,7 +10,7 @@
 #include "seed/rptam.h"
 #include "seed/spread.h"
 
-/* What a model is made of; numbers of 0 are what they say. */
+/* Parameters of a model; 0 stands for the default given. */
 struct model_how {
     uint32_t seeds;  /* 0: 64 */
     uint32_t layers; /* 0: 1 */
@@ -21,7 +21,7 @@ struct model_how {
     bool fade_size;
     double overlap;
     bool solid;          /* strokes are rectangles of one darkness */
-    bool varied;         /* they differ, with a grain */
+    bool varied;         /* strokes differ and have grain */
     uint32_t candidates; /* 0: 5 */
 };
 
@@ -33,7 +33,7 @@ static inline void model_stroke(bool solid, struct hatch_arena *arena, struct ha
         stroke->pixels[i] = solid ? 1.0f : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
 }
 
-/* Eleven by seven pixels by chance. */
+/* A grain texture of 11 x 7 random pixels. */
 static inline const struct hatch_image *model_grain(struct hatch_arena *arena)
 {
     struct hatch_err failed;
@@ -45,7 +45,8 @@ static inline const struct hatch_image *model_grain(struct hatch_arena *arena)
     return grain;
 }
 
-/* Layers come one after the other as it becomes darker. stroke: filled here. */
+/* Makes a style whose layers divide the tones 0..1 evenly.
+ *   stroke  out: the image of the strokes */
 static inline void model_style(const struct model_how *how, struct hatch_arena *arena, struct hatch_image *stroke,
                                struct hatch_rptam_style *style)
 {
@@ -66,7 +67,7 @@ static inline void model_style(const struct model_how *how, struct hatch_arena *
                                                             .varied = how->varied};
 }
 
-/* The model of a style with seeds of its own. */
+/* Makes the model of a style, with seed sets of its own. */
 static inline void model_of_style(const struct model_how *how, const struct hatch_rptam_style *style,
                                   struct hatch_arena *arena, struct hatch_arena *temporary, struct hatch_rptam *rptam)
 {

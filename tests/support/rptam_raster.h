@@ -1,6 +1,7 @@
-/* Algorithm 2 in doubles over a mesh in perspective: a small rasteriser that knows of the renderer only what its
- * contract says: light at vertices, the surface's derivative by its texture coordinates per vertex as the mean
- * of the faces around it by their area, all interpolated as perspective has it. Include after run.h. */
+/* Reference for pictures of rptam: a small rasteriser that evaluates Algorithm 2 in doubles over a mesh in perspective.
+ * It shares only the renderer's contract: light at vertices; derivatives of the surface with respect to texture
+ * coordinates per vertex, as area-weighted means over the faces around it; perspective-correct interpolation. Include
+ * after run.h. */
 #ifndef HATCH_TEST_RPTAM_RASTER_H
 #define HATCH_TEST_RPTAM_RASTER_H
 
@@ -12,20 +13,20 @@
 #include "view/view.h"
 #include "seed/rptam.h"
 
-/* What is interpolated over a face. */
+/* Values interpolated over a face. */
 struct raster_point {
-    double along[2][3]; /* the surface along a unit of u and of v */
+    double along[2][3]; /* derivatives of the position with respect to u and v */
     double uv[2], light;
 };
 
 struct raster_vertex {
-    struct raster_point point[2]; /* lit from in front, and from behind */
+    struct raster_point point[2]; /* light on the front, and on the back */
     double x, y, w;               /* pixels, distance along the view */
 };
 
 struct raster_pixel {
     struct raster_point point;
-    double x, y, w; /* w: INFINITY where nothing is */
+    double x, y, w; /* w: INFINITY on the background */
 };
 
 struct raster {
@@ -98,7 +99,7 @@ static inline void raster_vertices(struct raster *raster, struct hatch_arena *ar
     }
 }
 
-/* The face's share of one pixel: its corners' weights as perspective has them. */
+/* Interpolates a face at a pixel inside it, unless the pixel already shows something nearer. */
 static inline void raster_pixel(const struct raster_vertex *const corner[3], struct raster_pixel *pixel)
 {
     double weight[3], area = 0, sum = 0;
@@ -125,7 +126,7 @@ static inline void raster_pixel(const struct raster_vertex *const corner[3], str
     pixel->w = 1 / sum;
 }
 
-/* Draws all faces, which lie before the eye; pixels row by row from the top. */
+/* Draws all faces, which must lie in front of the eye. Pixels are stored row by row from the top. */
 static inline void raster_draw(struct raster *raster, struct hatch_arena *arena)
 {
     struct hatch_err err;
@@ -149,7 +150,7 @@ static inline void raster_draw(struct raster *raster, struct hatch_arena *arena)
     }
 }
 
-/* Pixels that the picture moves by while the surface moves by a vector. */
+/* Computes the displacement in the picture, in pixels, of a displacement on the surface. */
 static inline void raster_move(const struct raster *raster, const struct raster_pixel *pixel, const double vector[3],
                                double move[2])
 {
@@ -160,7 +161,8 @@ static inline void raster_move(const struct raster *raster, const struct raster_
     move[1] = half * (hatch_vec_dot(vector, view->up) - y * w) / pixel->w;
 }
 
-/* Ink at a pixel by Algorithm 2. low, high: darkness of full light and of none. */
+/* Returns the ink at a pixel by Algorithm 2.
+ *   low, high  tones of full light and of no light */
 static inline double raster_ink(const struct raster *raster, const struct raster_pixel *pixel,
                                 const struct hatch_rptam *rptam, double low, double high)
 {
@@ -181,7 +183,7 @@ static inline double raster_ink(const struct raster *raster, const struct raster
     return 1 - paper;
 }
 
-/* Whether what lies around a pixel is one smooth surface: at borders, rounding chooses the face. */
+/* Whether the neighbourhood of a pixel is one smooth surface. At borders rounding decides which face is drawn. */
 static inline bool raster_is_inside(const struct raster *raster, uint32_t x, uint32_t y)
 {
     const struct raster_pixel *pixel = &raster->pixels[(size_t)y * raster->size + x];

@@ -1,10 +1,10 @@
-/* Views that tests draw from. */
+/* Views for tests that draw. */
 #ifndef HATCH_TEST_VIEWS_H
 #define HATCH_TEST_VIEWS_H
 
 #include "view/view.h"
 
-/* The square from -1 to 1 in x and y fills a square picture; v goes down, as the image's rows do. */
+/* The square from -1 to 1 in x and y fills a square picture. */
 static const struct hatch_view view_facing = {.eye = {0, 0, 2},
                                               .right = {1, 0, 0},
                                               .up = {0, 1, 0},

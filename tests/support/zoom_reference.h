@@ -1,5 +1,5 @@
-/* Zooming towards a surface, drawn by floats alone or in pieces, against a reference in pairs of doubles:
- * where each pixel of a picture lies among the seeds. Include after run.h. */
+/* Compares pictures of close-ups with a ray tracer in pairs of doubles: the texture coordinates of each pixel relative
+ * to the seed points, drawn with floats alone or with pieces of near faces. Include after run.h. */
 #ifndef HATCH_TEST_ZOOM_REFERENCE_H
 #define HATCH_TEST_ZOOM_REFERENCE_H
 
@@ -11,23 +11,24 @@
 #include "render_frame.h"
 
 struct zoom_error {
-    double largest_px, mean_px; /* of where strokes lie; INFINITY where nothing is drawn */
-    uint32_t pixels;            /* that were compared */
-    uint32_t wrong;             /* that are drawn and should not be, or the other way */
+    double largest_px, mean_px; /* errors of the positions of strokes */
+    uint32_t pixels;            /* compared pixels */
+    uint32_t wrong;             /* pixels drawn beside the surface, or left out on it */
 };
 
-/* The scene in the camera's coordinates. */
+/* A vertex in camera coordinates. */
 struct zoom_corner {
     struct hatch_pair at[3], uv[2];
-    double span[6]; /* of the surface along u and v, in the unit scene */
+    double span[6]; /* derivatives of the position with respect to u and v, in the unit scene */
 };
 
-/* In the camera's coordinates. */
+/* A ray in camera coordinates; begin: its origin in the plane of the eye. */
 struct zoom_ray {
     double begin[2], along[3];
 };
 
-/* A picture of what lies at a distance from a point of the surface, seen along a direction. */
+/* A view of a point of the surface from a distance.
+ *   back  unit vector from the point to the eye */
 static inline struct hatch_view zoomed_view(struct test_frame *frame, const double point[3], const double back[3],
                                             double distance, double aspect)
 {
@@ -41,7 +42,7 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
     HATCH_TEST_OK(
         hatch_view_make(&choice, &frame->on_gpu.unit.pose, &framing, &frame->args.scratch, &view, &frame->err),
         &frame->err);
-    if (distance < 0x1p-50) /* nearer than the point's digits: from where it is, and no other way */
+    if (distance < 0x1p-50) /* the eye rounds to the point, which leaves no direction */
         hatch_view_set_back(&view, back);
     return view;
 }
@@ -75,23 +76,24 @@ static inline void zoom_corners(struct test_frame *frame, const struct hatch_vie
     hatch_arena_rewind(&frame->args.scratch, mark);
 }
 
-/* A corner as a ray's begin sees it: the ray of an orthographic view begins beside the eye. */
-static inline void zoom_beside(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
+/* Position of a corner relative to the origin of a ray. Rays of orthographic views start beside the eye. */
+static inline void zoom_relative(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
 {
     for (int k = 0; k < 2; k++)
         at[k] = hatch_pair_sub(corner->at[k], hatch_pair_of(begin[k]));
     at[2] = corner->at[2];
 }
 
-/* The share of each corner in what a ray meets, times *sum, their sum. false: it misses the face. */
+/* Computes barycentric coordinates of the intersection of a ray and a face, times their sum.
+ * Returns false when the ray misses the face. */
 static inline bool zoom_shares(const struct zoom_corner *const c[3], const struct zoom_ray *ray,
                                struct hatch_pair share[3], struct hatch_pair *sum)
 {
     *sum = hatch_pair_of(0);
     for (int i = 0; i < 3; i++) {
         struct hatch_pair a[3], b[3], cross[3];
-        zoom_beside(c[(i + 1) % 3], ray->begin, a);
-        zoom_beside(c[(i + 2) % 3], ray->begin, b);
+        zoom_relative(c[(i + 1) % 3], ray->begin, a);
+        zoom_relative(c[(i + 2) % 3], ray->begin, b);
         for (int k = 0; k < 3; k++)
             cross[k] = hatch_pair_sub(hatch_pair_mul(a[(k + 1) % 3], b[(k + 2) % 3]),
                                       hatch_pair_mul(a[(k + 2) % 3], b[(k + 1) % 3]));
@@ -104,7 +106,7 @@ static inline bool zoom_shares(const struct zoom_corner *const c[3], const struc
     return true;
 }
 
-/* A look in doubles: does the ray pass far from the face? */
+/* Whether a ray misses a face by far; a quick test in doubles. */
 static inline bool zoom_misses(const struct zoom_corner *const c[3], const struct zoom_ray *ray)
 {
     double at[3][3], cross[3], share[3], sum = 0;
@@ -119,8 +121,8 @@ static inline bool zoom_misses(const struct zoom_corner *const c[3], const struc
     return fmin(fmin(share[0] / sum, share[1] / sum), share[2] / sum) < -0.1;
 }
 
-/* What a ray meets first, and the corners of its face. Returns the distance along the view, negative where it
- * meets nothing. */
+/* Finds the first intersection of a ray and the corners of the face there.
+ * Returns the distance along the view direction, negative when there is none. */
 static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners,
                               const struct zoom_ray *ray, struct hatch_pair uv[2], double span[6],
                               const struct zoom_corner *face[3])
@@ -153,7 +155,7 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
     return nearest;
 }
 
-/* Through a place of the picture, 0 .. 1 from its lower left. */
+/* The ray through a position of the picture, 0 .. 1 from its lower left corner. */
 static inline struct zoom_ray zoom_ray_of(const struct hatch_view *view, double x, double y)
 {
     struct zoom_ray ray = {{0, 0}, {0, 0, -1}};
@@ -163,7 +165,7 @@ static inline struct zoom_ray zoom_ray_of(const struct hatch_view *view, double 
     return ray;
 }
 
-/* How far the picture moves along x and y, in pixels, with a unit of u and of v. */
+/* Computes the derivatives of the position in the picture, in pixels, with respect to u and v. */
 static inline void zoom_pixels(const struct hatch_view *view, const struct zoom_ray *ray, double depth, uint32_t height,
                                const double span[6], double pixels[2][2])
 {
@@ -176,14 +178,16 @@ static inline void zoom_pixels(const struct hatch_view *view, const struct zoom_
     }
 }
 
-/* The place over 4, less whole numbers, at a depth. */
+/* The fractional part of a texture coordinate divided by 4 * 2^depth, as the technique "places" writes it. */
 static inline double zoom_place(struct hatch_pair uv, int depth)
 {
     struct hatch_pair at = {ldexp(uv.high, -depth - 2), ldexp(uv.low, -depth - 2)};
     return hatch_pair_round(hatch_pair_sub(at, hatch_pair_floor(at)));
 }
 
-/* What a pixel says against what it should: adds to the error. rgba: what was drawn. */
+/* Compares a drawn pixel with the reference and adds to the error.
+ *   hit   distance of the surface along the view
+ *   rgba  the drawn pixel */
 static inline void zoom_compare(const struct hatch_rptam *rptam, const struct hatch_view *view, uint32_t height,
                                 const struct zoom_ray *ray, double hit, const struct hatch_pair uv[2],
                                 const double span[6], const float rgba[4], struct zoom_error *error)
@@ -195,7 +199,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct ha
         along[k] = layer->cosine * pixels[0][k] + layer->sine * pixels[1][k];
     double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
     double depth = log2(layer->style.tile_px * hypot(along[0], along[1]) / area);
-    if (fabs(depth - round(depth)) < 1e-3) /* either depth is right */
+    if (fabs(depth - round(depth)) < 1e-3) /* rounding decides the depth */
         return;
     for (int k = 0; k < 2; k++) {
         double drawn = (double)rgba[2 * k] + ((double)rgba[2 * k + 1] + 0.5 / 1024) / 1024;
@@ -210,7 +214,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct ha
     error->pixels++;
 }
 
-/* Draws places and compares every step-th pixel either way. */
+/* Draws with the technique "places" and compares every step-th pixel of every step-th row. */
 static inline struct zoom_error zoom_measure(struct test_frame *frame, const struct hatch_view *view, uint32_t width,
                                              uint32_t height, uint32_t step)
 {

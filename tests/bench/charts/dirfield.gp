@@ -1,7 +1,7 @@
-# Angle to the truth against time, clean and noisy: 10,000 faces, and the smoothed field at other sizes; below on the
-# right, time against faces. Grey: other programs, as measured elsewhere (2-ring
-# quadric; trimesh2; libigl, 5 rings; CGAL's jets; fieldgen; Instant Meshes with libigl's seeds).
-set multiplot layout 2,2 title "direction of curvature: one thread, mean of five shapes, 10,000 faces if nothing else is said"
+# Angle to the true direction against time, clean and noisy, for 10,000 faces and, for the smoothed field, other sizes;
+# below on the right, time against faces. Grey: other programs, measured elsewhere (2-ring quadric; trimesh2; libigl, 5
+# rings; CGAL's jets; fieldgen; Instant Meshes with libigl's directions).
+set multiplot layout 2,2 title "direction of curvature: one thread, mean of five shapes, 10,000 faces unless stated otherwise"
 set grid
 set logscale xy
 set format y "%g"

@@ -1,4 +1,4 @@
-# Left: how far the tone drifts over an octave. Right: how unevenly pictures move, beside what may.
+# Left: drift of the tone over an octave. Right: pop of the frames and the pop allowed (bench_fade.sh).
 set multiplot layout 1,2 title "render-gl -t rptam: a zoom of one octave in 120 frames, tone .3"
 set grid
 set key center right

@@ -1,5 +1,5 @@
-# Grey strokes against the time of a frame, for all ways to draw one map of 255 tones; nothing is both faster and
-# less grey than the points with a ring.
+# Grey strokes against the time per frame, for all ways to draw one map of 255 tones. Points with a ring are Pareto
+# optimal: no other is both faster and less grey.
 set title "a sphere of 255 tones, 480², four samples a pixel: time against strokes that are grey"
 set xlabel "time of a frame over that of the tone alone"
 set ylabel "grey strokes, share of the inked pixels"

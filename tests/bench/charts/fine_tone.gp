@@ -1,6 +1,6 @@
-# Error against memory of all that is made of a map of 255 tones; nothing is both smaller and nearer than the
-# points with a ring.
-set title "maps of 255 tones, 256², four levels: what is left of it"
+# Error against memory of the textures made from a map of 255 tones. Points with a ring are Pareto optimal: no other is
+# both smaller and more accurate.
+set title "textures made from a map of 255 tones, 256², four levels: error against memory"
 set xlabel "bytes of texels"
 set ylabel "mean error of a sample's darkness"
 set logscale xy

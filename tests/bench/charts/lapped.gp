@@ -1,5 +1,5 @@
-# Time against faces; stretch and overlap against the number of patches: the size that is chosen on a torus, on noise
-# and on scans, and others on tori of a thousand to a hundred thousand faces.
+# Time against faces; stretch and overlap against the number of patches, for the default patch size on a torus, on noise
+# and on scans, and for other sizes on tori of a thousand to a hundred thousand faces.
 set multiplot layout 1,3 title "lapped-param, one thread, reading and writing included"
 set grid
 set logscale x

@@ -1,4 +1,4 @@
-# Tone error against time per frame; nothing is both faster and truer than the points with a ring.
+# Tone error against time per frame. Points with a ring are Pareto optimal: no other is both faster and more accurate.
 set title "render-gl: teapot, 20,000 faces, 1280×720, three distances; time as a multiple of gouraud's"
 set xlabel "time per frame over that of gouraud in the same run"
 set ylabel "largest tone error over windows of 64 pixels"
@@ -8,7 +8,7 @@ set grid
 set key top right
 set offsets graph 0.1, graph 0.25, graph 0.1, graph 0.05
 rows = sprintf("< awk -F'\\t' 'NR > 1 && $1 != \"gouraud\" {print $7, $9, \"\\\"\" $1 \"\\\"\"}' %s", data)
-# Neighbours' labels stand on either side.
+# Labels of neighbouring points are on opposite sides.
 side(which) = sprintf("%s | awk '($3 ~ /^.tam.?$/) == %d'", rows, which)
 front = sprintf("< awk -F'\\t' 'NR > 1 && $1 != \"gouraud\" {print $7, $9}' %s | sort -g | awk '!best || $2 < best {print; best = $2}'", data)
 plot rows using 1:2 with points pt 7 ps 1.2 lc rgb "#1f5fa8" title "techniques", \

@@ -1,5 +1,5 @@
-# Left: time against the number of seeds. Right: how far apart seeds lie against the time that
-# choosing among candidates takes.
+# Left: time against the number of seed points. Right: distances between seed points against the time for choosing among
+# candidates.
 set multiplot layout 1,2 title "seedgen, one thread, start-up included"
 set grid
 set logscale x

@@ -1,5 +1,5 @@
-# Singularities against the angle to the curvature, a point for each --smooth; beside what others give on the bunny
-# (measured once, with their own curvature: ../shared/ANCHORS.md).
+# Singularities against the angle to the principal direction, a point for each value of --smooth, compared with other
+# programs on the bunny (measured once, with their own curvature: ../shared/ANCHORS.md).
 set title "dirfield --smooth: singularities against alignment"
 set grid
 set logscale y

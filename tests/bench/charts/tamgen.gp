@@ -1,5 +1,5 @@
-# Evenness against time, one line for each method over its numbers of candidates; nothing is both faster
-# and more even than the points with a ring.
+# Evenness against time, one line for each method over its numbers of candidates. Points with a ring are Pareto optimal:
+# no other is both faster and more even.
 set title "tamgen: 256², 6 tones, 4 levels, one thread, mean of five seeds"
 set xlabel "processor seconds (start-up and compression included)"
 set ylabel "unevenness, box N/16 (strokes at random: 1)"

@@ -1,7 +1,7 @@
-# Widths of strokes on the screen over what was asked, from the 5th to the 95th percentile.
-set title "width of strokes on the screen over the width asked for: teapot, 20,000 faces, 5th to 95th percentile"
+# Widths of strokes on the screen relative to the requested width, from the 5th to the 95th percentile.
+set title "width of strokes on the screen over the requested width: teapot, 20,000 faces, 5th to 95th percentile"
 set xlabel "distance from the surface in radii"
-set ylabel "width over width asked for"
+set ylabel "width over requested width"
 set logscale xy
 set grid
 set xrange [0.007:1500]

@@ -1,5 +1,5 @@
-# Where strokes lie against the reference in pairs of doubles, and the tone against that of octave 0; below it
-# texture coordinates are 2^40 times as dense, and the eye goes outwards.
+# Errors of the positions of strokes, relative to the reference in pairs of doubles, and of the tone, relative to octave
+# 0. Below octave 0 texture coordinates are 2^40 times as dense, and the camera moves outwards.
 set multiplot layout 2,1 title "render-gl rptam: 2^{-40} to 2^{40}, reference in pairs of doubles"
 set grid
 set xrange [-41:41]

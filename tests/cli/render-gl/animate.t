@@ -1,10 +1,10 @@
-# Parameters that change from frame to frame: each frame is the picture that its numbers alone give.
+# --animate: each frame equals the picture drawn with its values.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 1000 -o teapot.glb
 
-# same_as_still NAME OPTION A B C ARGUMENT ...: three frames from A to C, with B half-way
+# same_as_still NAME OPTION A B C ARGUMENT ...: checks three frames from A to C, with B half-way
 same_as_still() {
     name=$1 option=$2 first=$3 middle=$4 last=$5
     shift 5
@@ -15,8 +15,8 @@ same_as_still() {
         $draw "--$option=$value" -o still$frame.png
         cmp -s way$frame.png still$frame.png || echo "frame $frame"
     done >differing
-    is "$name: frames are the pictures of their numbers" "$(cat differing)" ""
-    is "$name: and differ" "$(cat still?.png | cksum)" \
+    is "$name: frames equal the pictures of their values" "$(cat differing)" ""
+    is "$name: the frames differ" "$(cat still?.png | cksum)" \
         "$(cmp -s still0.png still1.png || cmp -s still1.png still2.png || cat still?.png | cksum)"
 }
 same_as_still stroke stroke 10x1 20x2 40x4 -t rptam
@@ -36,13 +36,13 @@ same_as_still fov fov 10 30 50 -t tam --uv-scale 8 --camera 1,2,6:0,0,0
 same_as_still zoom zoom 0.5 1 2 -t rptam
 same_as_still "deep zoom" zoom 1 256 65536 -t rptam
 
-# Two at once, and over a turn.
+# Two options at once, on a turntable.
 render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --animate zoom=1..4 --animate overlap=0..1 -o both%d.png
 render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --zoom 4 --overlap 1 -o turn%d.png
-ok "several go together, and with the turntable" cmp both1.png turn1.png
+ok "several --animate work together and with --turntable" cmp both1.png turn1.png
 
-is "the model is made once a frame" "$(render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 \
-    --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'made [0-9]* times')" "made 4 times"
+is "parameters are applied once per frame" "$(render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 \
+    --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'applied [0-9]* times')" "applied 4 times"
 try render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 --animate zoom=1..9 -o five%d.png
-is "and not for what does not need it" "$status $(grep -c 'times' .err)" "0 0"
+is "a zoom does not apply parameters again" "$status $(grep -c 'times' .err)" "0 0"
 finish

@@ -1,4 +1,4 @@
-# bumpy.pl FILE.glb: the same with a material whose normal map has ridges along v
+# bumpy.pl: copies a GLB from standard input to standard output, with a material whose normal map has ridges along v
 use strict; use warnings; use Compress::Zlib; use MIME::Base64;
 binmode STDIN; binmode STDOUT; local $/; my $glb = <STDIN>;
 my ($length) = unpack 'x12V', $glb; my $json = substr $glb, 20, $length; my $rest = substr $glb, 20 + $length;

@@ -1,11 +1,11 @@
-# Any mesh to strokes in one pipe, and pipelines/lapped.mk: the picture has ink, on the shape alone.
+# From any mesh to a picture in one pipe, and with pipelines/lapped.mk.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --size 64 --levels 2 -o ink.tam.exr
 meshgen torus --faces 800 | dirfield -q | lapped-param -q -o torus.lapped.glb
 printf 'v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n' >'an edge.obj'
 
-# row FILE THING: a figure of --probe
+# row FILE THING: prints a figure of --probe
 row() {
     render-gl "$1" --tam ink.tam.exr --size 96x72 --probe | awk -F'\t' -v thing="$2" '$1 == thing {print $3}'
 }
@@ -15,24 +15,24 @@ is "the surface's faces are counted once" "$(row torus.lapped.glb faces)" \
 is "patches overlap" "$(echo "$(row torus.lapped.glb patch-faces) $(row torus.lapped.glb faces)" |
     awk '{print ($1 > $2)}')" 1
 for technique in tam tam-flat tam-face tam-gouraud tam-triple tam-threshold gouraud rptam; do
-    ok "$technique draws them" render-gl torus.lapped.glb --tam ink.tam.exr -t "$technique" --size 64x48 -o t.png
+    ok "$technique draws patches" render-gl torus.lapped.glb --tam ink.tam.exr -t "$technique" --size 64x48 -o t.png
 done
 for what in patches field; do
     ok "--show $what" render-gl torus.lapped.glb --show "$what" --size 64x48 -o "$what.png"
 done
 ok "in one pipe, from a name with a space" make -s -f "$TOP/pipelines/lapped.mk" \
     MESH="an edge.obj" SIZE=64x48 OPTIONS='--samples 1'
-is "its picture" "$(ls "an edge.png")" "an edge.png"
+is "lapped.mk writes the picture" "$(ls "an edge.png")" "an edge.png"
 meshgen sphere --faces 200 -o ball.glb
 meshgen plane --faces 50 -o plane.glb
-ok "several in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
-ok "a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
-is "its pictures" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
+ok "lapped.mk draws several meshes in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
+ok "lapped.mk draws a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
+is "lapped.mk writes all pictures of a turntable" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
 printf 'width 3\n' >my.style
-ok "a style of one's own, elsewhere" make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=./my.style OUT=away SIZE=48x48
-is "its map and picture" "$(echo away/*)" "away/ball.png away/my.style.tam.exr"
+ok "gltf.mk draws with the user's style into another folder" make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=./my.style OUT=away SIZE=48x48
+is "gltf.mk writes its map and picture" "$(echo away/*)" "away/ball.png away/my.style.tam.exr"
 try make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb OUT='a way'
-is "a folder that make would take for two" "$status $(ls -d a way 2>/dev/null)" "2 "
+is "lapped.mk refuses a folder with a space in its name" "$status $(ls -d a way 2>/dev/null)" "2 "
 meshgen torus --faces 2000 -o smooth.glb
 perl "$TOP/tests/cli/render-gl/bumpy.pl" <smooth.glb >bumpy.glb
 dirfield -q bumpy.glb | lapped-param -q -o bumpy.lapped.glb
@@ -41,5 +41,5 @@ for file in smooth bumpy bumpy.lapped; do
 done
 away=$(hatchstat diff smooth.png bumpy.png | awk 'NR == 2 {print ($2 > 0.05)}')
 near=$(hatchstat diff bumpy.png bumpy.lapped.png | awk 'NR == 2 {print ($2 < 0.005)}')
-is "a normal map is seen, and goes through the pipe" "$away $near" "1 1"
+is "a normal map changes the picture and survives lapped-param" "$away $near" "1 1"
 finish

@@ -1,11 +1,12 @@
-# What render-gl refuses, each in one line that says what to do; and its reports as TSV and JSON.
+# Refusals of render-gl, each with one line that says what to do; warnings; frames; and reports as TSV and JSON.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --size 64 --levels 2 -o map.exr
 meshgen torus --faces 200 -o torus.glb
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
 
-# refuses NAME STATUS LINES WORDS COMMAND ...
+# refuses NAME STATUS LINES WORDS COMMAND ...: checks that COMMAND exits with STATUS and LINES of messages, one with
+# WORDS
 refuses() {
     name=$1 want=$2 lines=$3 words=$4
     shift 4
@@ -16,26 +17,26 @@ refuses() {
 draw="render-gl --size 32x24 -o picture.png"
 
 refuses "no map" 2 2 "--tam FILE" $draw torus.glb
-refuses "a mesh that strokes cannot follow" 3 1 lapped-param $draw plain.obj --tam map.exr
-ok "its tone can be drawn" render-gl --size 32x24 -t gouraud plain.obj -o tone.png
-refuses "patches where there are none" 3 1 lapped-param $draw torus.glb --show patches
-refuses "directions where there are none" 3 1 dirfield $draw torus.glb --show field
-refuses "two things to show" 2 2 "--show" $draw torus.glb --show field --technique tam --tam map.exr
-refuses "a camera that is not there" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
-refuses "an animation that is not there" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
-refuses "an animation where there is none" 3 1 "animation 0" $draw torus.glb --tam map.exr --animation 0
-refuses "a camera on what it looks at" 3 1 "X,Y,Z:X,Y,Z" \
+refuses "a mesh without texture coordinates" 3 1 lapped-param $draw plain.obj --tam map.exr
+ok "a mesh without texture coordinates drawn by gouraud" render-gl --size 32x24 -t gouraud plain.obj -o tone.png
+refuses "--show patches without patches" 3 1 lapped-param $draw torus.glb --show patches
+refuses "--show field without a field" 3 1 dirfield $draw torus.glb --show field
+refuses "--show with --technique" 2 2 "--show" $draw torus.glb --show field --technique tam --tam map.exr
+refuses "a camera that does not exist" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
+refuses "an animation that does not exist" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
+refuses "an animation of a file without animations" 3 1 "animation 0" $draw torus.glb --tam map.exr --animation 0
+refuses "a camera at its own target" 3 1 "X,Y,Z:X,Y,Z" \
     $draw torus.glb --tam map.exr --camera 0,1,2:0,1,2
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n' >dirty.obj
-refuses "one cause, one line" 3 1 lapped-param $draw dirty.obj --tam map.exr
+refuses "several faults with one cause give one line" 3 1 lapped-param $draw dirty.obj --tam map.exr
 try $draw dirty.obj -t gouraud
-is "a picture all the same, with a warning" "$status $(grep -c warning .err)" "0 1"
+is "a degenerate face is left out with a warning" "$status $(grep -c warning .err)" "0 1"
 rm -f picture.png
-refuses "a colour of no name" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
-refuses "samples that are no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
-refuses "half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
+refuses "an unknown colour" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
+refuses "a number of samples that is no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
+refuses "a size with half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
 
-# The message and the manual name the techniques that light pixels: those that do it, each with the file that it wants.
+# Message and manual must name exactly the techniques that accept --pixel-light, each tried with its own kind of asset.
 tamvol -q map.exr -o volume.ktx2
 tamthresh -q map.exr -o thresholds.ktx2
 for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
@@ -45,15 +46,15 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
     done
     [ $status -ne 0 ] || echo "$technique"
 done | sort >taken
-refuses "light at pixels of a technique without" 2 2 "not with tam-flat" $draw torus.glb -t tam-flat --tam map.exr --pixel-light
-is "those with it are named" "$(sed -n '1s/.*goes with \(.*\), not with tam-flat$/\1/p' .err | tr -d , | tr ' ' '\n' | sort)" \
+refuses "--pixel-light with a technique that does not support it" 2 2 "not with tam-flat" $draw torus.glb -t tam-flat --tam map.exr --pixel-light
+is "the message names the techniques that support --pixel-light" "$(sed -n '1s/.*goes with \(.*\), not with tam-flat$/\1/p' .err | sed 's/ and / /; s/,//g' | tr ' ' '\n' | sort)" \
     "$(cat taken)"
-is "and in the manual" "$(awk '/^\.It/ {there = /pixel-light/} there && sub(/^\.Cm /, "")' "$TOP/man/man1/render-gl.1" |
+is "the manual names the techniques that support --pixel-light" "$(awk '/^\.It/ {there = /pixel-light/} there && sub(/^\.Cm /, "")' "$TOP/man/man1/render-gl.1" |
     tr ' ' '\n' | grep '[a-z]' | grep -v '^and$' | sort -u)" "$(cat taken)"
 
-refuses "frames without a place for their number" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
-refuses "shadows without edges" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
-refuses "haloes as wide as the picture" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33
+refuses "--frames without a number in the output's name" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
+refuses "shadows with an edge of width 0" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
+refuses "haloes that are too wide" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33
 cat >bumpy.gltf <<'EOF'
 {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{
 "attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"material":0}]}],"materials":[{"normalTexture":{"index":0}}],
@@ -68,67 +69,67 @@ zero='\000\000\000\000' one='\000\000\200\077'
 printf "$zero$zero$zero$one$zero$zero$zero$one$zero$zero$zero$one$zero$zero$one$zero$zero$one" >bumpy.bin
 printf "$zero$one$one$one$zero$zero" >>bumpy.bin
 try $draw bumpy.gltf -t gouraud --pixel-light
-is "a missing normal map: a picture, and one line that names it" "$status $(cat .err)" \
+is "a missing normal map is left out with one warning" "$status $(cat .err)" \
     "0 render-gl: bumpy.gltf: warning: 1 image is left out that could not be read: bumps.png"
 rm -f picture.png
 printf 'no picture' >bumps.png
-refuses "a normal map that is none" 3 1 "texture 0:" $draw bumpy.gltf -t gouraud --pixel-light
-ok "which nobody reads at vertices" render-gl --size 32x24 -t gouraud bumpy.gltf -o tone.png
+refuses "a normal map that is not an image" 3 1 "texture 0:" $draw bumpy.gltf -t gouraud --pixel-light
+ok "without --pixel-light a bad normal map is not read" render-gl --size 32x24 -t gouraud bumpy.gltf -o tone.png
 for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
     refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
 done
 many="render-gl --size 32x24 --frames 2 -o p%d.png"
-refuses "what animates nothing" 2 2 "PARAM=FROM..TO" $many torus.glb -t rptam --animate zoom=2
-refuses "an animated option that is none" 2 2 "want one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
-refuses "an animated number that the option would not take" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
-refuses "one that animates with half a pair" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
-refuses "a factor from nothing" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
-refuses "an animated option twice" 2 2 "one way only" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
-refuses "seeds of a technique without" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
-refuses "strokes of a technique without" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
-refuses "the width of no lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
-refuses "what is for seeds alone" 2 2 "not with tam" $draw torus.glb --tam map.exr --style pencil
+refuses "--animate without a range" 2 2 "PARAM=FROM..TO" $many torus.glb -t rptam --animate zoom=2
+refuses "--animate of an option that cannot be animated" 2 2 "want one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
+refuses "--animate out of the option's range" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
+refuses "--animate of a pair with a single number" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
+refuses "--animate of a factor from 0" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
+refuses "--animate of one option twice" 2 2 "one way only" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
+refuses "--animate overlap with a technique without seed points" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
+refuses "--animate hatch-turn with a technique without strokes" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
+refuses "--animate line-width without lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
+refuses "--style with a technique without seed points" 2 2 "not with tam" $draw torus.glb --tam map.exr --style pencil
 try $many torus.glb --tam map.exr
-is "frames in which nothing moves" "$status $(grep -c 'all frames are alike' .err)" "0 1"
+is "frames without motion are warned of" "$status $(grep -c 'all frames are alike' .err)" "0 1"
 try render-gl --size 32x24 -o p0.png torus.glb --tam map.exr --ink white
-is "white ink on white paper" "$status $(grep -c 'same colour' .err)" "0 1"
-refuses "an animation of one picture" 2 2 "--frames 2" $draw torus.glb -t rptam --animate zoom=1..2
-refuses "a picture that memory does not hold" 5 1 memory \
+is "white ink on white paper is warned of" "$status $(grep -c 'same colour' .err)" "0 1"
+refuses "--animate without --frames" 2 2 "--frames 2" $draw torus.glb -t rptam --animate zoom=1..2
+refuses "a picture larger than --max-memory" 5 1 memory \
     render-gl --size 65536x65536 torus.glb --tam map.exr --max-memory 100M -o picture.png
 if [ -z "$SANITIZE" ]; then
-    refuses "no driver" 4 1 libgl1-mesa-dri env LIBGL_DRIVERS_PATH=/nonexistent \
+    refuses "no OpenGL driver" 4 1 libgl1-mesa-dri env LIBGL_DRIVERS_PATH=/nonexistent \
         __EGL_VENDOR_LIBRARY_DIRS=/nonexistent $draw torus.glb --tam map.exr
-    refuses "an old driver" 4 1 "OpenGL 4.5" env MESA_GL_VERSION_OVERRIDE=3.3 \
+    refuses "an OpenGL driver that is too old" 4 1 "OpenGL 4.5" env MESA_GL_VERSION_OVERRIDE=3.3 \
         $draw torus.glb --tam map.exr
 fi
 
 cp -r "$TOP/cmd/render-gl/shaders" shaders
 try $draw torus.glb --tam map.exr --shader-dir shaders
-is "shaders of a folder" "$status $(cat .err)" "0 "
+is "--shader-dir draws with the shaders of a folder" "$status $(cat .err)" "0 "
 rm -f picture.png
-sed -i 's/void main()/void main(/' shaders/tam.frag
-refuses "a shader with an error, and its file" 3 1 tam.frag \
+sed -i 's/void main()/void main(/' shaders/tam/tam.frag
+refuses "a shader with an error is named" 3 1 tam.frag \
     $draw torus.glb --tam map.exr --shader-dir shaders
-refuses "no shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
+refuses "a missing folder of shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
 
 tamgen --size 64 --levels 1 --tones 8 -o eight.exr
 try $draw torus.glb --tam eight.exr
-is "six of eight columns, in one warning" "$status $(wc -l <.err) $(grep -c "8 columns" .err)" "0 1 1"
+is "the use of six of eight columns gives one warning" "$status $(wc -l <.err) $(grep -c "8 columns" .err)" "0 1 1"
 try $draw torus.glb --tam eight.exr --technique tam-triple
-is "all eight, in three passes" "$status $(cat .err)" "0 "
+is "tam-triple draws all eight columns" "$status $(cat .err)" "0 "
 tamgen --size 64 --levels 1 --palette dusk -o colours.exr
 try $draw torus.glb --tam colours.exr
-is "a coloured map's grey, in one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
+is "drawing a coloured map in grey gives one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
 try $draw torus.glb --tam colours.exr --technique tam-triple
-is "its colours, in three passes" "$status $(cat .err)" "0 "
+is "tam-triple draws a coloured map" "$status $(cat .err)" "0 "
 
-ok "a film takes no more memory than a frame" render-gl torus.glb --tam map.exr --size 320x240 --frames 60 --turntable \
+ok "60 frames fit in 4 MB of memory" render-gl torus.glb --tam map.exr --size 320x240 --frames 60 --turntable \
     --max-memory 4M -o 'film%d.png'
-is "all of it" "$(ls film*.png | wc -l)" 60
+is "60 frames are written" "$(ls film*.png | wc -l)" 60
 rm film*.png
 render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable -o 'turn%02d.png'
-is "frames have numbers" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
-is "a turntable turns" "$(cmp -s turn00.png turn01.png; echo $?)" 1
+is "frames are numbered in their names" "$(echo turn*.png)" "turn00.png turn01.png turn02.png"
+is "frames of a turntable differ" "$(cmp -s turn00.png turn01.png; echo $?)" 1
 
 json() {
     perl -MJSON::PP -e 'local $/; print ref decode_json(<STDIN>)'
@@ -136,14 +137,14 @@ json() {
 render-gl torus.glb --tam map.exr --size 64x48 --time 2 --json >times.json
 is "--time --json is JSON" "$(json <times.json)" ARRAY
 render-gl torus.glb --tam map.exr --size 64x48 --time 2 >times.tsv
-is "--time tells the frame and the reference" \
+is "--time reports the frame and the reference" \
     "$(awk -F'\t' '$2 == "frame" {print $1}' times.tsv | tr '\n' ' ')" "tam gouraud "
-is "times are numbers over 0" "$(awk -F'\t' 'NR > 1 && !($4 > 0 && $7 > 0)' times.tsv)" ""
+is "times are positive numbers" "$(awk -F'\t' 'NR > 1 && !($4 > 0 && $7 > 0)' times.tsv)" ""
 render-gl torus.glb --tam map.exr --size 64x48 --probe --json >probe.json
 is "--probe --json is JSON" "$(json <probe.json)" ARRAY
 render-gl torus.glb --tam map.exr --size 64x48 --probe >probe.tsv
-is "--probe: pixels drawn, between none and all" \
+is "--probe: the share of drawn pixels is plausible" \
     "$(awk -F'\t' '$1 == "drawn" {print ($3 > 0.1 && $3 < 0.9)}' probe.tsv)" 1
-is "--probe: no more texels than there are" \
+is "--probe: no more texels are used than the map has" \
     "$(awk -F'\t' '$1 == "used" {u = $3} $1 == "map" {print (u > 0 && u <= $3)}' probe.tsv)" 1
 finish

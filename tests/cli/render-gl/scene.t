@@ -1,10 +1,11 @@
-# What a glTF file says of shapes in motion and of glass is what the picture shows; and goes through the pipe.
+# Morph targets and opacity of glTF files are drawn, also after dirfield and lapped-param.
 . "${TOP:-.}/tests/tap.sh"
 
-# A square, its normals, the square with a corner half as high, what moves the corner twice as far, times, weights.
+# Positions of a square, its normals, positions with one corner half as high, a morph target that moves that corner
+# twice as far, times, weights.
 perl -e 'print pack "f<*", 0,0,0, 1,0,0, 0,1,0, 1,1,0,  (0,0,1) x 4,  0,0,0, 1,0,0, 0,1,0, 1,.5,0,  0,0,0, 0,0,0, 0,0,0, 0,-1,0,
     0,1, 0,1;' >square.bin
-# square NAME POSITIONS MATERIAL MORE: a glTF of it
+# square NAME POSITIONS MATERIAL MORE: writes a glTF of the square
 square() {
     cat >"$1.gltf" <<END
 {"asset":{"version":"2.0"},"buffers":[{"uri":"square.bin","byteLength":208}],"bufferViews":[
@@ -26,7 +27,7 @@ draw() {
     shift 2
     render-gl -q "$scene" -t gouraud --lines all --size 96x72 --camera 0.5,0.5,4 -o "$picture" "$@"
 }
-# apart A B: 1 where the pictures differ
+# apart A B: prints 1 if the pictures differ, else 0
 apart() {
     hatchstat diff "$1" "$2" | awk 'NR == 2 {print ($2 > 0.003)}'
 }
@@ -39,29 +40,29 @@ for scene in still half; do
 done
 draw morph.gltf begin.png --time-s 0
 draw morph.gltf middle.png --time-s 0.5
-is "a morph target moves" \
+is "morph targets are animated" \
     "$(apart begin.png still.png)$(apart middle.png half.png)$(apart begin.png middle.png)" 001
 dirfield -q morph.gltf | lapped-param -q -o lapped.glb
 draw lapped.glb lapped.png --time-s 0.5
-is "and goes through the pipe" "$(apart lapped.png half.png)" 0
+is "morph targets survive dirfield and lapped-param" "$(apart lapped.png half.png)" 0
 draw morph.gltf turn%d.png --frames 3 --rate 2
-is "from frame to frame" "$(apart turn0.png still.png)$(apart turn1.png half.png)" 00
+is "frames follow the animation of morph targets" "$(apart turn0.png still.png)$(apart turn1.png half.png)" 00
 
 square glass 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.49]}' '}]}'
 square solid 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}' '}]}'
 draw glass.gltf glass.png
 draw solid.gltf solid.png
-# inked FILE: 1 where anything is drawn
+# inked FILE: prints 1 if anything is drawn, else 0
 inked() {
     hatchstat ink "$1" | awk -F'\t' 'NR == 2 {print ($1 > 0)}'
 }
-is "what is less than half opaque is not there" "$(inked glass.png)$(inked solid.png)" 01
-is "the rest is" "$(apart solid.png still.png)" 0
+is "meshes less than half opaque are not drawn" "$(inked glass.png)$(inked solid.png)" 01
+is "meshes at least half opaque are drawn as opaque" "$(apart solid.png still.png)" 0
 dirfield -q glass.gltf | lapped-param -q -o glass.glb
 dirfield -q solid.gltf | lapped-param -q -o solid.glb
 draw glass.glb glass.png
 draw solid.glb solid.png
-is "nor behind the pipe" "$(inked glass.png)$(apart solid.png still.png)" 00
+is "opacity survives dirfield and lapped-param" "$(inked glass.png)$(apart solid.png still.png)" 00
 try render-gl glass.gltf -t gouraud --size 32x24 -o glass.png
-is "and that is said" "$(grep -c '1 transparent mesh is left out' .err)" 1
+is "transparent meshes that are left out are warned of" "$(grep -c '1 transparent mesh is left out' .err)" 1
 finish

@@ -1,11 +1,11 @@
-/* Preloaded into render-gl: keeps each stage's text, as the driver gets it, in the folder $SHADERS, in a file
- * named by its hash and ending as its stage. */
+/* Preloaded into render-gl: writes the source of each shader stage, as passed to the driver, to a file in the folder
+ * $SHADERS, named by its hash and with the suffix of its stage. */
 #include <epoxy/gl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* libepoxy calls through a pointer of its own, which at first looks the function up and replaces itself. */
+/* libepoxy calls through a pointer of its own, which the first call resolves and replaces. */
 static PFNGLSHADERSOURCEPROC next;
 
 static const char *ending(GLuint shader)

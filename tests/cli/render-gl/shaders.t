@@ -1,9 +1,9 @@
-# Every program that render-gl may have to compile does compile: each technique with textures as tone,
-# with holes, with both, with one ink and with two, with shadows, haloes and light at pixels, on patches. The reference compiler takes what the driver here takes:
-# drivers differ in what they let pass.
+# Compiles all variants of all shader programs: each technique with textures as tone, with holes, with one ink and with
+# two, with shadows, haloes and light at pixels, on patches. The reference compiler must accept what the driver accepts,
+# since drivers differ in strictness.
 . "${TOP:-.}/tests/tap.sh"
 
-# drawn OPTION ...: by render-gl, the text of every stage kept
+# drawn OPTION ...: runs render-gl and keeps the source of every shader stage
 SHADERS=$WORK/shaders
 spy=
 if command -v glslangValidator >/dev/null && [ -z "$SANITIZE" ]; then
@@ -17,8 +17,8 @@ drawn() {
 
 tamgen --size 64 --tones 6 --levels 2 --contact-sheet texture.png -o map.exr
 
-# scene MODE [U0 U1 WRAP]: one square with texture.png as its base colour from u = U0 to U1; MODE is OPAQUE
-# or MASK, WRAP a sampler's.
+# scene MODE [U0 U1 WRAP]: prints a glTF of a square with texture.png as its base colour from u = U0 to U1; MODE is
+# OPAQUE or MASK, WRAP the wrapS of the sampler
 scene() {
     perl -e '
         use MIME::Base64;
@@ -48,7 +48,7 @@ scene MASK >MASK.gltf
 techniques=$(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}')
 tamvol -q map.exr -o volume.ktx2
 tamthresh -q map.exr -o steps.ktx2
-# What a technique reads strokes from is the first that it takes of these.
+# The asset of a technique is the first of these that it accepts.
 for technique in $techniques; do
     for asset in "--tam map.exr" "--tam volume.ktx2" "--tam steps.ktx2" ""; do
         # shellcheck disable=SC2086 # the options are words
@@ -79,7 +79,7 @@ ok "a texture is mirrored where its sampler says so" \
     hatchstat diff 33648.exr 33071.exr --max-difference 1e-3
 render-gl OPAQUE.gltf --technique gouraud --size 20000x16 --samples 1 -o texture.png
 scene OPAQUE >large.gltf
-ok "a texture wider than the driver takes" render-gl large.gltf --technique gouraud --size 32x24 \
+ok "a texture wider than the driver's limit" render-gl large.gltf --technique gouraud --size 32x24 \
     --texture-tone -o picture.png
 
 ok "a probe of the driver's anisotropic reads" render-gl MASK.gltf --tam map.exr --size 32x24 \
@@ -88,16 +88,16 @@ ok "a probe of the driver's anisotropic reads" render-gl MASK.gltf --tam map.exr
 render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 -o plain.png
 render-gl OPAQUE.gltf --technique gouraud --size 32x24 --from 0:0 --texture-tone -o toned.png
 try hatchstat diff plain.png toned.png --max-difference 0.01
-is "a texture counts as tone when it is asked for" $status 1
+is "--texture-tone changes the tone" $status 1
 
-# A pixel that covers thousands of tiles shows their mean, and at once.
+# A pixel that covers thousands of tiles shows their mean and takes no longer than others.
 meshgen plane --faces 2 -o plane.glb
-ok "tiles far smaller than pixels" sh -c 'ulimit -t 20 && exec "$@"' sh render-gl plane.glb --tam map.exr \
+ok "tiles far smaller than pixels are drawn within 20 s" sh -c 'ulimit -t 20 && exec "$@"' sh render-gl plane.glb --tam map.exr \
     --uv-scale 65536 --size 320x180 --lines none --from 0:0 -o far.exr
 render-gl plane.glb --technique gouraud --tone-range 0:0.9 --size 320x180 --from 0:0 -o tone.exr
-ok "their tone is the plane's" hatchstat diff far.exr tone.exr --max-difference 0.02
+ok "tiles far smaller than pixels have the right tone" hatchstat diff far.exr tone.exr --max-difference 0.02
 
-# What else is drawn, on patches and without.
+# Other options, on patches and on ordinary meshes.
 tamgen --size 64 --tones 8 --levels 2 -o eight.exr
 tamvol -q eight.exr -o volume.ktx2
 tamvol -q --compress eight.exr -o blocks.ktx2
@@ -112,7 +112,7 @@ for scene in torus.glb patches.glb; do
             --shadows 0.05 --haloes 3 --ground 2 -o picture.png
         # shellcheck disable=SC2086
         try drawn $scene -t "$technique" $asset --size 32x24 --pixel-light -o picture.png
-        is "$technique with light at pixels, or a word that it has none, $scene" \
+        is "$technique with --pixel-light is drawn or refused, $scene" \
             "$status $(grep -c "pixel-light.* not with $technique\$" .err)" "$((status ? 2 : 0)) $((status != 0))"
     done
     while read -r technique options; do
@@ -126,14 +126,14 @@ rptam --seed-loop brute
 rptam --seed-layers 3 --overlap 1
 END
 done
-ok "patches shown" drawn patches.glb --tam map.exr --size 32x24 --show patches -o picture.png
-ok "field shown" drawn patches.glb --tam map.exr --size 32x24 --show field -o picture.png
+ok "--show patches" drawn patches.glb --tam map.exr --size 32x24 --show patches -o picture.png
+ok "--show field" drawn patches.glb --tam map.exr --size 32x24 --show field -o picture.png
 
 if [ "$spy" ]; then
     kept=$(find "$SHADERS" -type f | wc -l)
     [ "$kept" -gt 150 ]
-    is "stages are kept ($kept)" $? 0
-    ok "the reference compiler takes them" glslangValidator "$SHADERS"/*
+    is "all shader stages are kept ($kept)" $? 0
+    ok "the reference compiler accepts all stages" glslangValidator "$SHADERS"/*
 else
     skip "the reference compiler" "no glslangValidator, or sanitizers"
 fi

@@ -1,5 +1,5 @@
-# Every technique has the tone that it is asked for, as far as it promises: on a square of one tone, and on a teapot in
-# the light, where gouraud has it. Techniques are those of the options' table: one that is not known here fails.
+# Every technique reproduces the given tone within its tolerance, on a square of one tone and on a lit teapot, compared
+# with gouraud. Techniques are those of --options-table; one without a case below fails.
 . "${TOP:-.}/tests/tap.sh"
 
 tamgen --size 128 --tones 6 --set 'darkest 1' -o map.exr
@@ -10,25 +10,25 @@ tamthresh -q --exact fine.exr -o exact.ktx2
 meshgen plane --faces 200 -o plane.glb
 meshgen teapot --faces 10000 -o teapot.glb
 
-# draw OPTION ...: the mean darkness of what $technique makes of $asset
+# draw OPTION ...: draws with $technique and $asset and prints the mean darkness
 draw() {
     # shellcheck disable=SC2086 # the options are words
     render-gl -q -t "$technique" ${asset:+-T $asset} --lines none -o picture.exr "$@" &&
         hatchstat frames picture.exr picture.exr | awk 'NR == 2 {print 1 - $2}'
 }
-# The square is as large as the picture.
+# The square fills the picture.
 square() {
     draw plane.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov 30 --tone-range "$1:$1"
 }
 teapot() {
     draw teapot.glb --size 640x480 --tone-range "0:$1"
 }
-# off NAME GOT WANT BELOW ABOVE: GOT lies between WANT - BELOW and WANT + ABOVE
+# off NAME GOT WANT BELOW ABOVE: checks that GOT lies between WANT - BELOW and WANT + ABOVE
 off() {
     is "$1: $2 for $3" "$(awk -v got="$2" -v want="$3" -v below="$4" -v above="$5" \
         'BEGIN {print (got != "" && got >= want - below && got <= want + above)}')" 1
 }
-# squares BELOW ABOVE TONE ...: how much less and more ink squares may have
+# squares BELOW ABOVE TONE ...: checks squares of these tones, which may have BELOW less and ABOVE more ink
 squares() {
     below=$1 above=$2
     shift 2
@@ -36,7 +36,7 @@ squares() {
         off "$technique $asset" "$(square "$tone")" "$tone" "$below" "$above"
     done
 }
-# lit BELOW ABOVE [DARKEST]: the same of the teapot, tones up to the darkest that is asked for
+# lit BELOW ABOVE [DARKEST]: checks the teapot likewise, with tones up to DARKEST
 lit() {
     off "$technique $asset, a teapot" "$(teapot "${3:-1}")" "$(cat "lit.${3:-1}")" "$1" "$2"
 }
@@ -46,44 +46,44 @@ for darkest in 1 .6; do
 done
 
 ends="0 1"
-columns=".16666667 .5 .83333333" # what the map has columns of
+columns=".16666667 .5 .83333333" # tones of columns of the map
 between=".04 .25 .6 .9"
 # shellcheck disable=SC2086 # tones are words
 for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
     asset=
     case $technique in
-    gouraud) # the tone itself, in halves of floats
+    gouraud) # the tone itself, stored as half floats
         squares .001 .001 $ends $columns $between
         ;;
-    tam | tam-face | tam-triple) # two columns share, each within 0.003 of its tone, as hatchstat tam allows
+    tam | tam-face | tam-triple) # blends two columns, each within 0.003 of its tone, as hatchstat tam allows
         asset=map.exr
         squares .005 .005 $ends $columns $between
         lit .005 .005
         ;;
-    tam-flat | tam-gouraud) # the nearest column: off by half of a sixth, by less where light goes through all of them
+    tam-flat | tam-gouraud) # the nearest column: an error up to half of a sixth, less on average over all tones
         asset=map.exr
         squares .005 .005 $ends $columns
         squares .089 .089 $between
         lit .01 .01
         ;;
-    tam-threshold) # black or nothing: up to a column too light below the middle, too dark above it
+    tam-threshold) # black or white: up to a column too light below tone .5, too dark above
         asset=map.exr
         squares .001 .001 $ends
         squares .167 .005 .16666667 .04 .25 .4
         squares .005 .167 .83333333 .6 .75 .9
         lit .05 .05
         ;;
-    rptam) # the layers of its own have tones up to 0.65
+    rptam) # the default layers have tones up to 0.65
         squares .01 .01 0 .04 .16666667 .25 .5 .6
         squares .35 0 1
         lit .01 .01 .6
         ;;
-    volume) # a slice for each of the 64 tones
+    volume) # has a slice for each of the 64 tones
         asset=volume.ktx2
         squares .005 .005 $ends $columns $between
         lit .005 .005
         ;;
-    threshold) # seven steps, of which hatchstat says that tones miss by up to 0.031; exact runs have all
+    threshold) # seven steps, with errors of tone up to 0.031 according to hatchstat; exact runs have all steps
         asset=thresholds.ktx2
         squares .035 .035 $ends $columns $between
         lit .005 .005
@@ -91,12 +91,12 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         squares .005 .005 $ends $columns $between
         lit .005 .005
         ;;
-    threshold-soft) # paper until ink outweighs it in a texel: always too light, as it was before
+    threshold-soft) # a single threshold per texel is always too light
         asset=thresholds.ktx2
         squares .2 0.001 $ends $columns $between
         lit .06 0
         ;;
-    *) fail "$technique has its tone" "nothing is known of it here: add what it promises" ;;
+    *) fail "$technique has its tone" "no case for it: add its tolerances" ;;
     esac
 done
 finish

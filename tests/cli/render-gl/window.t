@@ -1,18 +1,18 @@
-# The window, used as a person uses it: keys and mouse on a display of its own, saved pictures compared.
+# Operates the window with keys and mouse on its own display, and compares saved pictures.
 . "${TOP:-.}/tests/tap.sh"
 
 for tool in Xvfb xdotool; do
     command -v $tool >/dev/null || { skip "the window" "no $tool"; finish; exit; }
 done
 
-# The window is as large as the screen, so that the pointer is always in it. A server that resets itself when
-# its last client goes refuses the next one for a moment.
+# The window is as large as the screen, so that the pointer is always in it. -noreset: a server that resets when its
+# last client leaves refuses new ones for a moment.
 Xvfb -noreset -displayfd 3 -screen 0 320x240x24 3>display >/dev/null 2>&1 &
 server=$!
 trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
 window=
 
-# soon COMMAND ...: until it succeeds; a minute and more, since only what never comes is wrong
+# soon COMMAND ...: repeats a command until it succeeds, for a minute or more, since machines may be busy
 soon() {
     tries=0
     until "$@"; do
@@ -25,7 +25,7 @@ soon [ -s display ]
 DISPLAY=:$(cat display)
 export DISPLAY
 
-# A rectangle that turns about its middle once in two seconds.
+# A rectangle that turns around its centre once in two seconds.
 perl -e '
     use MIME::Base64;
     my $bytes = pack("f<12f<8S<6", -1,-0.4,0, 1,-0.4,0, 1,0.4,0, -1,0.4,0, 0,1, 1,1, 1,0, 0,0,
@@ -48,8 +48,8 @@ perl -e '
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 2000 -o teapot.glb
 
-# open_window SCENE PICTURES [OPTION ...]: and wait for its first frame, whose time is in the title; keys
-# before it are nobody's
+# open_window SCENE PICTURES [OPTION ...]: opens the window and waits for its first frame, whose time is in the title;
+# earlier keys would be lost
 open_window() {
     scene=$1
     pictures=$2
@@ -67,7 +67,8 @@ gone() {
     ! shown
 }
 
-# How the last window ended, and not before the server knows: what looks for the next one finds no other.
+# closed: waits until the window is closed, for the server too, so that a search finds only the next one; returns the
+# exit status
 closed() {
     wait $window
     status=$?
@@ -75,32 +76,32 @@ closed() {
     return $status
 }
 
-# shot NAME: what s saves
+# shot NAME: presses s and waits for NAME.png
 shot() {
     xdotool key s
     (soon [ -s "$1.png" ]) || fail "$1.png is saved" "$(cat err)"
 }
 
-# changed A B: by more than a hundredth of the pixels
+# changed A B: whether two pictures differ in more than a hundredth of the pixels
 changed() {
     hatchstat diff "$1.png" "$2.png" | awk 'NR == 2 {exit !($6 > 0.01)}'
 }
 
-# moves PICTURES: another one, numbered $taken, unlike the first. What turns may have come round again before a busy
-# machine draws it: soon asks for the next one.
+# moves PICTURES: saves another picture, numbered $taken; whether it differs from the first. On a busy machine a turning
+# object may be back at its start, so call it with soon.
 moves() {
     taken=$((taken + 1))
     shot "$1$taken"
     changed "${1}1" "$1$taken"
 }
 
-# plays WHAT PAUSE PICTURES: it moves until space is pressed
+# plays NAME PAUSE_NAME PICTURES: checks that the picture moves until space is pressed
 plays() {
     taken=0
     moves "$3"
     ok "$1" soon moves "$3"
     xdotool key space
-    taken=$(ls "$3"*.png | wc -l) # ok counts in a shell of its own
+    taken=$(ls "$3"*.png | wc -l) # ok runs moves in a subshell
     shot "$3$((taken + 1))"
     sleep 0.4
     shot "$3$((taken + 2))"
@@ -118,7 +119,7 @@ shot shot2
 ok "dragging turns" changed shot1 shot2
 xdotool key f
 shot shot3
-ok "f brings the view of the start back" cmp shot1.png shot3.png
+ok "f restores the first view" cmp shot1.png shot3.png
 drag 3
 shot shot4
 ok "the right button pans" changed shot3 shot4
@@ -150,21 +151,21 @@ shot shot11
 ok "l hides the lines" changed shot10 shot11
 xdotool key l
 shot shot12
-ok "and shows them again" cmp shot10.png shot12.png
+ok "l shows the lines again" cmp shot10.png shot12.png
 xdotool key question key q
 closed
 is "q closes" $? 0
 is "? lists keys and techniques" "$(grep -cE '^render-gl: [1-8] (tam|gouraud|rptam)' err)" 8
-is "nothing else is said" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved shot|drag|arrows|1 to 9|p and P|\[ and|s: )' err)" ""
+is "no other message is printed" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved shot|drag|arrows|1 to 9|p and P|\[ and|s: )' err)" ""
 
 open_window turning.gltf turn --tam map.exr
-plays "animations play" "space pauses them" turn
+plays "animations play" "space pauses animations" turn
 xdotool key Escape
 closed
 is "escape closes" $? 0
 
-# Parameters: the window redraws its title at each of their keys.
-# titled NAME TITLE: but for the milliseconds, and as soon as it is drawn
+# Parameters: the window shows them in its title.
+# titled NAME TITLE: waits until the title, without the milliseconds, is TITLE
 has_title() {
     title=$(xdotool search --name render-gl getwindowname | sed 's/, [0-9.]* ms//')
     [ "$title" = "$1" ]
@@ -178,31 +179,31 @@ shot set1
 xdotool key p
 titled "p chooses a parameter, and the title shows it" "render-gl: rptam, stroke [20]x2"
 xdotool key period period period period
-titled ". makes it more" "render-gl: rptam, stroke [29.28]x2"
+titled ". increases the parameter" "render-gl: rptam, stroke [29.28]x2"
 shot set2
-ok "and the picture follows" changed set1 set2
+ok "the picture follows the parameter" changed set1 set2
 xdotool key p comma
-titled "p goes on, and , makes less" "render-gl: rptam, stroke 29.28x[1.818]"
+titled "p chooses the next number, and , decreases it" "render-gl: rptam, stroke 29.28x[1.818]"
 xdotool key d
-titled "d takes both numbers back" "render-gl: rptam, stroke 20x[2]"
+titled "d resets both numbers" "render-gl: rptam, stroke 20x[2]"
 shot set3
-ok "and the picture is as it was" cmp set1.png set3.png
+ok "d restores the picture" cmp set1.png set3.png
 xdotool key p p p p p
-titled "other parameters follow" "render-gl: rptam, overlap [0.5]"
+titled "p goes on to other parameters" "render-gl: rptam, overlap [0.5]"
 xdotool key period period period period period period period
-titled "none leaves its option's range" "render-gl: rptam, overlap [1]"
+titled "parameters stay in the range of their option" "render-gl: rptam, overlap [1]"
 xdotool key P comma comma comma comma
-titled "P goes back" "render-gl: rptam, seed-layers [0]"
+titled "P goes back to the previous parameter" "render-gl: rptam, seed-layers [0]"
 shot set4
-ok "no layers: no strokes" changed set1 set4
+ok "without layers there are no strokes" changed set1 set4
 xdotool key 7
-titled "a technique that does not use it does not show it" "render-gl: gouraud"
+titled "the title hides parameters that the technique does not use" "render-gl: gouraud"
 xdotool key q
 closed
-is "and nothing is said" "$(grep -v 'saved set' err)" ""
+is "changing parameters prints no message" "$(grep -v 'saved set' err)" ""
 
 open_window teapot.glb way --technique rptam --animate overlap=0..1 --animate stroke=10x1..40x4
-plays "--animate plays in the window" "and pauses" way
+plays "--animate plays in the window" "space pauses --animate" way
 xdotool key q
 closed
 
@@ -211,12 +212,12 @@ open_window bare.off bare --technique gouraud --tam map.exr
 shot bare1
 xdotool key 1
 shot bare2
-is "a technique that the scene cannot have is refused by a word" "$(grep -c 'no texture coordinates' err)" 1
+is "a technique that cannot draw the scene is refused with a message" "$(grep -c 'no texture coordinates' err)" 1
 xdotool key q
 closed
-is "and the window stays until it is closed" $? 0
+is "the window stays open after a refused technique" $? 0
 
-# The folder of the pictures may go while somebody looks.
+# The folder of the pictures is removed while the window is open.
 mkdir gone
 open_window teapot.glb gone/shot --tam map.exr
 rmdir gone

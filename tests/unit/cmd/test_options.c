@@ -62,7 +62,7 @@ START_TEST(an_option_may_be_repeated)
 }
 END_TEST
 
-START_TEST(values_of_every_type)
+START_TEST(values_of_every_type_are_parsed)
 {
     struct cmd_args args;
     PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4x.5");
@@ -179,7 +179,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("cmd options");
     TCase *tests = tcase_create("options");
     tcase_add_test(tests, an_option_may_be_repeated);
-    tcase_add_test(tests, values_of_every_type);
+    tcase_add_test(tests, values_of_every_type_are_parsed);
     tcase_add_test(tests, common_options_have_defaults);
     tcase_add_test(tests, operands_keep_their_order);
     tcase_add_test(tests, bounds_are_inclusive);

@@ -178,7 +178,7 @@ START_TEST(higher_degrees_are_more_accurate_on_clean_points)
 }
 END_TEST
 
-START_TEST(threads_do_not_matter)
+START_TEST(results_do_not_depend_on_threads)
 {
     struct field_case of = case_with_truth(HATCH_SHAPE_ELLIPSOID, 5000, 0.1f);
     struct hatch_curvature_options options[2] = {{.radius = 0}, {.radius = 5, .degree = 3}};
@@ -298,7 +298,7 @@ static Suite *suite(void)
     tcase_add_test(tests, supports_grow_with_noise);
     tcase_add_test(tests, rotation_scale_and_offset_do_not_matter);
     tcase_add_test(tests, higher_degrees_are_more_accurate_on_clean_points);
-    tcase_add_test(tests, threads_do_not_matter);
+    tcase_add_test(tests, results_do_not_depend_on_threads);
     tcase_add_test(tests, small_and_one_sided_surfaces_have_finite_values);
     tcase_add_test(tests, fitted_normals_keep_the_sum_of_indices);
     tcase_add_test(tests, a_simplified_mesh_gives_approximate_directions);

@@ -143,7 +143,7 @@ START_TEST(multigrid_and_cholesky_agree)
 END_TEST
 
 /* The minimum of linear is over more fields than that of hz; reported energies are those of the field. */
-START_TEST(linear_is_never_above_hz)
+START_TEST(the_linear_method_has_no_more_energy_than_hz)
 {
     struct field_case cases[] = {
         case_of_shape(HATCH_SHAPE_TORUS, 1000, 1), case_of_shape(HATCH_SHAPE_ELLIPSOID, 1000, 1),
@@ -178,7 +178,7 @@ START_TEST(linear_is_never_above_hz)
 }
 END_TEST
 
-START_TEST(smooth_0_keeps_the_data)
+START_TEST(smoothness_0_keeps_the_data)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_TORUS, 1000, 1);
     follow_truth(&of, HATCH_SHAPE_TORUS, 30 * DEG, 0.5);
@@ -188,7 +188,7 @@ START_TEST(smooth_0_keeps_the_data)
 END_TEST
 
 /* The same `smooth` has the same effect on four times as many faces. */
-START_TEST(smooth_is_independent_of_resolution)
+START_TEST(smoothness_is_independent_of_resolution)
 {
     double mean[2];
     for (int fine = 0; fine < 2; fine++) {
@@ -408,9 +408,9 @@ static Suite *suite(void)
     tcase_add_test(tests, smoothest_fields_have_the_fewest_singularities);
     tcase_add_test(tests, noise_is_smoothed_without_extra_singularities);
     tcase_add_test(tests, multigrid_and_cholesky_agree);
-    tcase_add_test(tests, linear_is_never_above_hz);
-    tcase_add_test(tests, smooth_0_keeps_the_data);
-    tcase_add_test(tests, smooth_is_independent_of_resolution);
+    tcase_add_test(tests, the_linear_method_has_no_more_energy_than_hz);
+    tcase_add_test(tests, smoothness_0_keeps_the_data);
+    tcase_add_test(tests, smoothness_is_independent_of_resolution);
     tcase_add_test(tests, scale_does_not_matter);
     tcase_add_test(tests, rotation_and_order_do_not_matter);
     tcase_add_test(tests, small_components_have_fields_too);

@@ -283,7 +283,7 @@ START_TEST(files_of_other_programs_are_read)
 }
 END_TEST
 
-START_TEST(ply_attributes_and_strips)
+START_TEST(ply_attributes_and_strips_are_read)
 {
     reads(text("ply\nformat ascii 1.0\nelement camera 1\nproperty float a\nproperty list int int b\n"
                "element vertex 4\nproperty double x\nproperty float64 y\nproperty float z\n"
@@ -436,7 +436,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_truncated_file_is_refused);
     tcase_add_test(tests, errors_name_their_place);
     tcase_add_test(tests, ply_faces_are_checked);
-    tcase_add_test(tests, ply_attributes_and_strips);
+    tcase_add_test(tests, ply_attributes_and_strips_are_read);
     tcase_add_test(tests, faces_of_less_than_three_corners_are_dropped);
     tcase_add_test(tests, files_of_other_programs_are_read);
     tcase_add_test(tests, obj_index_triples_become_vertices);

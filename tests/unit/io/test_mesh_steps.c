@@ -1,12 +1,12 @@
-/* How many steps polygons take to be cut into triangles. */
+/* Triangulating polygons takes a bounded number of steps per corner. */
 #include <math.h>
 
 #include "arenas.h"
 #include "io/mesh/polygon.h"
 #include "steps.h"
 
-/* Cuts a polygon of the xy plane; *visits: how many corners the clipping of ears had to look at, all that were reflex
- * for each that it tried. Returns the steps. */
+/* Triangulates a polygon in the xy plane and returns the number of steps.
+ *   visits  out: corners that ear clipping visits, all reflex corners for each candidate ear */
 static uint64_t cut(void (*corner)(uint32_t i, uint32_t count, float *at), uint32_t count, uint64_t *visits)
 {
     struct hatch_faces faces = hatch_faces_in(&scratch);
@@ -42,7 +42,7 @@ static void on_star(uint32_t i, uint32_t count, float *at)
     at[1] = (float)(radius * sin(angle));
 }
 
-/* A circle as a file has it, five digits after the point: nearly half of the corners are reflex. */
+/* A circle with coordinates rounded to five digits, as in a file: nearly half of the corners are reflex. */
 static void on_rounded_circle(uint32_t i, uint32_t count, float *at)
 {
     double angle = 2 * 3.14159265358979 * i / count;
@@ -50,7 +50,7 @@ static void on_rounded_circle(uint32_t i, uint32_t count, float *at)
     at[1] = (float)(round(1e5 * sin(angle)) / 1e5);
 }
 
-/* Measured: 48 steps a corner, 7 with clang. Less than one were no count. */
+/* Measured: 48 steps per corner, 7 with clang. Fewer than one would mean that steps are not counted. */
 START_TEST(a_convex_polygon_takes_as_many_steps_as_it_has_corners)
 {
     uint64_t visits;
@@ -61,9 +61,9 @@ START_TEST(a_convex_polygon_takes_as_many_steps_as_it_has_corners)
 }
 END_TEST
 
-/* A tip is an ear when it is first looked at, and with it one of the reflex corners goes: on average half of them are
- * looked at for each tip, which is a quarter of all corners. Each look is a few steps, as many for a large star: 10.8.
- */
+/* Every tip is an ear at its first visit, and clipping it removes one reflex corner: on average a tip is tested against
+ * half of the reflex corners, a quarter of all corners. Each of these tests takes the same few steps whatever the size
+ * of the star: 10.8. */
 START_TEST(a_star_is_cut_in_one_round)
 {
     double a_look[2] = {0, 0};
@@ -79,7 +79,7 @@ START_TEST(a_star_is_cut_in_one_round)
 }
 END_TEST
 
-/* Measured: 1431 corners looked at for each; a star of as many corners has 1502. */
+/* Measured: 1431 corners are visited for each; a star of as many corners has 1502. */
 START_TEST(a_rounded_circle_is_cut_in_one_round)
 {
     const uint32_t count = 6000;

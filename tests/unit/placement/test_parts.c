@@ -34,7 +34,7 @@ START_TEST(a_map_is_kept_by_reference)
 }
 END_TEST
 
-START_TEST(names_must_be_numbered_without_gaps)
+START_TEST(part_names_must_be_numbered_without_gaps)
 {
     strcpy(map.columns[3].name, "tone.004");
     check_rejected(6, "part 3 is named 'tone.004', want tone.003: not a tonal art map");
@@ -117,7 +117,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("parts");
     tcase_add_checked_fixture(tests, begin, map_end);
     tcase_add_test(tests, a_map_is_kept_by_reference);
-    tcase_add_test(tests, names_must_be_numbered_without_gaps);
+    tcase_add_test(tests, part_names_must_be_numbered_without_gaps);
     tcase_add_test(tests, a_count_out_of_range_is_rejected);
     tcase_add_test(tests, shapes_must_agree);
     tcase_add_test(tests, channels_must_be_known_and_agree);

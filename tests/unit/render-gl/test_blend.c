@@ -1,5 +1,5 @@
-/* The techniques against their definition: the blend of real-time hatching §5, computed here for each
- * pixel of a plane that is parallel to the screen, where a pixel is a texel. */
+/* Compares the tam techniques with their definition, the blend of Praun et al. 2001, §5, computed here for each pixel
+ * of a plane parallel to the screen whose texels coincide with pixels. */
 #include <math.h>
 
 #include "render_frame.h"
@@ -10,7 +10,7 @@ enum { SIZE = 64, TONES = 6 };
 static struct test_frame frame;
 static struct hatch_tam map;
 
-/* A lamp before the upper left corner, so that every vertex has a tone of its own. */
+/* A lamp in front of the upper left corner gives every vertex a different tone. */
 static const struct hatch_light lamp = {.type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1.9f};
 static const double lamp_at[3] = {-0.8, 0.7, 0.9};
 
@@ -34,7 +34,7 @@ static void add_lamp(void)
     frame.shown.style.curve.exposure = 1;
 }
 
-/* Darkness at a vertex of the plane z = 0: what is not lit, up to the darkest column. */
+/* Tone of a vertex of the plane z = 0: 1 - light, times the tone of the darkest column. */
 static double amount_at(const float *position)
 {
     double square = 0, to[3];
@@ -46,7 +46,7 @@ static double amount_at(const float *position)
     return (double)map.target[map.tones - 1] * (1 - fmin(light, 1));
 }
 
-/* What the 2-way blend of an amount puts at a texel, in ink. */
+/* Ink at a texel after the blend of the two columns next to a tone. */
 static double blended(double amount, uint32_t level, size_t texel)
 {
     double begin = 0, ink_before = 0;
@@ -115,34 +115,34 @@ static double worst_against_definition(const char *technique, uint32_t tones, ui
             least = fmin(least, want);
             most = fmax(most, want);
         }
-    ck_assert_double_lt(least, 0.3); /* the picture holds lit and dark parts */
+    ck_assert_double_lt(least, 0.3); /* the picture has lit and dark parts */
     ck_assert_double_gt(most, 0.95);
     frame_finish(&frame);
     return worst;
 }
 
-START_TEST(tam_is_the_six_way_blend)
+START_TEST(tam_computes_the_six_way_blend)
 {
     ck_assert_double_le(worst_against_definition("tam", 6, 0), 1.0 / 255);
 }
 END_TEST
 
-START_TEST(tam_with_fewer_columns)
+START_TEST(tam_blends_maps_of_fewer_columns)
 {
     ck_assert_double_le(worst_against_definition("tam", 1, 0), 1.0 / 255);
     ck_assert_double_le(worst_against_definition("tam", 4, 0), 1.0 / 255);
 }
 END_TEST
 
-/* Near a whole level nothing of the next is mixed in, however inexact the driver's logarithm is. */
-START_TEST(tam_reads_the_level_that_was_drawn)
+/* Near a whole level the next one has no weight, although the driver's logarithm is inexact. */
+START_TEST(tam_does_not_mix_levels_near_a_whole_level)
 {
     ck_assert_double_le(worst_against_definition("tam", 6, 1), 1.0 / 255);
     ck_assert_double_le(worst_against_definition("tam", 6, 2), 1.0 / 255);
 }
 END_TEST
 
-START_TEST(tam_triple_is_the_same_blend)
+START_TEST(tam_triple_computes_the_same_blend)
 {
     ck_assert_double_le(worst_against_definition("tam-triple", 6, 0), 1.0 / 255);
     ck_assert_double_le(worst_against_definition("tam-triple", 3, 1), 1.0 / 255);
@@ -155,7 +155,7 @@ static void draw_teapot(const char *technique, struct hatch_image *image)
     frame_draw(&frame, technique, &view, 320, 240, 2, image);
 }
 
-START_TEST(tam_triple_is_tam_on_a_teapot)
+START_TEST(tam_triple_equals_tam_on_a_teapot)
 {
     struct hatch_image one, three;
     struct hatch_bounds bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
@@ -175,11 +175,11 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render blend");
     TCase *tests = tcase_create("blend");
-    tcase_add_test(tests, tam_is_the_six_way_blend);
-    tcase_add_test(tests, tam_with_fewer_columns);
-    tcase_add_test(tests, tam_reads_the_level_that_was_drawn);
-    tcase_add_test(tests, tam_triple_is_the_same_blend);
-    tcase_add_test(tests, tam_triple_is_tam_on_a_teapot);
+    tcase_add_test(tests, tam_computes_the_six_way_blend);
+    tcase_add_test(tests, tam_blends_maps_of_fewer_columns);
+    tcase_add_test(tests, tam_does_not_mix_levels_near_a_whole_level);
+    tcase_add_test(tests, tam_triple_computes_the_same_blend);
+    tcase_add_test(tests, tam_triple_equals_tam_on_a_teapot);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,5 +1,5 @@
-/* Volumes and thresholds as they are drawn, against their models in libhatch: on a plane of one tone that is
- * parallel to the screen, at any size of a texel. */
+/* Compares pictures of volumes and threshold textures with their models in libhatch, on a plane of one tone parallel to
+ * the screen, with texels larger and smaller than pixels. */
 #include <math.h>
 
 #include "image/blocks.h"
@@ -16,7 +16,7 @@ static struct hatch_volume volume;
 static struct hatch_thresholds thresholds;
 static struct asset asset;
 
-/* A map whose texels darken with tone, each at two tones of its own. */
+/* Makes a map whose texels darken at two random tones each. */
 static void nested_map(void)
 {
     random_map(SIZE, TONES, &frame.args.keep, &map);
@@ -68,13 +68,12 @@ static void make_exact(void)
         .holds = TONE_TEXTURE_RUNS, .texels = exact.texels, .exact = exact, .levels = exact.levels, .darkest = 1};
 }
 
-/* Filters of GPUs may have no more than eight bits between two texels: a step that lies this near the tone
- * may be taken or not. */
+/* GPUs may interpolate texels with eight bits only: a step this close to the tone may count or not. */
 #define FILTER (1.5 / 255)
-#define HEIGHTS 4.0 /* in 255ths: seven heights, each rounded by half a step, and the picture's own half */
+#define HEIGHTS 4.0 /* in 255ths: seven heights, each rounded by half a step, and the rounding of the picture */
 
-/* Draws at a tone, with so many tiles over the picture; returns the largest distance from the model. Levels are
- * whole where tiles is a power of two. */
+/* Draws a tone and returns the largest difference from the model.
+ *   tiles  repetitions across the picture; powers of two give whole levels */
 static double worst_of(const char *technique, double tone, double tiles)
 {
     struct hatch_image image;
@@ -102,8 +101,8 @@ static double worst_of(const char *technique, double tone, double tiles)
     return worst;
 }
 
-/* What is uploaded becomes blocks; the model is what hatch_texels_decompress makes of them. Greys of all kinds,
- * which BC1 and BC7 hold as colours. */
+/* Compresses the volume, with its greys varied at random; the model reads the texels that hatch_texels_decompress
+ * returns. BC1 and BC7 hold the greys as colours. */
 static void pack(enum hatch_texels_code code)
 {
     struct hatch_texels plain = volume.texels;
@@ -130,7 +129,7 @@ static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code
     for (size_t t = 0; t < sizeof tones / sizeof *tones; t++)
         for (size_t k = 0; k < sizeof tiles / sizeof *tiles; k++) {
             double worst = worst_of("volume", tones[t], tiles[k]);
-            /* drivers may round what lies between two ends of a block down */
+            /* drivers may round values between the end points of a block down */
             double most = (tiles[k] < 1 ? 2 : 1) + (code != HATCH_TEXELS_PLAIN ? 1 : 0);
             ck_assert_msg(worst <= most / 255, "tone %g, %g tiles: %g/255", tones[t], tiles[k], 255 * worst);
         }
@@ -138,20 +137,20 @@ static void check_volume(enum hatch_volume_layout layout, enum hatch_texels_code
     hatch_arena_free(&frame.args.scratch);
 }
 
-START_TEST(volume_is_its_model)
+START_TEST(volumes_match_the_model)
 {
     check_volume(HATCH_VOLUME_3D, HATCH_TEXELS_PLAIN);
 }
 END_TEST
 
-START_TEST(volume_in_layers_is_its_model)
+START_TEST(layered_volumes_match_the_model)
 {
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_PLAIN);
 }
 END_TEST
 
-/* The driver reads them as we do. */
-START_TEST(blocks_are_their_model)
+/* The driver and hatch_texels_decompress decode blocks alike. */
+START_TEST(block_compressed_volumes_match_the_model)
 {
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC4);
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC1);
@@ -160,7 +159,7 @@ START_TEST(blocks_are_their_model)
 }
 END_TEST
 
-START_TEST(threshold_is_its_model)
+START_TEST(threshold_textures_match_the_model)
 {
     static const double tones[] = {0, 0.06, 0.3, 0.517, 0.99}, tiles[] = {0.4, 1, 2, 4};
     frame_arenas(&frame);
@@ -177,7 +176,7 @@ START_TEST(threshold_is_its_model)
 }
 END_TEST
 
-START_TEST(exact_runs_are_their_model)
+START_TEST(exact_runs_match_the_model)
 {
     static const double tones[] = {0, 0.06, 0.3, 0.75, 1}, tiles[] = {0.4, 1, 4, 64};
     frame_arenas(&frame);
@@ -193,8 +192,8 @@ START_TEST(exact_runs_are_their_model)
 }
 END_TEST
 
-/* Where a volume's slices are columns and one texel is a pixel, both filters take the same texel. */
-START_TEST(exact_runs_are_the_volume_at_its_tones)
+/* At the tones of a volume's slices, with one texel per pixel, both forms read the same texel. */
+START_TEST(exact_runs_equal_the_volume_at_its_tones)
 {
     frame_arenas(&frame);
     nested_map();
@@ -219,8 +218,7 @@ START_TEST(exact_runs_are_the_volume_at_its_tones)
 }
 END_TEST
 
-/* A tone of nothing is bare paper, whatever the technique. */
-START_TEST(no_tone_is_paper)
+START_TEST(tone_0_is_blank_paper)
 {
     frame_arenas(&frame);
     nested_map();
@@ -241,13 +239,13 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render fine");
     TCase *tests = tcase_create("fine");
-    tcase_add_test(tests, volume_is_its_model);
-    tcase_add_test(tests, volume_in_layers_is_its_model);
-    tcase_add_test(tests, blocks_are_their_model);
-    tcase_add_test(tests, threshold_is_its_model);
-    tcase_add_test(tests, exact_runs_are_their_model);
-    tcase_add_test(tests, exact_runs_are_the_volume_at_its_tones);
-    tcase_add_loop_test(tests, no_tone_is_paper, 0, 2);
+    tcase_add_test(tests, volumes_match_the_model);
+    tcase_add_test(tests, layered_volumes_match_the_model);
+    tcase_add_test(tests, block_compressed_volumes_match_the_model);
+    tcase_add_test(tests, threshold_textures_match_the_model);
+    tcase_add_test(tests, exact_runs_match_the_model);
+    tcase_add_test(tests, exact_runs_equal_the_volume_at_its_tones);
+    tcase_add_loop_test(tests, tone_0_is_blank_paper, 0, 2);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,5 +1,5 @@
-/* Haloes: as wide as asked for on what lies behind, and none on one surface however it slants. All that is drawn is
- * black here, so that what is white is a halo, or nothing. */
+/* Haloes have the given width on surfaces behind an edge, and a single surface has none, however oblique it is.
+ * Surfaces are black here, so that white pixels are haloes or background. */
 #include "render_frame.h"
 #include "render_map.h"
 
@@ -68,7 +68,7 @@ static double rim_px(const struct hatch_view *view)
     return SIZE / 2 * seen / view->half_height;
 }
 
-START_TEST(haloes_are_as_wide_as_asked_for)
+START_TEST(haloes_have_the_given_width)
 {
     static const double widths[] = {0.5, 1, 3, 6.5, 20, 32};
     struct hatch_mesh mesh = ball_before_plane();
@@ -94,7 +94,7 @@ START_TEST(haloes_are_as_wide_as_asked_for)
 }
 END_TEST
 
-/* Of all pixels, those that are not black. */
+/* Sum of the brightness of all pixels. */
 static double white_of(const struct hatch_image *image)
 {
     double sum = 0;
@@ -112,7 +112,7 @@ static void tilt(struct hatch_mesh *mesh, double angle)
     }
 }
 
-/* A wall behind, and the floor from its foot on. */
+/* A wall in the background and a floor that starts at its foot. */
 static struct hatch_mesh wall_and_floor(void)
 {
     static const float at[18] = {-8, 8, -1, 8, 8, -1, -8, -0.5f, -1, 8, -0.5f, -1, -8, -0.5f, 3.5f, 8, -0.5f, 3.5f};
@@ -120,8 +120,8 @@ static struct hatch_mesh wall_and_floor(void)
     return mesh_of(at, 6, faces, 4);
 }
 
-/* Planes up to nearly edge on, a ball's rim, and a floor that meets a wall. */
-START_TEST(one_surface_has_none)
+/* Planes up to nearly edge on, spheres, and a floor that meets a wall. */
+START_TEST(a_single_surface_has_no_haloes)
 {
     for (int kind = 0; kind < 3; kind++)
         for (int turn = 0; turn < 6; turn++)
@@ -136,7 +136,7 @@ START_TEST(one_surface_has_none)
                 draw(view ? &near_by : &view_facing, 6, 2, &with);
 
                 double more = white_of(&with) - white_of(&without);
-                /* of some 800 on a rim that polygons make */
+                /* of some 800 pixels on the polygonal outline of the sphere */
                 ck_assert_msg(more <= (kind == 1 ? 2 : 0), "kind %d, turn %d, view %d: %g pixels", kind, turn, view,
                               more);
                 frame_finish(&frame);
@@ -144,7 +144,7 @@ START_TEST(one_surface_has_none)
 }
 END_TEST
 
-START_TEST(tiles_are_one_picture)
+START_TEST(tiled_and_whole_pictures_are_equal)
 {
     struct hatch_image whole, tiled;
     struct hatch_mesh mesh = ball_before_plane();
@@ -159,7 +159,7 @@ START_TEST(tiles_are_one_picture)
 END_TEST
 
 /* A picture higher than the last one, a narrower and a wider one. */
-START_TEST(other_sizes_are_drawn_anew)
+START_TEST(pictures_do_not_depend_on_earlier_sizes)
 {
     static const uint32_t sizes[4][2] = {{SIZE, SIZE / 2}, {SIZE, SIZE}, {SIZE / 2, SIZE}, {SIZE, SIZE}};
     struct hatch_image image[4], fresh;
@@ -169,7 +169,7 @@ START_TEST(other_sizes_are_drawn_anew)
     for (int i = 0; i < 4; i++)
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &image[i]);
     for (int i = 1; i < 4; i++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         frame_draw(&frame, "gouraud", &near_by, sizes[i][0], sizes[i][1], 1, &fresh);
         ck_assert_double_eq(frame_difference(&image[i], &fresh), 0);
     }
@@ -195,7 +195,7 @@ static void draw_lines(const struct hatch_mesh *mesh, double halo_px, struct hat
     frame.lines = NULL;
 }
 
-/* Those of a square behind the ball end before it, its own does not. */
+/* Lines of a square behind the ball end at its halo; the ball's own outline does not. */
 START_TEST(lines_behind_end_at_haloes)
 {
     const double halo = 8;
@@ -215,7 +215,7 @@ START_TEST(lines_behind_end_at_haloes)
     for (int x = SIZE / 2 + (int)side - 6; x < SIZE / 2 + (int)side + 8; x++)
         if (light_at(&image, x, row) < 0.5)
             last = x + 1;
-    /* The border's line ends where it is as far from the rim as the halo and half the ball's line are wide. */
+    /* The line ends where its distance from the rim is the width of the halo plus half the width of the outline. */
     double want = sqrt((rim + halo + LINE_PX / 2) * (rim + halo + LINE_PX / 2) - down * down) + SIZE / 2;
     ck_assert_msg(fabs(first - want) <= 1.5, "the line begins at %g, not %g", first, want);
     ck_assert_msg(fabs(last - SIZE / 2 - side) <= 4, "the ball's line ends at %g, it at %g", last - SIZE / 2, side);
@@ -227,8 +227,8 @@ START_TEST(lines_behind_end_at_haloes)
 }
 END_TEST
 
-/* A border seen between two balls: what their haloes leave of it is a line when it is long enough, and else nothing. */
-START_TEST(crumbs_between_haloes_are_dropped)
+/* A border visible between two balls. The part outside their haloes is drawn only if it is long enough. */
+START_TEST(short_lines_between_haloes_are_dropped)
 {
     const double halo = 8;
     for (int left_px = 5; left_px <= 30; left_px += 25) {
@@ -261,12 +261,12 @@ static Suite *suite(void)
     Suite *made = suite_create("render halo");
     TCase *tests = tcase_create("halo");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, haloes_are_as_wide_as_asked_for);
-    tcase_add_test(tests, one_surface_has_none);
-    tcase_add_test(tests, tiles_are_one_picture);
-    tcase_add_test(tests, other_sizes_are_drawn_anew);
+    tcase_add_test(tests, haloes_have_the_given_width);
+    tcase_add_test(tests, a_single_surface_has_no_haloes);
+    tcase_add_test(tests, tiled_and_whole_pictures_are_equal);
+    tcase_add_test(tests, pictures_do_not_depend_on_earlier_sizes);
     tcase_add_test(tests, lines_behind_end_at_haloes);
-    tcase_add_test(tests, crumbs_between_haloes_are_dropped);
+    tcase_add_test(tests, short_lines_between_haloes_are_dropped);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,8 +1,8 @@
-/* Patches over a surface: their composite against its definition, computed here for each pixel of a plane
- * on which a pixel is a texel of map and outline; and against ordinary texture coordinates. */
+/* Compares pictures of patches with the definition of compositing, computed here for each pixel of a plane whose pixels
+ * coincide with texels of the map and of the outline, and with ordinary texture coordinates. */
 #include "render_lapped.h"
 
-/* The reflectance that the patches leave at a pixel, where the tone is that of one column. */
+/* Reflectance of a pixel under the first `count` patches at the tone of one column. */
 static double composite(uint32_t count, uint32_t tone, int column, int row)
 {
     double paper = 1;
@@ -38,14 +38,14 @@ static double worst_against_composite(const char *technique, uint32_t materials)
     return worst;
 }
 
-START_TEST(patches_lie_over_one_another)
+START_TEST(patches_are_composited_in_order)
 {
     static const char *const names[] = {"tam", "tam-flat", "tam-face", "tam-gouraud", "tam-triple"};
     ck_assert_double_le(worst_against_composite(names[_i], 1), 1.0 / 255);
 }
 END_TEST
 
-START_TEST(what_is_lit_stays_paper)
+START_TEST(lit_surfaces_stay_blank)
 {
     static const char *const names[] = {"tam", "tam-flat", "tam-face", "tam-gouraud", "tam-triple", "tam-threshold"};
     struct hatch_image image;
@@ -54,7 +54,7 @@ START_TEST(what_is_lit_stays_paper)
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 500);
     begin_lapped(&sphere, &caps);
     draw_in_tiles(names[_i], 160, 1, &image);
-    ck_assert_double_gt(frame_ink(&image), 0.1); /* where it is dark there are strokes */
+    ck_assert_double_gt(frame_ink(&image), 0.1); /* dark parts have strokes */
     frame.shown.style.curve.high = 0;
     draw_in_tiles(names[_i], 160, 1, &image);
     for (size_t i = 0; i < 3u * 160 * 160; i++)
@@ -63,8 +63,8 @@ START_TEST(what_is_lit_stays_paper)
 }
 END_TEST
 
-/* A black plane behind patches whose outline is empty. */
-START_TEST(bare_surfaces_hide_what_lies_behind)
+/* A black plane lies behind patches with an empty outline. */
+START_TEST(blank_patches_hide_surfaces_behind_them)
 {
     const struct cut cut = {.count = 2, .materials = 1, .place = place_shifted};
     struct hatch_image image;
@@ -83,7 +83,7 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     HATCH_TEST_OK(hatch_patches_join(scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err), &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
     ck_assert_uint_eq(frame.on_gpu.unit.item_count, 2);
-    lend_outline();
+    set_outline();
     frame.on_gpu.items[1].base_texture = 0;
     black_map();
     frame.shown.style.curve.low = frame.shown.style.curve.high = 1;
@@ -93,7 +93,7 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
     items[0] = items[1];
     frame.on_gpu.items[0] = frame.on_gpu.items[1];
     frame_draw(&frame, _i ? "tam-triple" : "tam", &view_facing, SIZE, SIZE, 1, &image);
-    ck_assert_double_gt(frame_ink(&image), 0.99); /* alone it would fill the picture */
+    ck_assert_double_gt(frame_ink(&image), 0.99); /* alone, the black plane fills the picture */
     items[0] = bare;
     frame.on_gpu.items[0] = bare_on_gpu;
     frame_draw(&frame, _i ? "tam-triple" : "tam", &view_facing, SIZE, SIZE, 1, &image);
@@ -103,14 +103,14 @@ START_TEST(bare_surfaces_hide_what_lies_behind)
 }
 END_TEST
 
-START_TEST(patches_of_two_materials_too)
+START_TEST(patches_of_two_materials_are_composited_in_order)
 {
     ck_assert_double_le(worst_against_composite("tam", 2), 1.0 / 255);
     ck_assert_double_le(worst_against_composite("tam-triple", 2), 1.0 / 255);
 }
 END_TEST
 
-/* A lamp from the upper left, so that every vertex has a tone of its own. */
+/* Lights the scene from the upper left. */
 static void light(void)
 {
     frame.shown.style.light = (struct hatch_key_light){true, -0.7, 0.6};
@@ -123,7 +123,7 @@ static void place_plain(uint32_t patch, const float *position, float hatch[2], f
         outline[k] = 0.5f;
 }
 
-START_TEST(one_patch_is_ordinary_texture_coordinates)
+START_TEST(one_patch_equals_ordinary_texture_coordinates)
 {
     static const char *const names[] = {"tam",        "tam-flat",      "tam-face", "tam-gouraud",
                                         "tam-triple", "tam-threshold", "gouraud"};
@@ -159,7 +159,7 @@ START_TEST(one_patch_is_ordinary_texture_coordinates)
 }
 END_TEST
 
-START_TEST(both_ways_to_blend_agree)
+START_TEST(one_pass_and_three_pass_blending_agree)
 {
     struct hatch_image once, passes, tiled;
     begin();
@@ -179,7 +179,7 @@ START_TEST(both_ways_to_blend_agree)
 }
 END_TEST
 
-START_TEST(nothing_shows_through_patches)
+START_TEST(opaque_patches_leave_no_gaps)
 {
     struct hatch_image image;
     begin();
@@ -196,7 +196,7 @@ START_TEST(nothing_shows_through_patches)
 }
 END_TEST
 
-START_TEST(turning_strokes_is_turning_texture_coordinates)
+START_TEST(rotating_strokes_equals_rotating_texture_coordinates)
 {
     struct hatch_image turned, other;
     begin();
@@ -210,7 +210,7 @@ START_TEST(turning_strokes_is_turning_texture_coordinates)
     frame.shown.style.hatch_scale = 0.5;
     frame_draw(&frame, "tam", &view_facing, SIZE, SIZE, 1, &turned);
     frame_close(&frame);
-    /* Against the clock as one sees it: what ran to the right along u runs upwards, where v falls. */
+    /* Counter-clockwise on the screen: u, which rose to the right, now rises upwards, where v falls. */
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         float *t = texcoord + 2 * v, u = t[0];
         t[0] = -2 * t[1];
@@ -229,14 +229,14 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render lapped");
     TCase *tests = tcase_create("lapped");
-    tcase_add_loop_test(tests, patches_lie_over_one_another, 0, 5);
-    tcase_add_loop_test(tests, what_is_lit_stays_paper, 0, 6);
-    tcase_add_loop_test(tests, bare_surfaces_hide_what_lies_behind, 0, 2);
-    tcase_add_test(tests, patches_of_two_materials_too);
-    tcase_add_loop_test(tests, one_patch_is_ordinary_texture_coordinates, 0, 7);
-    tcase_add_loop_test(tests, both_ways_to_blend_agree, 1, 3);
-    tcase_add_test(tests, nothing_shows_through_patches);
-    tcase_add_test(tests, turning_strokes_is_turning_texture_coordinates);
+    tcase_add_loop_test(tests, patches_are_composited_in_order, 0, 5);
+    tcase_add_loop_test(tests, lit_surfaces_stay_blank, 0, 6);
+    tcase_add_loop_test(tests, blank_patches_hide_surfaces_behind_them, 0, 2);
+    tcase_add_test(tests, patches_of_two_materials_are_composited_in_order);
+    tcase_add_loop_test(tests, one_patch_equals_ordinary_texture_coordinates, 0, 7);
+    tcase_add_loop_test(tests, one_pass_and_three_pass_blending_agree, 1, 3);
+    tcase_add_test(tests, opaque_patches_leave_no_gaps);
+    tcase_add_test(tests, rotating_strokes_equals_rotating_texture_coordinates);
     suite_add_tcase(made, tests);
     return made;
 }

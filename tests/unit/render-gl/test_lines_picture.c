@@ -1,4 +1,4 @@
-/* Lines in pictures: width, hidden parts, tiles. Surfaces are as white as the paper, so that all ink is
+/* Feature lines in pictures: width, hidden parts, tiles. Surfaces are as white as the paper, so that all ink belongs to
  * lines. */
 #include "lines.h"
 #include "render_frame.h"
@@ -22,7 +22,7 @@ static void end_frame(void)
     hatch_arena_free(&keep);
 }
 
-/* The unit scene is the mesh as it is. */
+/* Opens the mesh as the unit scene, with lines. */
 static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
 {
     const struct line_overlay_style style = {.lines = {.kinds = kinds, .width_px = width_px, .crease_rad = CREASE_RAD}};
@@ -33,7 +33,8 @@ static void show(const struct hatch_mesh *mesh, uint32_t kinds, double width_px)
     frame.lines = &lines;
 }
 
-/* The ink of each pixel, lowest row last; drawn in tiles of target_px. */
+/* Draws a picture of 400 x 400 pixels and returns its ink.
+ *   target_px  size of the tiles in which it is drawn */
 static struct hatch_image draw(const struct hatch_view *view, uint32_t target_px, uint32_t side)
 {
     const struct picture picture = frame_picture(&frame, "gouraud");
@@ -96,7 +97,7 @@ START_TEST(ink_is_width_times_length)
 }
 END_TEST
 
-START_TEST(nine_edges_of_a_cube_are_seen)
+START_TEST(nine_edges_of_a_cube_are_visible)
 {
     struct hatch_mesh mesh = cube(-1, 1);
     struct hatch_view view = view_from(7, 5, 6, false);
@@ -119,7 +120,7 @@ START_TEST(nine_edges_of_a_cube_are_seen)
 }
 END_TEST
 
-/* Marks a pixel and all ink that hangs together with it. */
+/* Marks the connected component of ink at a pixel. */
 static void flood(const struct hatch_image *image, uint8_t *seen, size_t start)
 {
     static size_t stack[400 * 400];
@@ -140,7 +141,7 @@ static void flood(const struct hatch_image *image, uint8_t *seen, size_t start)
     }
 }
 
-START_TEST(a_sphere_is_one_even_ring)
+START_TEST(a_sphere_has_one_even_outline)
 {
     static uint8_t seen[400 * 400];
     static const uint32_t faces[] = {200, 2000, 60000};
@@ -166,7 +167,7 @@ START_TEST(a_sphere_is_one_even_ring)
 }
 END_TEST
 
-/* Is the way from a point of the torus to the eye free of the torus? */
+/* Whether the torus hides a point on it from the eye. */
 static bool torus_hides(const struct hatch_view *view, const double point[3])
 {
     double way[3];
@@ -180,7 +181,7 @@ static bool torus_hides(const struct hatch_view *view, const double point[3])
     return false;
 }
 
-/* Every point of the silhouette has ink where nothing is before it, and none where something is. */
+/* Visible points of the silhouette have ink, hidden ones have none. */
 START_TEST(hidden_parts_of_a_torus_are_left_out)
 {
     static double at[4000][2];
@@ -216,7 +217,7 @@ START_TEST(hidden_parts_of_a_torus_are_left_out)
 }
 END_TEST
 
-/* One picture, whole and in tiles of several sizes. */
+/* Draws one picture as a whole and in tiles of several sizes. */
 START_TEST(tiles_have_no_seams)
 {
     static const uint32_t tiles_px[] = {130, 201, 399};
@@ -233,10 +234,10 @@ START_TEST(tiles_have_no_seams)
 }
 END_TEST
 
-/* The eye on a vertex, within, and in the plane of a face. Where lines are known they have their ink: seen from within
- * there are none, a square of 200 pixels, as of the orthographic cube, has 1600, and so has half of the lines around
- * the whole picture. The others are as they were drawn once: nothing strays from a corner that lies at the eye. */
-START_TEST(the_camera_may_stand_anywhere)
+/* The eye lies on a vertex, inside the mesh, and in the plane of a face. Some amounts of ink are known: 0 from inside
+ * the cube; 1600 for a square of 200 pixels, such as the orthographic cube, and for half of the lines around the whole
+ * picture. The others were measured once, and detect lines that stray from a corner near the eye. */
+START_TEST(cameras_on_or_inside_the_mesh_draw_the_right_lines)
 {
     static const double eyes[][3] = {{1, 1, 1}, {0, 0, 0.2}, {1, 0, 1e-9}, {0, 1, 0}};
     static const double ink[][4] = {
@@ -257,11 +258,11 @@ static Suite *suite(void)
     TCase *tests = tcase_create("pictures");
     tcase_add_checked_fixture(tests, begin_frame, end_frame);
     tcase_add_loop_test(tests, ink_is_width_times_length, 0, 6);
-    tcase_add_test(tests, nine_edges_of_a_cube_are_seen);
-    tcase_add_loop_test(tests, a_sphere_is_one_even_ring, 0, 3);
+    tcase_add_test(tests, nine_edges_of_a_cube_are_visible);
+    tcase_add_loop_test(tests, a_sphere_has_one_even_outline, 0, 3);
     tcase_add_loop_test(tests, hidden_parts_of_a_torus_are_left_out, 0, 3);
     tcase_add_test(tests, tiles_have_no_seams);
-    tcase_add_loop_test(tests, the_camera_may_stand_anywhere, 0, 4);
+    tcase_add_loop_test(tests, cameras_on_or_inside_the_mesh_draw_the_right_lines, 0, 4);
     suite_add_tcase(suite, tests);
     return suite;
 }

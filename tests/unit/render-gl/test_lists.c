@@ -1,5 +1,6 @@
-/* Lists of strokes against every seed everywhere: the same picture for every fade, rotation, number of layers and
- * of seeds. Each value meets each of another kind in some case (an orthogonal array of five levels). */
+/* Pictures drawn with coverage lists equal pictures that try all seed points at every pixel, for all fades, rotations,
+ * numbers of layers and of seed points. The cases are an orthogonal array of five levels: any two values of different
+ * parameters occur together. */
 #include "render_frame.h"
 #include "rptam_model.h"
 
@@ -13,7 +14,7 @@ static const double tones[LEVELS] = {0.1, 0.3, 0.5, 0.7, 1};
 static struct test_frame frame;
 static struct hatch_rptam rptam;
 
-/* Column k of row i: a + k b over the field of five. */
+/* Column k of row i = 5 a + b of the array: a + k b modulo 5. */
 static int level(int i, int k)
 {
     return (i / LEVELS + k * (i % LEVELS)) % LEVELS;
@@ -34,7 +35,7 @@ static void make_case(int i)
     model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
 }
 
-START_TEST(lists_and_all_seeds_give_one_picture)
+START_TEST(coverage_lists_and_brute_force_give_the_same_picture)
 {
     struct hatch_image pictures[2];
     struct hatch_view view = {.half_height = 0.5, .aspect = 1, .near = 0.01, .far = 100, .pivot = 3};
@@ -48,7 +49,7 @@ START_TEST(lists_and_all_seeds_give_one_picture)
     frame.model = &rptam;
     frame.shown.style.curve.high = tones[level(_i, 2)];
     for (int all = 0; all < 2; all++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &pictures[all]);
     }
@@ -63,7 +64,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lists");
     TCase *tests = tcase_create("lists");
-    tcase_add_loop_test(tests, lists_and_all_seeds_give_one_picture, 0, LEVELS * LEVELS);
+    tcase_add_loop_test(tests, coverage_lists_and_brute_force_give_the_same_picture, 0, LEVELS * LEVELS);
     suite_add_tcase(suite, tests);
     return suite;
 }

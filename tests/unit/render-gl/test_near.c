@@ -1,4 +1,4 @@
-/* Pieces of near faces on lapped and on moving surfaces, and when memory runs out. */
+/* Pieces of near faces on lapped, moving and skinned surfaces, and with too little memory. */
 #include "render_lapped.h"
 
 #include "math/vector.h"
@@ -8,7 +8,7 @@ enum { WIDE = 64, HIGH = 48 };
 
 static struct hatch_rptam rptam;
 
-/* Hatch coordinates of one's own in each patch. */
+/* Gives each patch different hatch coordinates. */
 static void place_turned(uint32_t patch, const float *position, float hatch[2], float outline[2])
 {
     float turn = 0.3f + (float)patch;
@@ -27,7 +27,8 @@ static void make_model(void)
     frame.shown.style.curve.low = frame.shown.style.curve.high = 0.5;
 }
 
-/* Near a torus's face, off its normal. */
+/* A view of face 300 from a distance, oblique to its normal.
+ *   shift  translation of the mesh */
 static struct hatch_view view_near(const struct hatch_mesh *mesh, double distance, const double shift[3])
 {
     double corner[3][3], normal[3], side[3];
@@ -49,8 +50,8 @@ static struct hatch_view view_near(const struct hatch_mesh *mesh, double distanc
 
 static const double nowhere[3] = {0, 0, 0};
 
-/* Patches that cover all: the picture is that of the last one's coordinates without patches. */
-START_TEST(lapped_surfaces_hold)
+/* All patches are opaque, so the picture equals that of the surface with the last patch's coordinates. */
+START_TEST(a_close_up_of_patches_shows_the_top_patch)
 {
     const double distance = exp2(-12 - 8 * _i);
     struct hatch_image pictures[2];
@@ -77,8 +78,8 @@ START_TEST(lapped_surfaces_hold)
 }
 END_TEST
 
-/* A surface that goes away and comes back, and an eye that goes with it: the same picture. */
-START_TEST(surfaces_may_move)
+/* Surface and eye move together, and back. */
+START_TEST(a_close_up_moves_with_the_surface)
 {
     static const double away[3] = {0.25, -0.5, 0.125};
     struct hatch_image pictures[3];
@@ -95,15 +96,15 @@ START_TEST(surfaces_may_move)
         ck_assert_ptr_nonnull(hatch_near_item_at(&frame.shown.near.found, 0));
     }
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[2]), 0);
-    /* Sums of coordinates of other sizes are rounded otherwise, by 2^-23 of the distance or less. */
+    /* Coordinates of another magnitude are rounded differently, by at most 2^-23 of the distance. */
     ck_assert_double_le(frame_difference(&pictures[0], &pictures[1]), 0.02);
     frame_finish(&frame);
 }
 END_TEST
 
-/* A plane on joints, which go away and take the eye with them, is the plane without, whose surface one knows at
- * vertices: here both have one derivative everywhere. */
-START_TEST(skinned_surfaces_hold)
+/* Joints and eye move together. Derivatives by texture coordinates are kept per vertex only for static surfaces; on a
+ * plane they are constant either way. */
+START_TEST(a_close_up_of_a_skinned_plane_equals_an_unskinned_one)
 {
     static const double away[3] = {0.25, -0.5, 0.125};
     const double distance = exp2(-11 - 10 * _i);
@@ -115,7 +116,7 @@ START_TEST(skinned_surfaces_hold)
     struct hatch_view view = view_near(&plane, distance, nowhere);
     frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &plain);
     frame_close(&frame);
-    frame_hang(&plane, &frame);
+    frame_skin(&plane, &frame);
     frame_open_scene(NULL, &frame_unit, NULL, &frame);
     make_model();
     for (int moved = 0; moved < 3; moved++) {
@@ -131,8 +132,8 @@ START_TEST(skinned_surfaces_hold)
 }
 END_TEST
 
-/* Memory ends at every size: a status, and a picture when there is enough again. */
-START_TEST(too_little_memory_is_a_status)
+/* With every limit of memory the pieces are either found or refused with a status. */
+START_TEST(too_little_memory_is_a_limit)
 {
     static const struct hatch_tile tile = {0, 0, WIDE, HIGH, WIDE, HIGH};
     uint32_t refused = 0;
@@ -160,10 +161,10 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render near");
     TCase *tests = tcase_create("near");
-    tcase_add_loop_test(tests, lapped_surfaces_hold, 0, 4);
-    tcase_add_test(tests, surfaces_may_move);
-    tcase_add_loop_test(tests, skinned_surfaces_hold, 0, 4);
-    tcase_add_test(tests, too_little_memory_is_a_status);
+    tcase_add_loop_test(tests, a_close_up_of_patches_shows_the_top_patch, 0, 4);
+    tcase_add_test(tests, a_close_up_moves_with_the_surface);
+    tcase_add_loop_test(tests, a_close_up_of_a_skinned_plane_equals_an_unskinned_one, 0, 4);
+    tcase_add_test(tests, too_little_memory_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }

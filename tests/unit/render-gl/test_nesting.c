@@ -1,5 +1,4 @@
-/* Strokes read back from pictures of a plane that goes away: those of a further view were there in every nearer
- * one, and none comes. */
+/* Reads strokes back from pictures of a receding plane: the strokes of a more distant view are in every nearer one. */
 #include "render_frame.h"
 #include "rptam_model.h"
 
@@ -22,10 +21,9 @@ static void begin_plane(void)
     frame.model = &rptam;
 }
 
-/* A stroke by where it stands in the plane of texture coordinates, and in the picture. */
 struct stroke {
-    double uv[2], ink;
-    bool alone; /* no other stroke of the nearest picture is within its size */
+    double uv[2], ink; /* position in texture coordinates, ink in the last picture */
+    bool alone;        /* no other stroke overlaps it in the picture */
 };
 
 static uint32_t list_strokes(struct stroke *strokes)
@@ -52,7 +50,8 @@ static void find_alone(struct stroke *strokes, uint32_t count, double pixels, do
     }
 }
 
-/* The picture shows 2 span of the plane around its middle. Returns how many strokes show well. */
+/* Draws 2 span x 2 span of the plane and checks that no stroke has more ink than in the last picture.
+ * Returns the number of strokes with more than half of the ink. */
 static uint32_t read_strokes(double span, double size_px, struct stroke *strokes, uint32_t count)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&frame.args.keep);
@@ -85,7 +84,7 @@ static uint32_t read_strokes(double span, double size_px, struct stroke *strokes
     return there;
 }
 
-START_TEST(strokes_only_go_while_the_plane_goes_away)
+START_TEST(no_stroke_appears_while_the_plane_recedes)
 {
     static struct stroke strokes[SEEDS_MOST * TILES * TILES];
     const struct model_how models[] = {
@@ -119,7 +118,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render nesting");
     TCase *tests = tcase_create("nesting");
-    tcase_add_loop_test(tests, strokes_only_go_while_the_plane_goes_away, 0, 4);
+    tcase_add_loop_test(tests, no_stroke_appears_while_the_plane_recedes, 0, 4);
     suite_add_tcase(suite, tests);
     return suite;
 }

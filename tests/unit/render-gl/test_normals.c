@@ -1,4 +1,4 @@
-/* Normal maps of one normal everywhere: light on a plane is then known. */
+/* Normal maps with one constant normal, under which the light on a plane is known. */
 #include "render-gl/scene/normals.h"
 #include "render_frame.h"
 #include "render_map.h"
@@ -6,11 +6,13 @@
 enum { SIZE = 16 };
 
 static struct test_frame frame;
-static bool jointed; /* the plane hangs on joints */
+static bool is_skinned; /* the plane is skinned */
 static const double to_light[3] = {0.48, 0.6, 0.64};
 
-/* A plane that faces the camera. turn: of its texture coordinates against the clock, in quarters; mirrored: u runs
- * the other way; own: the file says TANGENT, and coordinates do not count. */
+/* Opens a plane that faces the camera.
+ *   turn      rotation of its texture coordinates in quarter turns, counter-clockwise
+ *   mirrored  u is negated
+ *   own       the mesh has TANGENT, and its texture coordinates are constant */
 static void begin(int turn, bool mirrored, bool own)
 {
     static const float quarter[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -31,8 +33,8 @@ static void begin(int turn, bool mirrored, bool own)
     for (uint32_t i = 0; !own && i < mesh.attribute_count; i++)
         if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
             mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
-    if (jointed) {
-        frame_hang(&mesh, &frame);
+    if (is_skinned) {
+        frame_skin(&mesh, &frame);
         frame_open_scene(NULL, &frame_unit, NULL, &frame);
     } else {
         frame_open(&mesh, &frame_unit, NULL, &frame);
@@ -61,8 +63,8 @@ static double light(void)
     return (double)image.pixels[3 * (SIZE / 2 * SIZE + SIZE / 2)];
 }
 
-/* By the definition of glTF 2.0: x goes along rising u, y along falling v. */
-START_TEST(light_is_that_of_the_tilted_normal)
+/* glTF 2.0: x of the map points along increasing u, y along decreasing v. */
+START_TEST(normal_maps_tilt_the_normal_as_gltf_defines)
 {
     static const double tilts[][3] = {{0.6, 0, 0.8}, {0, 0.6, 0.8}, {-0.36, 0.48, 0.8}, {0.8, -0.36, 0.48}};
     static const double along[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -70,7 +72,7 @@ START_TEST(light_is_that_of_the_tilted_normal)
         for (int kind = 0; kind < 4; kind++)
             for (size_t i = 0; i < sizeof tilts / sizeof *tilts; i++) {
                 double strength = i == 2 ? 0.5 : 1, x = strength * tilts[i][0], y = strength * tilts[i][1];
-                double u = kind % 2 ? -x : x; /* along what u would be without the mirror */
+                double u = kind % 2 ? -x : x; /* along u before it is mirrored */
                 double normal[3] = {along[turn][0] * u - along[turn][1] * y, along[turn][1] * u + along[turn][0] * y,
                                     tilts[i][2]};
                 double size = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]), want = 0;
@@ -86,8 +88,8 @@ START_TEST(light_is_that_of_the_tilted_normal)
 }
 END_TEST
 
-/* As eight bits say it, which have no middle. */
-START_TEST(a_flat_map_is_none)
+/* Eight bits have no exact zero, so 128 is not quite flat. */
+START_TEST(a_flat_normal_map_changes_nothing)
 {
     begin(0, false, false);
     double bare = light();
@@ -97,10 +99,10 @@ START_TEST(a_flat_map_is_none)
 }
 END_TEST
 
-/* A quarter turn of the joints takes x to y and y to -x. */
-START_TEST(joints_turn_what_is_tilted)
+/* A quarter turn of the joints maps x to y and y to -x. */
+START_TEST(joints_rotate_mapped_normals)
 {
-    jointed = true;
+    is_skinned = true;
     begin(0, false, false);
     set_normal(0.6, 0, 0.8, 1);
     for (int i = 1; i <= 2; i++)
@@ -111,8 +113,8 @@ START_TEST(joints_turn_what_is_tilted)
 }
 END_TEST
 
-/* The other side of a plane leans as that side shows it. */
-START_TEST(from_behind_all_is_turned_round)
+/* Seen from behind, the mapped normal is reversed. */
+START_TEST(back_faces_reverse_mapped_normals)
 {
     struct hatch_view behind = view_facing;
     behind.eye[2] = -2;
@@ -132,10 +134,10 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render normals");
     TCase *tests = tcase_create("normals");
-    tcase_add_test(tests, light_is_that_of_the_tilted_normal);
-    tcase_add_test(tests, a_flat_map_is_none);
-    tcase_add_test(tests, joints_turn_what_is_tilted);
-    tcase_add_test(tests, from_behind_all_is_turned_round);
+    tcase_add_test(tests, normal_maps_tilt_the_normal_as_gltf_defines);
+    tcase_add_test(tests, a_flat_normal_map_changes_nothing);
+    tcase_add_test(tests, joints_rotate_mapped_normals);
+    tcase_add_test(tests, back_faces_reverse_mapped_normals);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -1,7 +1,7 @@
-/* Pictures of patches: what must see the surface below them once. */
+/* Pictures of patches that depend on the surface below them: lines, skinning, and --show patches. */
 #include "render_lapped.h"
 
-/* Draws tone and lines of what frame holds. */
+/* Draws the tone and the lines of the scene. */
 static void draw_lines(struct hatch_image *image)
 {
     const struct line_overlay_style style = {.lines = {.kinds = HATCH_LINES_ALL, .width_px = 2, .crease_rad = 0.7}};
@@ -14,7 +14,7 @@ static void draw_lines(struct hatch_image *image)
     line_overlay_free(&lines);
 }
 
-START_TEST(lines_see_the_surface_once)
+START_TEST(lines_are_those_of_the_surface_without_patches)
 {
     struct hatch_image lapped, plain, none;
     begin();
@@ -36,7 +36,7 @@ START_TEST(lines_see_the_surface_once)
 }
 END_TEST
 
-/* The upper half of a sphere follows a joint that leans and moves to the right. */
+/* A sphere whose upper half follows the first joint of lapped_scene_skin. */
 static struct hatch_mesh skinned_sphere(void)
 {
     struct hatch_mesh sphere = frame_shape(&frame, HATCH_SHAPE_SPHERE, 2000);
@@ -51,7 +51,7 @@ static struct hatch_mesh skinned_sphere(void)
     return sphere;
 }
 
-START_TEST(patches_move_with_a_skin)
+START_TEST(patches_follow_skinning)
 {
     struct hatch_image lapped, plain, still;
     begin();
@@ -62,22 +62,22 @@ START_TEST(patches_move_with_a_skin)
     HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
-    lend_outline();
+    set_outline();
     black_map();
     frame.shown.style.light =
-        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* behind it */
+        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* from behind: all dark */
     draw_in_tiles("tam", 160, 1, &lapped);
     frame_close(&frame);
     HATCH_TEST_OK(hatch_scene_of_mesh(&sphere, &frame.args.keep, &frame.scene, &frame.err), &frame.err);
     frame_open_scene(NULL, &frame_unit, NULL, &frame);
     frame.shown.style.light =
-        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* behind it */
+        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* from behind: all dark */
     draw_in_tiles("gouraud", 160, 1, &still);
     frame_close(&frame);
     lapped_scene_skin(&frame.scene, &frame.args.keep);
     frame_open_scene(NULL, &frame_unit, NULL, &frame);
     frame.shown.style.light =
-        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* behind it */
+        (struct hatch_key_light){.replaces = true, .azimuth_rad = 3.14159265358979324}; /* from behind: all dark */
     draw_in_tiles("gouraud", 160, 1, &plain);
     ck_assert_double_gt(frame_difference(&plain, &still), 0.5);
     ck_assert_double_le(frame_difference(&lapped, &plain), 1.0 / 255);
@@ -85,7 +85,7 @@ START_TEST(patches_move_with_a_skin)
 }
 END_TEST
 
-START_TEST(patches_have_tones_of_their_own)
+START_TEST(show_patches_gives_patches_different_tones)
 {
     struct hatch_image image;
     uint32_t tones = 0;
@@ -95,7 +95,7 @@ START_TEST(patches_have_tones_of_their_own)
     begin_lapped(&sphere, &caps);
     frame.shown.style.light = (struct hatch_key_light){.replaces = true, .azimuth_rad = 0};
     draw_in_tiles("patches", 160, 1, &image);
-    /* Along a row, steps between neighbours that the light does not make. */
+    /* Counts jumps of brightness along a row that are larger than those of the light. */
     for (uint32_t x = 50; x < 110; x++)
         tones += fabsf(image.pixels[3 * (80 * 160 + x)] - image.pixels[3 * (80 * 160 + x + 1)]) > 0.02f;
     ck_assert_uint_ge(tones, 3);
@@ -107,9 +107,9 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("pictures of patches");
     TCase *tests = tcase_create("pictures of patches");
-    tcase_add_loop_test(tests, lines_see_the_surface_once, 0, 2);
-    tcase_add_test(tests, patches_move_with_a_skin);
-    tcase_add_test(tests, patches_have_tones_of_their_own);
+    tcase_add_loop_test(tests, lines_are_those_of_the_surface_without_patches, 0, 2);
+    tcase_add_test(tests, patches_follow_skinning);
+    tcase_add_test(tests, show_patches_gives_patches_different_tones);
     suite_add_tcase(made, tests);
     return made;
 }

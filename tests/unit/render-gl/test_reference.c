@@ -1,4 +1,4 @@
-/* The pictures of recursive procedural tonal art maps against Algorithm 2 in doubles, in perspective. */
+/* Compares pictures of recursive procedural tonal art maps in perspective with Algorithm 2 in doubles. */
 #include "render_frame.h"
 #include "rptam_model.h"
 #include "rptam_raster.h"
@@ -80,7 +80,7 @@ static void draw_both(int scene, double low, double high, struct raster *raster,
     raster_draw(raster, &frame.args.keep);
 }
 
-START_TEST(pictures_are_algorithm_2)
+START_TEST(pictures_match_algorithm_2)
 {
     struct raster raster;
     struct hatch_image picture;
@@ -114,7 +114,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render reference");
     TCase *tests = tcase_create("reference");
-    tcase_add_loop_test(tests, pictures_are_algorithm_2, 0, MODELS * SCENES);
+    tcase_add_loop_test(tests, pictures_match_algorithm_2, 0, MODELS * SCENES);
     suite_add_tcase(suite, tests);
     return suite;
 }

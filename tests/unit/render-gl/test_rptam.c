@@ -1,5 +1,5 @@
-/* Recursive procedural tonal art maps on the GPU against their definition in doubles, on a plane that is
- * parallel to the screen; and the lists of strokes against every seed everywhere. */
+/* Compares recursive procedural tonal art maps on the GPU with their definition in doubles, on a plane parallel to the
+ * screen, and coverage lists with trying all seed points. */
 #include <math.h>
 
 #include "render_frame.h"
@@ -17,7 +17,7 @@ static void begin_plane(void)
     frame.model = &rptam;
 }
 
-/* From the front; the picture shows `span` by `span` of the texture's plane around its middle. */
+/* A view from the front of `span` x `span` in texture coordinates around the middle. */
 static struct hatch_view view_of(double span)
 {
     return (struct hatch_view){.eye = {0, 0, 5},
@@ -32,7 +32,8 @@ static struct hatch_view view_of(double span)
                                .pivot = 5};
 }
 
-/* The ink of the model where the picture shows a unit of the texture as so many pixels. */
+/* Ink of the model.
+ *   unit_px  size in the picture of one unit of texture coordinates */
 static double model_ink(const double uv[2], double unit_px, const double *amounts)
 {
     double left = 1;
@@ -43,7 +44,7 @@ static double model_ink(const double uv[2], double unit_px, const double *amount
     return 1 - left;
 }
 
-/* The largest difference of a picture from the model, in ink. */
+/* The largest difference of ink between a picture and the model. */
 static double compare(double span, double tone)
 {
     struct hatch_image picture;
@@ -93,7 +94,7 @@ static const struct model_how looks[LOOKS] = {
      .length_px = 60,
      .width_px = 2,
      .angle_rad = {0.2, 1, 2},
-     .ink = 0.7, /* over the tile */
+     .ink = 0.7, /* strokes longer than the tile */
      .law = HATCH_FADE_WEIGHTED,
      .overlap = 0.8,
      .fade_size = true,
@@ -119,7 +120,7 @@ static const struct model_how looks[LOOKS] = {
      .seeds = 37},
 };
 
-START_TEST(a_plane_is_the_model)
+START_TEST(pictures_of_a_plane_match_the_model)
 {
     static const double spans[] = {1, 0.7, 0.31, 0.11};
     frame_arenas(&frame);
@@ -134,8 +135,8 @@ START_TEST(a_plane_is_the_model)
 }
 END_TEST
 
-/* Two of the same views of a torus, with the lists and without. */
-START_TEST(lists_hold_every_stroke_that_shows)
+/* Draws a torus with coverage lists and with all seed points. */
+START_TEST(coverage_lists_hold_every_visible_stroke)
 {
     struct hatch_image pictures[2];
     struct hatch_view view = view_of(0.8);
@@ -147,7 +148,7 @@ START_TEST(lists_hold_every_stroke_that_shows)
     frame.model = &rptam;
     frame.shown.style.curve.exposure = 1;
     for (int all = 0; all < 2; all++) {
-        frame_forget(&frame);
+        frame_reset(&frame);
         rptam_options.loop = all;
         frame_draw(&frame, "rptam", &view, SIZE, SIZE, 2, &pictures[all]);
     }
@@ -157,11 +158,11 @@ START_TEST(lists_hold_every_stroke_that_shows)
 }
 END_TEST
 
-/* What is still there a level further out was there before. */
-START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
+/* Every stroke of the view from twice the distance is in the nearer view. */
+START_TEST(strokes_of_a_distant_view_are_in_the_nearer_one)
 {
     struct hatch_image near_picture, far_picture;
-    /* dots: only whether they are there counts */
+    /* dots: present or absent */
     const struct model_how how = {.seeds = 16, .tile_px = SIZE, .length_px = 4, .width_px = 4, .overlap = 1};
     frame_arenas(&frame);
     model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
@@ -171,7 +172,7 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &near_picture);
     view = view_of(2);
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &far_picture);
-    /* A pixel that is ink far out, and the eight by eight that lie around it near by. */
+    /* A pixel with ink in the distant view needs ink among the 8 x 8 pixels around it in the nearer view. */
     uint32_t dots = 0, lost = 0;
     for (uint32_t y = SIZE / 4 + 2; y < 3 * SIZE / 4 - 2; y++)
         for (uint32_t x = SIZE / 4 + 2; x < 3 * SIZE / 4 - 2; x++) {
@@ -190,9 +191,8 @@ START_TEST(strokes_of_a_sparser_level_are_a_part_of_the_denser)
 }
 END_TEST
 
-/* Each with a stroke, a size, a tile and a set of its own; their stretches of tones overlap and come in any
- * order. */
-START_TEST(layers_differ_in_everything)
+/* Layers have different strokes, sizes, tiles and seed sets; their tone intervals overlap and are in no order. */
+START_TEST(layers_may_differ_in_every_parameter)
 {
     frame_arenas(&frame);
     struct hatch_rptam_style style;
@@ -215,8 +215,8 @@ START_TEST(layers_differ_in_everything)
 }
 END_TEST
 
-/* Each comes in on its small stretch; a light tone needs few of them, and the others leave it alone. */
-START_TEST(more_layers_than_tones)
+/* Each layer has a narrow tone interval, so a light tone has strokes of few layers only. */
+START_TEST(the_largest_number_of_layers_matches_the_model)
 {
     struct model_how how = looks[0];
     double amounts[HATCH_RPTAM_LAYERS_MAX];
@@ -239,7 +239,7 @@ START_TEST(more_layers_than_tones)
 }
 END_TEST
 
-START_TEST(no_layer_is_paper)
+START_TEST(no_layers_give_blank_paper)
 {
     struct hatch_image picture;
     struct hatch_view view = view_of(1);
@@ -261,12 +261,12 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render rptam");
     TCase *tests = tcase_create("rptam");
-    tcase_add_loop_test(tests, a_plane_is_the_model, 0, LOOKS);
-    tcase_add_loop_test(tests, lists_hold_every_stroke_that_shows, 0, LOOKS);
-    tcase_add_test(tests, layers_differ_in_everything);
-    tcase_add_test(tests, more_layers_than_tones);
-    tcase_add_test(tests, no_layer_is_paper);
-    tcase_add_test(tests, strokes_of_a_sparser_level_are_a_part_of_the_denser);
+    tcase_add_loop_test(tests, pictures_of_a_plane_match_the_model, 0, LOOKS);
+    tcase_add_loop_test(tests, coverage_lists_hold_every_visible_stroke, 0, LOOKS);
+    tcase_add_test(tests, layers_may_differ_in_every_parameter);
+    tcase_add_test(tests, the_largest_number_of_layers_matches_the_model);
+    tcase_add_test(tests, no_layers_give_blank_paper);
+    tcase_add_test(tests, strokes_of_a_distant_view_are_in_the_nearer_one);
     suite_add_tcase(suite, tests);
     return suite;
 }

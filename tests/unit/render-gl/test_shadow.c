@@ -1,5 +1,5 @@
-/* Shadows where geometry says: a small square above a plane, seen from straight above, so that the light's slant
- * puts the shadow beside it. */
+/* Compares shadows with geometry: a small square above a plane, seen from straight above, lit obliquely so that the
+ * shadow falls beside it. */
 #include "render_frame.h"
 #include "render_map.h"
 
@@ -40,12 +40,7 @@ static void set_shadows(double width)
     frame.shown.style.shadow_edge = width;
 }
 
-static void forget(void)
-{
-    frame_forget(&frame);
-}
-
-/* The middle row's brightness from left to right. */
+/* Draws the scene and returns the brightness of the middle row. */
 static void draw_row(float row[SIZE])
 {
     struct hatch_image image;
@@ -54,7 +49,8 @@ static void draw_row(float row[SIZE])
         row[x] = image.pixels[3 * ((size_t)SIZE / 2 * SIZE + x)];
 }
 
-/* Where the light is halfway between two pixels' values, in units, from the first pixel on in steps of +-1. */
+/* Returns the x at which the brightness first rises through a level, searching from a pixel.
+ *   step  +1 or -1 */
 static double crossing(const float row[SIZE], int from, int step, double level)
 {
     for (int x = from; x + step >= 0 && x + step < SIZE; x += step) {
@@ -71,14 +67,14 @@ static int pixel_at(double x)
     return (int)((x + 1) / 2 * SIZE);
 }
 
-/* Edges of the shadow at left and right, its tone that of no light, and none a little outside. lit: the light with
- * and the light without shadows are the same there. */
+/* Checks that the shadow extends from left to right, has only ambient light in its middle, and changes nothing farther
+ * out than its edge is wide. */
 static void check_edges(double left, double right, double width)
 {
     float row[SIZE], bare[SIZE];
     set_shadows(0);
     draw_row(bare);
-    forget();
+    frame_reset(&frame);
     set_shadows(width);
     draw_row(row);
     int middle = pixel_at((left + right) / 2);
@@ -91,12 +87,12 @@ static void check_edges(double left, double right, double width)
     }
     for (int x = 0; x < SIZE; x++) {
         double at = (x + 0.5) * pixel - 1, away = fmax(left - at, at - right);
-        if (away > width + 2 * pixel) /* wider where the light comes in at a slant */
+        if (away > width + 2 * pixel) /* edges are wider in oblique light */
             ck_assert_msg(fabs((double)row[x] - (double)bare[x]) <= 1.0 / 255, "%g is darkened", at);
     }
 }
 
-START_TEST(sun_casts_a_square)
+START_TEST(the_sun_casts_a_shadow_of_the_same_size)
 {
     static const double widths[] = {0.01, 0.03, 0.1};
     for (size_t i = 0; i < 3; i++) {
@@ -113,7 +109,7 @@ END_TEST
 #define LAMP_X 0.9
 #define LAMP_HEIGHT 1.5
 
-/* Lamps in one place over the right side, of any kind, which are as bright as one together; spots shine at the
+/* Opens a scene with `count` lamps at one place above the right side, together as bright as one. Spots point at the
  * square. */
 static void begin_lamps(enum hatch_light_type type, uint32_t count)
 {
@@ -144,7 +140,7 @@ static void begin_lamps(enum hatch_light_type type, uint32_t count)
     frame_open_scene(NULL, &frame_unit, NULL, &frame);
 }
 
-START_TEST(lamps_cast_larger_squares)
+START_TEST(lamps_cast_larger_shadows)
 {
     static const enum hatch_light_type types[] = {HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT};
     const double grown = LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT);
@@ -157,8 +153,8 @@ START_TEST(lamps_cast_larger_squares)
 }
 END_TEST
 
-/* The first lights have shadows as long as there is room for their maps; the others go through all. */
-START_TEST(shadows_have_their_maps)
+/* Lights cast shadows in order until SHADOW_LAYERS_MAX is reached; the others are not blocked. */
+START_TEST(lights_beyond_the_limit_cast_no_shadows)
 {
     static const struct {
         enum hatch_light_type type;
@@ -175,7 +171,7 @@ START_TEST(shadows_have_their_maps)
         begin_lamps(cases[i].type, count);
         set_shadows(0);
         draw_row(bare);
-        frame_forget(&frame);
+        frame_reset(&frame);
         set_shadows(0.03);
         draw_row(row);
         int middle = pixel_at(LAMP_X - LAMP_X * LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT));
@@ -187,8 +183,8 @@ START_TEST(shadows_have_their_maps)
 }
 END_TEST
 
-/* However the light slants, and however coarse the faces are. */
-START_TEST(nothing_shades_itself)
+/* For light at any angle and for coarse faces. */
+START_TEST(lit_surfaces_do_not_shadow_themselves)
 {
     for (int shape = 0; shape < 2; shape++)
         for (int turn = 0; turn < 5; turn++) {
@@ -202,7 +198,7 @@ START_TEST(nothing_shades_itself)
             for (int shadows = 0; shadows < 2; shadows++) {
                 set_shadows(shadows ? 0.03 : 0);
                 frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &image[shadows]);
-                forget();
+                frame_reset(&frame);
             }
             double worst = frame_difference(&image[0], &image[1]);
             ck_assert_msg(worst <= (shape ? 8.0 : 1.0) / 255, "shape %d, turn %d: %g/255", shape, turn, 255 * worst);
@@ -211,7 +207,7 @@ START_TEST(nothing_shades_itself)
 }
 END_TEST
 
-START_TEST(tiles_are_one_picture)
+START_TEST(tiled_and_whole_pictures_are_equal)
 {
     struct hatch_image whole, tiled;
     frame_arenas(&frame);
@@ -227,7 +223,8 @@ START_TEST(tiles_are_one_picture)
 }
 END_TEST
 
-/* Maps are kept while nothing moves: a lamp that moves and a pose that leaves all boxes as they are. */
+/* Shadow maps are reused between frames, but not when the light moves or when a pose changes without changing bounds.
+ */
 START_TEST(shadows_follow_lights_and_poses)
 {
     struct hatch_image kept, fresh, before;
@@ -249,7 +246,7 @@ START_TEST(shadows_follow_lights_and_poses)
             light->azimuth_rad = -0.4;
         }
         frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &kept);
-        forget();
+        frame_reset(&frame);
         frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &fresh);
         ck_assert_double_le(frame_difference(&kept, &fresh), 0);
         ck_assert_double_gt(frame_difference(&kept, &before), 0.2);
@@ -265,11 +262,11 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render shadow");
     TCase *tests = tcase_create("shadow");
-    tcase_add_test(tests, sun_casts_a_square);
-    tcase_add_test(tests, lamps_cast_larger_squares);
-    tcase_add_test(tests, shadows_have_their_maps);
-    tcase_add_test(tests, nothing_shades_itself);
-    tcase_add_test(tests, tiles_are_one_picture);
+    tcase_add_test(tests, the_sun_casts_a_shadow_of_the_same_size);
+    tcase_add_test(tests, lamps_cast_larger_shadows);
+    tcase_add_test(tests, lights_beyond_the_limit_cast_no_shadows);
+    tcase_add_test(tests, lit_surfaces_do_not_shadow_themselves);
+    tcase_add_test(tests, tiled_and_whole_pictures_are_equal);
     tcase_add_test(tests, shadows_follow_lights_and_poses);
     suite_add_tcase(made, tests);
     return made;

@@ -1,5 +1,4 @@
-/* What a picture looks like from afar: its tone, its edges, its tiles. tests/cli/render-gl/tone.t has the tone of every
- * technique. */
+/* Tone, edges and tiles of pictures of the teapot. tests/cli/render-gl/tone.t checks the tone of every technique. */
 #include <math.h>
 
 #include "filter/difference.h"
@@ -14,7 +13,7 @@ static struct test_map map;
 static struct hatch_mesh mesh;
 static const struct hatch_bounds teapot_bounds = {.center = {0.2, 1.5, 0}, .radius = 3.5};
 
-/* The default style at 256 texels, and the teapot. */
+/* Fills a map of 256 texels in the default style and opens the teapot. */
 static void begin(void)
 {
     map_begin();
@@ -34,7 +33,8 @@ static void end(void)
     map_end();
 }
 
-/* From a distance in units of the distance that frames the teapot. */
+/* A view of the teapot.
+ *   distance  in multiples of the distance that frames it */
 static struct hatch_view view_from(double distance)
 {
     struct hatch_view view = frame_view(&frame, (double)WIDTH / HEIGHT);
@@ -50,8 +50,8 @@ static void set_repeat(const struct hatch_view *view)
                   &frame.err);
 }
 
-/* The low pass is a box of half the map's side: what the eye blends at reading distance. */
-START_TEST(strokes_have_the_tone_of_the_light)
+/* The low pass is a box half as wide as the map, about what the eye blends at reading distance. */
+START_TEST(strokes_reproduce_the_tone_of_the_light)
 {
     static const double distances[] = {0.5, 1, 2};
     struct hatch_view framed;
@@ -82,7 +82,7 @@ static double threshold_error(uint32_t side, const struct hatch_view *view, cons
     return difference.rmse;
 }
 
-/* The jaggedness of an edge is its root mean square distance from 64 samples a pixel. */
+/* Aliasing is measured as the root mean square difference from a picture of 64 samples per pixel. */
 START_TEST(thresholded_strokes_have_smooth_edges)
 {
     struct hatch_image reference;
@@ -90,7 +90,7 @@ START_TEST(thresholded_strokes_have_smooth_edges)
     struct hatch_view view = view_from(1);
     set_repeat(&view);
     frame_draw(&frame, "tam-threshold", &view, WIDTH, HEIGHT, 8, &reference);
-    ck_assert_double_gt(threshold_error(1, &view, &reference), 0.05); /* the paper's jaggies */
+    ck_assert_double_gt(threshold_error(1, &view, &reference), 0.05); /* one sample, as in the paper */
     ck_assert_double_le(threshold_error(4, &view, &reference), 0.008);
     end();
 }
@@ -106,7 +106,7 @@ START_TEST(tiles_join_without_a_seam)
         struct hatch_image whole, tiled;
         struct hatch_difference difference;
         frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &whole);
-        frame.shown.size_max_px = 300; /* of a target: tiles of 150 pixels */
+        frame.shown.size_max_px = 300; /* draws in tiles of 150 pixels */
         frame_draw(&frame, drawn[i], &view, WIDTH, HEIGHT, 2, &tiled);
         frame.shown.size_max_px = frame.context.size_max_px;
         hatch_image_difference(&whole, &tiled, &difference);
@@ -120,7 +120,7 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("render tone");
     TCase *tests = tcase_create("tone");
-    tcase_add_test(tests, strokes_have_the_tone_of_the_light);
+    tcase_add_test(tests, strokes_reproduce_the_tone_of_the_light);
     tcase_add_test(tests, thresholded_strokes_have_smooth_edges);
     tcase_add_test(tests, tiles_join_without_a_seam);
     suite_add_tcase(made, tests);

@@ -12,7 +12,7 @@ static enum hatch_status read(const char *text)
     return hatch_layers_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &keep, &layers, &err);
 }
 
-START_TEST(a_line_is_a_layer)
+START_TEST(each_line_defines_a_layer)
 {
     HATCH_TEST_OK(read("# a comment\n\n"
                        "tone 0.2..0.6 turn -90 length 40 width 3 ink 0.8 tile 128 stroke my pencil.png \r\n"
@@ -66,7 +66,7 @@ START_TEST(a_bad_line_is_reported)
 }
 END_TEST
 
-START_TEST(layers_have_a_limit)
+START_TEST(too_many_layers_are_rejected)
 {
     char text[9 * (HATCH_RPTAM_LAYERS_MAX + 1) + 1] = "";
     for (uint32_t i = 0; i <= HATCH_RPTAM_LAYERS_MAX; i++) {
@@ -85,9 +85,9 @@ static Suite *suite(void)
     Suite *suite = suite_create("seed layers");
     TCase *tests = tcase_create("layers");
     tcase_add_checked_fixture(tests, begin, end);
-    tcase_add_test(tests, a_line_is_a_layer);
+    tcase_add_test(tests, each_line_defines_a_layer);
     tcase_add_loop_test(tests, a_bad_line_is_reported, 0, sizeof wrong / sizeof *wrong);
-    tcase_add_test(tests, layers_have_a_limit);
+    tcase_add_test(tests, too_many_layers_are_rejected);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,4 +1,4 @@
-/* Surfaces and frames take as many steps for a face of a large mesh as for one of a small mesh. */
+/* Making surfaces and frames takes as many steps per face of a large mesh as of a small one. */
 #include "field_make.h"
 #include "steps.h"
 
@@ -10,7 +10,7 @@ static double steps_a_face(struct hatch_mesh mesh)
     return (double)steps / mesh.face_count;
 }
 
-/* Faces around one point: whatever looks through all that meets there for each of them shows. */
+/* Faces around one point. Searching through all of them for each of them would show in the count. */
 static struct hatch_mesh fan(uint32_t count)
 {
     struct hatch_mesh mesh;
@@ -24,8 +24,8 @@ static struct hatch_mesh fan(uint32_t count)
     return mesh;
 }
 
-/* Measured: 860 steps a face of either fan, 797 and 796 of the tori; a search through the fan adds 500 for every
- * thousand faces. Fewer than 100 were no count. */
+/* Measured: 860 steps per face of both fans, 797 and 796 of the tori; a search through the fan adds 500 per thousand
+ * faces. Fewer than 100 would mean that steps are not counted. */
 START_TEST(a_fan_takes_as_many_steps_as_it_has_faces)
 {
     double few = steps_a_face(fan(3000)), many = steps_a_face(fan(50000));
