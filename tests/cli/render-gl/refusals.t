@@ -83,7 +83,7 @@ refuses "an animated option that is none" 2 2 "want one of stroke, stroke-ink" $
 refuses "an animated number that the option would not take" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
 refuses "one that animates with half a pair" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
 refuses "a factor from nothing" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
-refuses "an animated option twice" 2 2 "one way only" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
+refuses "an animated option twice" 2 2 "given twice" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
 refuses "seeds of a technique without" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
 refuses "strokes of a technique without" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
 refuses "the width of no lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
@@ -106,8 +106,8 @@ cp -r "$TOP/cmd/render-gl/shaders" shaders
 try $draw torus.glb --tam map.exr --shader-dir shaders
 is "shaders of a folder" "$status $(cat .err)" "0 "
 rm -f picture.png
-sed -i 's/void main()/void main(/' shaders/tam.frag
-refuses "a shader with an error, and its file" 3 1 tam.frag \
+sed -i 's/void main()/void main(/' shaders/tam/tam.frag
+refuses "a shader with an error, and its file" 3 1 tam/tam.frag \
     $draw torus.glb --tam map.exr --shader-dir shaders
 refuses "no shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
 
