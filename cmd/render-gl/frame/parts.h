@@ -11,7 +11,7 @@ struct frame_part {
     GLuint vertex_array;
     uint32_t first, count;            /* range of indices, if cut is NULL */
     const struct hatch_near_cut *cut; /* kept by reference; NULL: no face of the item is near */
-    bool pieces;                      /* draws the pieces of cut; false: the faces that cut has left whole */
+    bool pieces;                      /* draws the pieces of cut; false: its ranges of indices */
 };
 
 /* Makes a program current, and binds an item's textures and sets its uniforms.
