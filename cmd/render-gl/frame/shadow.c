@@ -8,11 +8,12 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-#define MARGIN 1.05       /* radius around the scene that maps show, so that soft edges at the rim fit in */
-#define CUBE_TANGENT 1.15 /* half width of a cube's face at distance 1: faces overlap, for soft edges across borders   \
-                           */
-#define SPOT_COSINE 0.4   /* of the half angle; wider spots need a cube of six maps */
-#define NEAREST 1e-3      /* smallest distance from a lamp at which surfaces cast shadows */
+#define MARGIN 1.05 /* radius around the scene that maps show, so that soft edges at the rim fit in */
+#define CUBE_TANGENT                                                                                                   \
+    1.15                /* half width of a cube's face at distance 1: faces overlap, for soft edges across borders     \
+                         */
+#define SPOT_COSINE 0.4 /* of the half angle; wider spots need a cube of six maps */
+#define NEAREST 1e-3    /* smallest distance from a lamp at which surfaces cast shadows */
 #define SIZE_MIN_PX 512u
 #define SIZE_MAX_PX 2048u
 #define EDGE_PX 13.0 /* smallest width of soft edges in texels of a map: fewer would leave gaps between the reads */

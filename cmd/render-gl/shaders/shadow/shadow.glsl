@@ -89,7 +89,7 @@ float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
     float texel = shadow_edge.y * distance / min(how.z, how.w), radius = max(shadow_edge.x, texel);
     float facing = abs(dot(face, to_light));
     face = normalize((dot(face, to_light) < 0.0 ? -face : face) + max(0.02 - facing, 0.0) * to_light);
-    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth of slanted planes varies within a texel
+    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth varies within a texel on slants
     vec4 at = map * vec4(point + lift * to_light, 1.0);
     vec2 slope = depth_slope(map, at, face), spread = radius * how.zw / at.w;
     return share_around(at.xyz / at.w, slope, spread, float(layer));
