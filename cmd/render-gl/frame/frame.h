@@ -40,7 +40,7 @@ struct frame_request {
     double line_px;              /* width of feature lines that will be drawn over the frame; 0: none */
 };
 
-/* What frames have in common. Zeroed, apart from programs, scene, style and size_max_px, which the owner sets. */
+/* State that all frames share. Zeroed, apart from programs, scene, style and size_max_px, which the owner sets. */
 struct frame {
     struct gpu_programs programs;
     struct frame_targets targets;

@@ -8,7 +8,7 @@
 #define FRAME_PASSES_MAX 4u
 #define FRAME_VARIANTS 32u /* combinations of enum frame_variant */
 
-/* How a shading draws the patches of lapped meshes. */
+/* A shading's way to draw the patches of lapped meshes. */
 enum frame_patches {
     FRAME_PATCHES_BLEND, /* each over the earlier ones, by its outline, which the shaders write into alpha. In a shading
                             of several passes the first draws black and the others add */
@@ -23,9 +23,9 @@ struct frame_item_pass {
     enum frame_depth depth;
 };
 
-/* How items are shaded. In addition to `defines`, shaders are compiled with those of PIXEL_LIGHT, SHADOWS, SUN,
- * HIGHLIGHTS, TWO_INKS, BASE_TEXTURE (with BASE_TONE, BASE_HOLES or OUTLINE), NORMAL_MAP and PIECES that the style and
- * the item require. */
+/* A shading: the programs and passes that draw items. In addition to `defines`, shaders are compiled with those of
+ * PIXEL_LIGHT, SHADOWS, SUN, HIGHLIGHTS, TWO_INKS, BASE_TEXTURE (with BASE_TONE, BASE_HOLES or OUTLINE), NORMAL_MAP and
+ * PIECES that the style and the item require. */
 struct frame_shading {
     struct gpu_stages stages;
     const char *defines; /* lines before each stage, "" for none */

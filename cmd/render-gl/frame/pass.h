@@ -7,7 +7,7 @@
 #include "render-gl/gpu/target.h"
 #include "render-gl/gpu/timer.h"
 
-/* How a shader's outputs combine with the target's content. */
+/* Combination of a shader's outputs with the target's content. */
 enum frame_blend {
     FRAME_BLEND_REPLACE,
     FRAME_BLEND_OVER,           /* colour and alpha mixed by the shader's alpha */

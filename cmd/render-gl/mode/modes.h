@@ -1,4 +1,4 @@
-/* What the command does with a prepared job: write pictures, report times, report a probe. The functions exit with a
+/* The command's work on a prepared job: write pictures, report times, report a probe. The functions exit with a
  * message on failure. */
 #ifndef RENDER_MODE_MODES_H
 #define RENDER_MODE_MODES_H

@@ -89,7 +89,7 @@ static const struct cmd_option rest[] = {
      NULL},
     {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+colour of feature lines (default: that of the ink)", &line_color,
      NULL, NULL},
-    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+smallest angle between the faces at a crease (default 40)",
+    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges where the surface turns by more are creases (default 40)",
      &chosen.crease_deg, NULL, NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "repeats of the map per unit of texture coordinates (default auto)",
      &uv_scale, NULL, NULL},

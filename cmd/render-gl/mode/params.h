@@ -5,7 +5,7 @@
 
 #include "render-gl/mode/options.h"
 
-/* What a parameter influences. */
+/* The part of a picture that a parameter influences. */
 enum param_subject {
     PARAM_STYLE,    /* every picture */
     PARAM_CAMERA,   /* the view; keys do not change it, the mouse does */

@@ -25,7 +25,7 @@ struct technique_param {
     double step;        /* factor or difference per key press, in the option's unit */
 };
 
-/* What a technique may use to read files, prepare and draw. */
+/* Everything that a technique may use to read files, prepare and draw. */
 struct technique_context {
     struct frame *frame;
     struct assets *assets;
