@@ -54,7 +54,7 @@ void pictures_write(struct job *job)
         }
     }
     if (job->changes)
-        cmd_note("the technique's parameters were applied %u times, %.2f ms each", job->changes,
+        cmd_note("the technique's options were changed and applied %u times, %.2f ms each", job->changes,
                  job->changes_ms / job->changes);
     cmd_write_all(files, options->frames);
     canvas_free(&canvas);

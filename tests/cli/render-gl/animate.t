@@ -42,7 +42,7 @@ render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --zoom 4 --ove
 ok "several go together, and with the turntable" cmp both1.png turn1.png
 
 is "the model is made once a frame" "$(render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 \
-    --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'made [0-9]* times')" "made 4 times"
+    --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'applied [0-9]* times')" "applied 4 times"
 try render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 --animate zoom=1..9 -o five%d.png
 is "and not for what does not need it" "$status $(grep -c 'times' .err)" "0 0"
 finish
