@@ -4,7 +4,7 @@
 #include "render-gl/mode/show.h"
 #include "render-gl/window/window.h"
 
-/* Opened before the work, so that a folder that is missing or read-only fails at once. */
+/* Opens the output files before any work, so that a missing or read-only folder is reported at once. */
 static void open_outputs(struct job *job)
 {
     const struct options *options = job->options;

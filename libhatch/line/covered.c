@@ -5,10 +5,11 @@
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define FLAT 0.01         /* sine of the largest angle between an edge and the plane of a face that contains it */
-#define WITHIN 0.02       /* sine of the least angle between the edge and the sides of the face */
-#define CORNERS_MAX 1000u /* largest number at a point: quadrangles have fewer, and each edge would test all of them   \
-                           */
+#define FLAT 0.01   /* sine of the largest angle between an edge and the plane of a face that contains it */
+#define WITHIN 0.02 /* sine of the least angle between the edge and the sides of the face */
+#define CORNERS_MAX                                                                                                    \
+    1000u /* largest number at a point: quadrangles have fewer, and each edge would test all of them                   \
+           */
 
 /* Face corners by point: those at point p are corners[first[p]] .. corners[first[p + 1] - 1]. */
 struct around {

@@ -14,7 +14,7 @@ struct hatch_replay_options {
     uint64_t seed;                   /* random seed for leaving out strokes */
     bool ids, color;                 /* as in struct hatch_fill_options, but strokes have their own colours */
     const float *targets; /* target tone of each column, rising; NULL: even steps to the darkness of the whole
-                             drawing, shaped by the tone_gamma of the style */
+                             drawing, deformed by the tone_gamma of the style */
     float keep; /* how a coarser level chooses strokes of the next finer one. Below 1: a random selection, this share
                    of the drawing per level, from which the first strokes are taken until the tone is met; 1: the
                    first strokes */

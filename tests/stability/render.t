@@ -152,7 +152,7 @@ lamps=$(for i in $(seq 66); do printf ',%s' "$(at 0,0,3)"; done)
 scene "$point" "{\"children\":[$(seq -s, 2 67)]}$lamps" >lamps.gltf
 try render-gl lamps.gltf --tam map.exr --size 32x24 -o picture.png
 is "lights beyond the sixty-fourth are left out with a warning" "$status $(cat .err)" \
-    "0 render-gl: lamps.gltf: warning: 2 lights are left out: 64 are the most"
+    "0 render-gl: lamps.gltf: warning: 2 lights are left out: at most 64 are used"
 # Coordinates of a survey in metres and in millimetres; floats hold the latter to 32 mm.
 for far in 0 4000000 4000000000; do
     awk -v far="$far" 'BEGIN {for (i = 0; i <= 24; i++) for (j = 0; j <= 12; j++) {

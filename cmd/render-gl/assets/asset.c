@@ -77,7 +77,7 @@ void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t
 {
     frame_block_set_tones(block, &(struct frame_tones){tones->count, tones->targets, tones->reaches_ink});
     gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
-    if (anisotropy > 1) /* in the sampler and not in the shader, where software renderers pay for it at each read */
+    if (anisotropy > 1) /* a bias in the shader would cost software renderers time at every read */
         glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));
 }
 

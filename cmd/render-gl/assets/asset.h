@@ -1,5 +1,5 @@
-/* The file that strokes are read from (--tam), by kind: as values, and on the GPU. A new kind is a table entry with its
- * reader and its upload; techniques name the kind that they draw with. */
+/* The asset: the file of --tam, from which strokes are read. A technique names the kind of asset that it draws with; a
+ * kind tells whether a file is of it, and uploads it in the form that the technique's shaders read. */
 #ifndef RENDER_ASSETS_ASSET_H
 #define RENDER_ASSETS_ASSET_H
 
@@ -10,84 +10,96 @@
 #include "shared/cmd.h"
 #include "tam/tam.h"
 
-/* A file as values: a tonal art map, or a texture made from one. Zeroed: none. */
+/* The content of the file: a tonal art map, or a texture made from one. Zeroed: neither. */
 struct asset {
-    struct hatch_tam map;        /* tones 0: a texture, or none */
-    struct tone_texture texture; /* holds TONE_TEXTURE_NONE: a map, or none */
+    struct hatch_tam map;        /* tones 0: no map */
+    struct tone_texture texture; /* holds TONE_TEXTURE_NONE: no texture */
 };
 
-/* The tones of an asset on the GPU. Texels of maps hold ink, 1 minus reflectance: the implicit white of Real-Time
- * Hatching §5 is then the absence of every column. */
+/* The tones of an asset on the GPU. Texels of maps hold ink, which is 1 minus reflectance: paper, the implicit white of
+ * Real-Time Hatching §5, is then the sum of no columns. Texels of volumes hold reflectance. */
 struct asset_tones {
     GLuint texture, sampler;
-    bool layered;                       /* a 2D array; else a 3D texture */
-    bool exact;                         /* runs: whole numbers that no sampler filters */
-    bool reaches_ink;                   /* its last tone is all ink */
-    uint32_t count;                     /* columns, or slices */
-    float targets[HATCH_TAM_TONES_MAX]; /* darkness of each, rising */
+    bool layered;                       /* a 2D array texture; false: 3D, or 2D if exact */
+    bool exact;                         /* exact runs: integers, which samplers cannot filter */
+    bool reaches_ink;                   /* the darkest tone is 1, all ink */
+    uint32_t count;                     /* columns or slices, at most HATCH_TAM_TONES_MAX */
+    float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, rising; 0 for volumes and thresholds */
 };
 
-/* Limits of an upload. */
+/* Limits of uploads. */
 struct asset_limits {
-    uint32_t size_max_px; /* of textures */
-    float anisotropy;     /* 1 and up */
+    uint32_t size_max_px; /* largest side of a texture */
+    float anisotropy;     /* of the sampler, 1 (none) .. 16 */
 };
 
 struct asset_kind {
-    const char *name; /* for messages: "a tonal art map (tamgen makes one)" */
-    bool (*is)(const struct asset *asset);
+    const char *name;                      /* for messages: "a tonal art map (tamgen makes one)" */
+    bool (*is)(const struct asset *asset); /* whether the asset is of this kind */
+    /* Uploads an asset of this kind.
+     *   tones  out: owned by the caller
+     * HATCH_LIMIT when the GPU's textures or memory are too small. */
     enum hatch_status (*upload)(const struct asset *asset, const struct asset_limits *limits,
                                 struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err);
 };
 
-extern const struct asset_kind asset_six_columns; /* a map as six grey columns in two layers of four */
-extern const struct asset_kind asset_columns;     /* a map with every column a layer, grey or coloured */
+extern const struct asset_kind asset_six_columns; /* a map as up to six grey columns, in two layers of four channels */
+extern const struct asset_kind asset_columns;     /* a map, each column a layer, grey or coloured */
 extern const struct asset_kind asset_volume;      /* reflectance over tone, in slices or in layers */
 extern const struct asset_kind asset_thresholds;  /* thresholds, or exact runs */
 
 #define ASSET_SIX_COLUMNS_MAX 6u
 
-/* Reads a file into args->keep. Dies with one line where it holds no asset. */
+/* Reads an asset into args->keep. Exits with a message if the file holds none. */
 void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 
-/* Properties of whichever the asset holds. */
+/* Properties of the map or of the texture, whichever the asset holds. */
 bool asset_is_map(const struct asset *asset);
-float asset_darkest(const struct asset *asset);    /* the darkest tone, 0 .. 1 */
-uint32_t asset_size_px(const struct asset *asset); /* side of the finest level */
-uint32_t asset_levels(const struct asset *asset);  /* levels that hold strokes */
+float asset_darkest(const struct asset *asset);    /* darkest tone, 0 .. 1 */
+uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
+uint32_t asset_levels(const struct asset *asset);  /* mip levels that hold strokes; 0: no asset */
 
-/* An asset and its uploads, each made when it is first asked for. */
+/* An asset and its uploads, each made on first use. */
 struct assets {
     const struct asset *asset; /* kept by reference; NULL: none */
     struct asset_limits limits;
     struct {
-        const struct asset_kind *kind;
+        const struct asset_kind *kind; /* NULL: a free entry */
         struct asset_tones tones;
-    } uploaded[4];
+    } uploaded[4]; /* one per kind */
 };
 
-/* Whether the asset is of a kind. kind: NULL: always. */
+/* Whether there is an asset of a kind.
+ *   kind  NULL: the result is true */
 bool assets_have(const struct assets *assets, const struct asset_kind *kind);
 
-/* Uploads the asset as a kind that it is of, unless that is done.
+/* Uploads the asset as a kind; returns the earlier upload if there is one.
+ *   kind   assets_have must be true for it
  *   tones  out: owned by assets
  * HATCH_LIMIT when the GPU's textures or memory are too small. */
 enum hatch_status assets_upload(struct assets *assets, const struct asset_kind *kind, struct hatch_arena *scratch,
                                 const struct asset_tones **tones, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Releases the uploads. */
 void assets_free(struct assets *assets);
 
-/* Lines that shaders are compiled with to read these tones; size: of text, at least 128. */
+/* Writes the #define lines with which shaders must be compiled to read these tones.
+ *   anisotropy  1 (none) .. 16
+ *   text        out: zero-terminated
+ *   size        of text in bytes, at least 128 */
 void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size);
 
-/* Binds the tones for shaders, and names them to the frame's block.
- *   side  samples along a pixel's side: finer shading must not choose finer levels, so that strokes keep their width */
+/* Binds the tones for shaders and writes their number and targets into the frame's block.
+ *   anisotropy  1 (none) .. 16
+ *   side        samples along a pixel's side; the mip level is that of the whole pixel, so that strokes keep their
+ *               width whatever the number of samples */
 void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block);
 
-/* Makes the sampler: repeating over the surface, held at both ends of tone. For uploads. */
+/* Makes the sampler, which repeats along the surface and clamps along tone. For upload functions.
+ *   tones  exact is set */
 void asset_tones_make_sampler(struct asset_tones *tones, float anisotropy);
 
-/* Leaves *tones zeroed. */
+/* Releases texture and sampler; leaves *tones zeroed. */
 void asset_tones_free(struct asset_tones *tones);
 
 #endif

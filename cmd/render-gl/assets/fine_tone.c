@@ -1,4 +1,4 @@
-/* Volumes, thresholds and exact runs on the GPU, as their files hold them, packed or not. */
+/* Uploads volumes, threshold textures and exact runs in the format of their files, block-compressed or not. */
 #include "render-gl/assets/asset.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
@@ -29,24 +29,25 @@ static void upload_level(const struct hatch_texels *texels, uint32_t level, GLui
                                       (GLsizei)hatch_texels_level_size(texels, level), texels->texels[level]);
 }
 
-/* OpenGL has no blocks of S3TC of its own, though every GPU does, and volumes of BPTC alone. */
+/* Core OpenGL lacks S3TC (BC1), which desktop GPUs support as an extension, and of the block formats allows only BPTC
+ * (BC7) in 3D textures. */
 static enum hatch_status check_texels(const struct hatch_texels *texels, struct hatch_err *err)
 {
     if (texels->code == HATCH_TEXELS_BC1 && !epoxy_has_gl_extension("GL_EXT_texture_compression_s3tc"))
-        return hatch_fail(err, HATCH_LIMIT, "the GPU reads no blocks of BC1: tamvol --layout volume makes BC7");
+        return hatch_fail(err, HATCH_LIMIT, "the GPU cannot read BC1: tamvol --layout volume writes BC7");
     if (texels->depth && (texels->code == HATCH_TEXELS_BC1 || texels->code == HATCH_TEXELS_BC4))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a 3D texture of BC1 or BC4, which OpenGL has in layers alone");
+        return hatch_fail(err, HATCH_BAD_INPUT, "a 3D texture of BC1 or BC4, which OpenGL supports in 2D arrays only");
     GLint side, slices;
     glGetIntegerv(texels->depth ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &side);
     glGetIntegerv(texels->depth ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_ARRAY_TEXTURE_LAYERS, &slices);
     uint32_t count = texels->depth ? texels->depth : texels->layers;
     if (texels->width > (uint32_t)side || texels->height > (uint32_t)side || count > (uint32_t)slices)
-        return hatch_fail(err, HATCH_LIMIT, "the texture is %u texels wide and %u deep, the GPU takes %d and %d",
+        return hatch_fail(err, HATCH_LIMIT, "the texture is %u texels wide and %u deep, the GPU's limits are %d and %d",
                           texels->width, count, side, slices);
     return HATCH_OK;
 }
 
-/* As whole numbers in rows of HATCH_EXACT_WIDTH, which shaders fetch one by one. */
+/* Exact runs are integers in rows of HATCH_EXACT_WIDTH, which shaders fetch one by one. */
 static enum hatch_status upload_runs(const struct asset *asset, struct asset_tones *tones, struct hatch_err *err)
 {
     const struct hatch_exact *exact = &asset->texture.exact;
@@ -54,7 +55,7 @@ static enum hatch_status upload_runs(const struct asset *asset, struct asset_ton
     GLint side;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
     if (texels->height > (uint32_t)side)
-        return hatch_fail(err, HATCH_LIMIT, "exact runs of %u rows, the GPU takes %d", texels->height, side);
+        return hatch_fail(err, HATCH_LIMIT, "the exact runs have %u rows, the GPU's limit is %d", texels->height, side);
     tones->exact = true;
     tones->count = exact->columns;
     for (uint32_t i = 0; i < exact->columns; i++)

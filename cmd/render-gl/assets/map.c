@@ -1,4 +1,4 @@
-/* Tonal art maps on the GPU, with their authored mip levels: as six grey columns, or every column. */
+/* Uploads tonal art maps with their own mip levels: up to six columns in grey, or all columns. */
 #include <math.h>
 
 #include "image/color.h"
@@ -6,7 +6,7 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-/* Darkness of one texel as a byte. A coloured map read as grey gives its luminance. */
+/* Ink of one texel, 0 .. 255. Channel 3 of a coloured map is the ink of its luminance. */
 static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t channel, bool color)
 {
     const float *at = image->pixels + texel * image->channel_count;
@@ -17,22 +17,23 @@ static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t ch
     return ink <= 0.0f ? 0 : ink >= 255.0f ? 255 : (uint8_t)lrintf(ink);
 }
 
-/* Which of the map's columns is at a place among `count`, evenly chosen, the darkest among them. */
+/* Index of the map's column in slot `slot` when `count` columns are chosen evenly, the darkest always among them. */
 static uint32_t chosen_column(const struct hatch_tam *map, uint32_t count, uint32_t slot)
 {
     return (slot + 1) * map->tones / count - 1;
 }
 
-/* One level of a layer, while it is filled. */
+/* One mip level of one layer of the texture. */
 struct image {
     const struct hatch_tam *map;
     uint32_t count; /* columns on the GPU */
     uint32_t layer, level, channels;
     size_t texel_count;
-    uint8_t *texels;
+    uint8_t *texels; /* out: texel_count * channels */
 };
 
-/* The first layer holds columns 1 to 4, the second 3 to 6. */
+/* The first layer holds columns 1 to 4 in its channels, the second 3 to 6: both columns of any blend are then in one
+ * layer. */
 static void fill_six(const struct image *image)
 {
     for (uint32_t c = 0; c < 4 && 2 * image->layer + c < image->count; c++) {
@@ -50,10 +51,11 @@ static void fill_column(const struct image *image)
         image->texels[i] = ink_of(from, i / image->channels, (uint32_t)(i % image->channels), image->map->color);
 }
 
-/* How a map becomes layers. */
+/* Layout of a map in the texture. */
 struct form {
-    uint32_t count, layers, channels;
-    void (*fill)(const struct image *image);
+    uint32_t count; /* columns */
+    uint32_t layers, channels;
+    void (*fill)(const struct image *image); /* computes the texels of one image */
 };
 
 static enum hatch_status fill_layers(const struct hatch_tam *map, const struct form *form, GLuint texture,
@@ -81,7 +83,7 @@ static enum hatch_status upload(const struct hatch_tam *map, const struct form *
 {
     struct asset_tones made = {.layered = true, .count = form->count};
     if (map->size_px > limits->size_max_px)
-        return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU takes %u", map->size_px,
+        return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU's limit is %u", map->size_px,
                           limits->size_max_px);
     for (uint32_t i = 0; i < form->count; i++)
         made.targets[i] = map->target[chosen_column(map, form->count, i)];

@@ -17,17 +17,18 @@ static enum hatch_status upload(const struct hatch_rptam_packed *packed, struct 
         {packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I},
         {packed->progress, sizeof packed->progress, GL_RG32F},
         {packed->seed_numbers, packed->seed_numbers ? sizeof *packed->seed_numbers * packed->seed_count : 0, GL_R16UI}};
-    GLint most;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    GLint limit;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     size_t texels = packed->seed_count > packed->list_count ? packed->seed_count : packed->list_count;
-    if (texels > (size_t)most)
-        return hatch_fail(err, HATCH_LIMIT, "the lists of strokes are too long for the GPU: %zu of %d", texels, most);
+    if (texels > (size_t)limit)
+        return hatch_fail(err, HATCH_LIMIT, "the coverage lists have %zu entries, the GPU's limit is %d", texels,
+                          limit);
     seeds->layers = gpu_buffer_make(&packed->block, sizeof packed->block);
     for (int i = 0; i < SEEDS_VIEWS; i++) {
         seeds->buffers[i] = gpu_buffer_make(views[i].data, views[i].size_bytes);
         seeds->views[i] = gpu_texture_of_buffer(views[i].format, seeds->buffers[i]);
     }
-    return gpu_check_memory(err, "the lists of strokes");
+    return gpu_check_memory(err, "the coverage lists");
 }
 
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,

@@ -1,5 +1,4 @@
-/* Recursive procedural tonal art maps on the GPU: seed points, the lists of the strokes near each place, the strokes'
- * images. */
+/* Recursive procedural tonal art maps on the GPU: seed points, coverage lists, and the images of strokes. */
 #ifndef RENDER_ASSETS_SEEDS_H
 #define RENDER_ASSETS_SEEDS_H
 
@@ -9,23 +8,26 @@
 
 #define SEEDS_VIEWS 5
 
-/* Zeroed: none. */
+/* A model on the GPU. Zeroed: none. */
 struct seeds {
-    GLuint layers;                                   /* uniform block */
-    GLuint buffers[SEEDS_VIEWS], views[SEEDS_VIEWS]; /* strokes, seeds, lists, ways, seeds' numbers; as textures */
-    bool vary, shrink;                               /* strokes differ; they fade by size */
+    GLuint layers;               /* uniform block: struct hatch_rptam_packed's block */
+    GLuint buffers[SEEDS_VIEWS]; /* images of strokes, seed points, coverage lists, tone curve, seed numbers */
+    GLuint views[SEEDS_VIEWS];   /* textures through which shaders read the buffers */
+    bool vary;                   /* strokes differ from seed to seed */
+    bool shrink;                 /* strokes fade by getting smaller */
 };
 
 /* Uploads a model.
- *   all  shaders look at every seed at every place, which is slow
- * HATCH_LIMIT where the GPU's textures or memory are too small. */
+ *   all    make every coverage list hold all seeds (slow; for comparison)
+ *   seeds  out: owned by the caller
+ * HATCH_LIMIT when the GPU's textures or memory are too small. */
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,
                                struct seeds *seeds, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Binds them for shaders, as the technique's own block and units. */
+/* Binds the model to BLOCK_TECHNIQUE and to the units from UNIT_TECHNIQUE on. */
 void seeds_use(const struct seeds *seeds);
 
-/* Leaves *seeds zeroed. */
+/* Releases the model; leaves *seeds zeroed. */
 void seeds_free(struct seeds *seeds);
 
 #endif

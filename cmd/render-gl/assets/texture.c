@@ -13,7 +13,7 @@ bool tone_texture_is(struct hatch_bytes file)
     return file.size >= sizeof identifier && memcmp(file.data, identifier, sizeof identifier) == 0;
 }
 
-/* The mean darkness when all steps are taken. */
+/* The darkest tone of a threshold texture: the mean over all texels of the sum of their steps. */
 static float darkest_of(const struct hatch_thresholds *thresholds)
 {
     const struct hatch_texels *texels = &thresholds->texels;
@@ -47,7 +47,7 @@ static enum hatch_status read_exact(struct tone_texture *texture, struct hatch_e
     return HATCH_OK;
 }
 
-/* Packed texels are unpacked once, which finds what is wrong with them, and go to the GPU as they are. */
+/* Compressed texels are decompressed here for validation only; the GPU receives them as they are. */
 static enum hatch_status read_volume(const char *const *key_values, struct hatch_arena *scratch,
                                      struct tone_texture *texture, struct hatch_err *err)
 {
@@ -81,8 +81,8 @@ enum hatch_status tone_texture_read(struct hatch_bytes file, struct hatch_arena 
         HATCH_TRY(read_volume(key_values, scratch, &made, err));
     else
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "a texture that is no volume, no thresholds and no exact runs: "
-                          "tamvol or tamthresh makes them");
+                          "the texture is neither a volume nor thresholds nor exact runs: "
+                          "tamvol or tamthresh makes one");
     *texture = made;
     return HATCH_OK;
 }

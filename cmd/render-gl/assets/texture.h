@@ -1,4 +1,5 @@
-/* Textures of fine tone (Webb et al. 2002), as tamvol and tamthresh write them. */
+/* Textures for fine tone control (Webb et al. 2002): volumes, which tamvol writes, and threshold textures and exact
+ * runs, which tamthresh writes. */
 #ifndef RENDER_ASSETS_TEXTURE_H
 #define RENDER_ASSETS_TEXTURE_H
 
@@ -8,21 +9,21 @@
 
 enum tone_texture_holds { TONE_TEXTURE_NONE, TONE_TEXTURE_VOLUME, TONE_TEXTURE_THRESHOLDS, TONE_TEXTURE_RUNS };
 
-/* Zeroed: none. */
+/* Zeroed: no texture. */
 struct tone_texture {
     enum tone_texture_holds holds;
-    struct hatch_texels texels; /* as in the file: packed in blocks, perhaps */
-    struct hatch_exact exact;   /* RUNS: the same as runs */
+    struct hatch_texels texels; /* as in the file, possibly block-compressed */
+    struct hatch_exact exact;   /* of RUNS only: texels, parsed */
     uint32_t size_px;           /* side of the finest level */
-    uint32_t levels;            /* levels that hold strokes */
-    float darkest;              /* tone beyond which no ink is added */
+    uint32_t levels;            /* mip levels that hold strokes */
+    float darkest;              /* darkest tone, 0 .. 1 */
 };
 
-/* Whether a file is a KTX2 texture, by its first bytes. */
+/* Whether a file is a KTX2 texture, judged by its first bytes. */
 bool tone_texture_is(struct hatch_bytes file);
 
-/* Reads a volume, in slices or in layers, thresholds or exact runs.
- *   arena  keeps the texels
+/* Reads a volume (3D texture or 2D array), a threshold texture or exact runs.
+ *   arena  holds the texels
  * HATCH_BAD_INPUT for any other texture. */
 enum hatch_status tone_texture_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct tone_texture *texture, struct hatch_err *err) HATCH_MUST_USE;

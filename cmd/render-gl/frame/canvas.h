@@ -1,6 +1,6 @@
-/* The surface that a picture is drawn on: colour in half floats, linear light, and depth; with several samples a pixel,
- * each shaded, whose mean is the picture. Supersampling rather than multisampling: strokes are texture, and thresholds
- * make edges inside of faces; and software renderers take as long for either. */
+/* The canvas: the target that a picture is drawn on, with colour (half floats, linear light) and depth. It
+ * supersamples: every sample of a pixel is shaded, and their mean is the picture. Multisampling would smooth the edges
+ * of faces only, while strokes have their edges inside faces; and software renderers take as long for either. */
 #ifndef RENDER_FRAME_CANVAS_H
 #define RENDER_FRAME_CANVAS_H
 
@@ -11,33 +11,38 @@
 /* Zeroed: no canvas. */
 struct canvas {
     uint32_t width, height;           /* pixels */
-    uint32_t side;                    /* samples along a side of a pixel, 1 .. 8 */
-    struct gpu_target samples;        /* side * width by side * height; output 0: colour; depth: 1 near, 0 far away */
-    struct gpu_target means;          /* width by height; not made where a pixel has one sample */
-    const struct gpu_target *picture; /* the one of both that holds the picture once samples are averaged */
-    const struct gpu_program *average, *present;
+    uint32_t side;                    /* samples along a pixel's side, 1 .. 8 */
+    struct gpu_target samples;        /* side * width by side * height; output 0: colour; depth: 1 near, 0 far */
+    struct gpu_target means;          /* width by height; zeroed if side is 1 */
+    const struct gpu_target *picture; /* means, or samples if side is 1: holds the picture after canvas_resolve */
+    const struct gpu_program *average, *present; /* programs of canvas_resolve and canvas_present */
 };
 
-/* Makes a canvas. HATCH_LIMIT when the GPU has no memory for it. */
+/* Makes a canvas.
+ *   width, height  pixels, at least 1
+ *   side           samples along a pixel's side, 1 .. 8
+ * HATCH_LIMIT when the GPU has no memory for it. */
 enum hatch_status canvas_make(uint32_t width, uint32_t height, uint32_t side, struct gpu_programs *programs,
                               struct canvas *canvas, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Averages the samples of each pixel. */
+/* Computes the picture: the mean of each pixel's samples. */
 void canvas_resolve(const struct canvas *canvas);
 
-/* Copies the picture into the window's framebuffer, encoded for the screen. */
+/* Copies the picture into the window's framebuffer, encoded as sRGB. */
 void canvas_present(const struct canvas *canvas);
 
 /* Copies a rectangle of the picture into an image.
- *   image  channels R G B
- *   x, y   column of the image, and row counted from the bottom, that receive the rectangle's lower left corner */
+ *   from   rectangle of the picture
+ *   image  channels R G B, linear light; the rectangle must fit into it at x, y
+ *   x, y   column, and row counted from the bottom, of the rectangle's lower left corner in the image */
 void canvas_read(const struct canvas *canvas, struct gpu_rectangle from, struct hatch_image *image, uint32_t x,
                  uint32_t y);
 
-/* Copies all samples. rgba: out: 4 floats each, from the lower left corner. */
+/* Copies all samples.
+ *   rgba  out: side * width by side * height times 4 floats, rows from bottom to top */
 void canvas_read_samples(const struct canvas *canvas, float *rgba);
 
-/* Leaves *canvas zeroed. */
+/* Releases the targets; leaves *canvas zeroed. */
 void canvas_free(struct canvas *canvas);
 
 #endif

@@ -60,7 +60,7 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
     return HATCH_OK;
 }
 
-/* Half of a nearer line lies over its halo. */
+/* A halo is measured from the edge of the surface; half the line's width covers its inner part. */
 static double halo_reach_px(const struct frame *frame, double line_px)
 {
     return frame->style.halo_px + 0.5 * line_px;
@@ -68,7 +68,7 @@ static double halo_reach_px(const struct frame *frame, double line_px)
 
 uint32_t frame_reach_px(const struct frame *frame, double line_px)
 {
-    /* Edges and slopes of depth take three samples more than haloes. */
+    /* Detecting edges and slopes reads depth up to three samples beyond the halo. */
     return frame->style.halo_px > 0 ? (uint32_t)ceil(halo_reach_px(frame, line_px)) + 4 : 0;
 }
 

@@ -1,8 +1,9 @@
-/* A frame: all that drawing the scene needs, apart from how a technique shades it. A technique draws with
- *     frame_begin       the view, lights, near pieces, shadows; clears the canvas
- *     frame_draw_items  its shading on every item (frame/items.h), or passes of its own (frame/pass.h)
- *     frame_end         haloes, the mean of samples
- * of which the shared driver calls the first and the last (technique/technique.h). */
+/* A frame: everything about drawing the scene once that does not depend on the technique. The steps are
+ *     frame_begin       sets view and lights, cuts near faces, draws shadow maps, clears the canvas
+ *     frame_draw_items  draws every item with a technique's shading (frame/items.h); or the technique's own passes
+ *                       (frame/pass.h)
+ *     frame_end         draws haloes, averages the samples
+ * technique_draw (technique/technique.h) calls the first and the last; the technique does the one between. */
 #ifndef RENDER_FRAME_FRAME_H
 #define RENDER_FRAME_FRAME_H
 
@@ -15,61 +16,64 @@
 #include "render-gl/frame/targets.h"
 #include "render-gl/scene/scene.h"
 
-/* The user's choices, apart from view and technique. */
+/* The user's settings that are neither view nor technique. */
 struct frame_style {
     struct frame_inks inks;
     struct frame_curve curve;
     struct hatch_key_light light;
-    float anisotropy;                   /* 1 .. 16 */
-    double hatch_turn_rad, hatch_scale; /* of the strokes on their surface; scale over 0 */
-    bool base_tone;                     /* the materials' colours and textures count as tone */
-    bool pixel_light;                   /* techniques that can compute light per pixel do so */
-    bool shadows;                       /* lights cast shadows; then light is per pixel as well */
-    double shadow_edge;                 /* width of shadows' edges in the unit scene; over 0 */
-    double halo_px;                     /* width of haloes beside lines; 0: none */
+    float anisotropy;      /* of texture filters, 1 (none) .. 16 */
+    double hatch_turn_rad; /* turn of the strokes on their surface, counter-clockwise seen from outside */
+    double hatch_scale;    /* scale of the strokes' pattern, over 0 */
+    bool base_tone;        /* the materials' colours and textures count as tone */
+    bool pixel_light;      /* techniques that can compute light per pixel do so */
+    bool shadows;          /* lights cast shadows; implies pixel_light */
+    double shadow_edge;    /* width of the soft edges of shadows, in the unit scene; over 0 */
+    double halo_px;        /* width of haloes, from the edge of the line beside them; 0: none */
 };
 
-/* What one frame shows. */
+/* One frame to draw. Everything is kept by reference until frame_end. */
 struct frame_request {
     const struct hatch_view *view;
     const struct hatch_tile *tile;
-    const struct canvas *canvas; /* of the tile's size */
-    const float *background;     /* 3, linear light */
-    double line_px;              /* width of the feature lines that will be drawn; 0: none */
+    const struct canvas *canvas; /* as large as the tile */
+    const float *background;     /* 3 numbers, linear light */
+    double line_px;              /* width of feature lines that will be drawn over the frame; 0: none */
 };
 
+/* State that all frames share. Zeroed, apart from programs, scene, style and size_max_px, which the owner sets. */
 struct frame {
     struct gpu_programs programs;
     struct frame_targets targets;
     struct gpu_timer *timer; /* NULL: passes are not timed */
-    struct scene *scene;
+    struct scene *scene;     /* kept by reference; posed before each frame */
     struct frame_style style;
     struct frame_block block;
-    GLuint block_buffer;
+    GLuint block_buffer; /* the block on the GPU; 0: not made */
     struct shadow shadow;
     struct halo halo;
     struct near near;
-    bool floats_alone;    /* no pieces are made: near faces show how far floats are off */
-    uint32_t size_max_px; /* of textures */
-    /* From frame_begin to frame_end: */
+    bool floats_alone;    /* near faces are not cut into pieces, for comparison: their vertices stay floats */
+    uint32_t size_max_px; /* largest side of a texture */
+    /* Valid from frame_begin to frame_end: */
     struct frame_request request;
-    struct hatch_view view; /* the requested one with its near plane moved */
+    struct hatch_view view; /* the requested view, its near plane moved to the nearest surface */
 };
 
-/* Sets the block, finds near faces, draws shadows into their maps and clears the canvas. What a technique sets in the
- * block beforehand (tones) stays.
- *   pieces  the technique draws near faces as pieces
- * HATCH_LIMIT when memory, the GPU's too, does not suffice. */
+/* Writes the uniform block, cuts near faces into pieces, draws the shadow maps and clears the canvas. The technique
+ * sets the block's tones beforehand. pieces  the technique can draw near faces as pieces (TECHNIQUE_PIECES) HATCH_LIMIT
+ * when memory, on the GPU or not, does not suffice. */
 enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, bool pieces,
                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws haloes, unless the technique's output is no colour, and averages the samples. */
+/* Draws haloes and averages the samples.
+ *   haloes  false: the technique's output is no colour, so that no haloes are drawn over it */
 enum hatch_status frame_end(struct frame *frame, bool haloes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* How far outside a tile the frame looks, in pixels. lines: feature lines will be drawn. */
+/* Returns the distance beyond a tile's border from which haloes reach into the tile, in pixels.
+ *   line_px  as in struct frame_request */
 uint32_t frame_reach_px(const struct frame *frame, double line_px);
 
-/* Releases what frames have made, programs too. */
+/* Releases everything that frames have made, including the programs. */
 void frame_free(struct frame *frame);
 
 #endif

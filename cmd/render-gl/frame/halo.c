@@ -7,16 +7,17 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-#define BLOCK 8u        /* cells along a side of a block; the same as in shaders/halo/halo.glsl */
-#define CELLS_MOST 12.0 /* of a halo's width: more would take longer without a visible gain */
-#define DEPTH                                                                                                          \
-    0.015 /* larger jumps have haloes, twice as large ones whole haloes: in halves of the picture's height             \
-           */
+/* Edges are searched in two steps: each cell of the picture holds its nearest edge, and each block of cells the depth
+ * of its nearest. */
+#define BLOCK 8u             /* cells along a block's side; the same as in shaders/halo/halo.glsl */
+#define REACH_MAX_CELLS 12.0 /* cells become larger for wide haloes: more of them would be slower and look the same */
+#define JUMP_MIN 0.015 /* in half heights of the picture; the halo of a jump fades in from here to twice as much */
 
-/* std140; the same as in shaders/halo/halo.glsl */
+/* std140 layout; the same as block Halo of shaders/halo/halo.glsl. */
 struct halo_block {
-    float sizes[4]; /* in samples: the reach, a cell's side, a pixel's side; 0 */
-    float depth[4]; /* a jump's share of half the picture's height, by difference and by ratio; the least */
+    float sizes[4]; /* in samples: width of haloes, a cell's side, a pixel's side; 0 */
+    float
+        depth[4]; /* factors that turn differences and ratios of depth into half heights of the picture; JUMP_MIN; 0 */
 };
 
 enum hatch_status halo_prepare(struct halo *halo, struct gpu_programs *programs, struct hatch_err *err)
@@ -32,12 +33,12 @@ enum hatch_status halo_prepare(struct halo *halo, struct gpu_programs *programs,
     return gpu_program_get(programs, &cover, defines, &halo->cover, err);
 }
 
-static uint32_t parts(uint32_t whole, uint32_t part)
+static uint32_t divide_rounding_up(uint32_t whole, uint32_t part)
 {
     return (whole + part - 1) / part;
 }
 
-/* Fills a transient target from what is bound, and binds it to a unit. */
+/* Draws a transient target from the textures that are bound, and binds it to a unit. */
 static enum hatch_status reduce(const struct gpu_program *program, const struct gpu_target_form *form, GLuint unit,
                                 struct frame_targets *targets, struct hatch_err *err)
 {
@@ -53,15 +54,16 @@ enum hatch_status halo_find(struct halo *halo, const struct canvas *canvas, cons
                             double reach_px, struct frame_targets *targets, struct hatch_err *err)
 {
     double reach = reach_px * canvas->side, half = 1 / view->half_height;
-    uint32_t cell = (uint32_t)fmax(canvas->side, ceil(reach / CELLS_MOST));
-    const struct gpu_target_form cells = {.width = parts(canvas->samples.form.width, cell),
-                                          .height = parts(canvas->samples.form.height, cell),
+    uint32_t cell = (uint32_t)fmax(canvas->side, ceil(reach / REACH_MAX_CELLS));
+    const struct gpu_target_form cells = {.width = divide_rounding_up(canvas->samples.form.width, cell),
+                                          .height = divide_rounding_up(canvas->samples.form.height, cell),
                                           .outputs = {GL_RGBA32F}};
-    const struct gpu_target_form blocks = {
-        .width = parts(cells.width, BLOCK), .height = parts(cells.height, BLOCK), .outputs = {GL_R32F}};
+    const struct gpu_target_form blocks = {.width = divide_rounding_up(cells.width, BLOCK),
+                                           .height = divide_rounding_up(cells.height, BLOCK),
+                                           .outputs = {GL_R32F}};
     const struct halo_block block = {.sizes = {(float)reach, (float)cell, (float)canvas->side, 0},
                                      .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
-                                               view->orthographic ? 0.0f : (float)half, (float)DEPTH, 0}};
+                                               view->orthographic ? 0.0f : (float)half, (float)JUMP_MIN, 0}};
     gpu_block_update(&halo->buffer, BLOCK_HALOES, &block, sizeof block);
     gpu_texture_bind(UNIT_HALO_DEPTHS, canvas->samples.depth, 0);
     HATCH_TRY(reduce(halo->find_cells, &cells, UNIT_HALO_CELLS, targets, err));

@@ -5,7 +5,7 @@
 #include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
 
-/* An item while it is drawn. */
+/* An item to draw, and the programs for it. */
 struct drawing {
     const struct frame *frame;
     const struct frame_shading *shading;
@@ -14,8 +14,8 @@ struct drawing {
     const struct hatch_item *unit;
     const struct hatch_unit_mesh *mesh;
     const struct scene_item *item;
-    const struct hatch_near_item *near; /* NULL: nothing of it is near */
-    uint32_t variant;
+    const struct hatch_near_item *near; /* NULL: none of its faces is near */
+    uint32_t variant;                   /* enum frame_variant, joined */
 };
 
 static uint32_t variant_of(const struct frame *frame, const struct frame_shading *shading, uint32_t index)
@@ -111,8 +111,7 @@ static void use(const struct drawing *drawing, const struct gpu_program *program
                    drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
 }
 
-/* Faces that may be seen from behind are drawn once for each side, because light is computed per vertex, and a vertex
- * has no side. */
+/* Double-sided faces are drawn once per side: light is computed per vertex, and a vertex does not know its side. */
 static void draw_sides(const struct drawing *drawing, struct frame_part part, uint32_t pass)
 {
     glUniform1i(UNIFORM_PASS, (GLint)pass);
@@ -123,7 +122,7 @@ static void draw_sides(const struct drawing *drawing, struct frame_part part, ui
     }
 }
 
-/* Makes ready to draw an item's pieces with a program. */
+/* Makes a program current for an item's pieces, and returns them as a part. */
 static struct frame_part use_pieces(const struct drawing *drawing, const struct hatch_near_cut *cut,
                                     const struct gpu_program *program)
 {
@@ -132,7 +131,7 @@ static struct frame_part use_pieces(const struct drawing *drawing, const struct 
     return (struct frame_part){.vertex_array = drawing->frame->near.array, .cut = cut, .pieces = true};
 }
 
-/* Draws paper where patches will be, at the depth of their faces: they are drawn at equal depth. */
+/* Draws the surface below patches as bare paper. It also sets the depth, at which patches are drawn (equal depth). */
 static void draw_below_patches(const struct drawing *drawing)
 {
     const struct hatch_near_item *near = drawing->near;
@@ -146,8 +145,7 @@ static void draw_below_patches(const struct drawing *drawing)
     glEnable(GL_CULL_FACE);
 }
 
-/* All patches at once, each blended over those before it, since OpenGL keeps the order of faces. The shading's one pass
- * reads their outline from a texture unit. */
+/* Draws all patches in one call. OpenGL keeps the order of faces, so each patch is blended over the earlier ones. */
 static void draw_patches_at_once(const struct drawing *drawing)
 {
     const struct hatch_near_item *near = drawing->near;
@@ -160,8 +158,8 @@ static void draw_patches_at_once(const struct drawing *drawing)
                0);
 }
 
-/* Real-time hatching §6: the outline goes into the target's alpha; then each pass adds its share under that alpha, the
- * first one in place of what lies below. A layer of patches at a time. */
+/* Draws patches with a shading of several passes (Real-Time Hatching §6), one layer at a time. Pass 0 writes the
+ * outline into the target's alpha; pass 1 replaces the colour by that alpha, and later passes add to it. */
 static void draw_patches_in_passes(const struct drawing *drawing)
 {
     const struct hatch_patch_mesh *patches = drawing->mesh->patches;
@@ -205,7 +203,8 @@ static void draw_ordinary(const struct drawing *drawing, uint32_t pass)
             pass);
 }
 
-/* Draws the items that are shown as patches, or the others, in one pass. */
+/* Draws one pass over the items that are shown as patches, or over the others.
+ *   below  the surface below the patches instead of the patches */
 static void draw_all(const struct drawing *like, bool patches, uint32_t pass, bool below)
 {
     for (uint32_t i = 0; i < like->frame->scene->unit.item_count; i++) {
@@ -248,7 +247,7 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     }
     if (!lapped)
         return HATCH_OK;
-    /* Where nothing else has been drawn, the canvas holds paper already. */
+    /* Without ordinary items the canvas still shows paper everywhere, so only depth is written. */
     const struct frame_pass below = {.name = "surface",
                                      .target = target,
                                      .depth = FRAME_DEPTH_NEARER,

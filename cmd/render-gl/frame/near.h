@@ -1,4 +1,5 @@
-/* Pieces of near faces on the GPU (libhatch's near/near.h makes them). */
+/* Pieces of near faces on the GPU. Faces near the eye, whose vertices floats cannot place, are cut into pieces on the
+ * processor (near/near.h). */
 #ifndef RENDER_FRAME_NEAR_H
 #define RENDER_FRAME_NEAR_H
 
@@ -7,21 +8,24 @@
 #include "near/near.h"
 #include "render-gl/scene/scene.h"
 
-/* Zeroed to begin with. */
+/* Zeroed before the first call. */
 struct near {
     struct hatch_near found;
-    GLuint array, buffer, views[3]; /* views: vertices, tangents by texture coordinates, repeats, as textures */
-    float clip_from_camera[16];
+    GLuint array, buffer;       /* vertex array and buffer of the pieces; 0: not made */
+    GLuint views[3];            /* an item's vertices, uv_tangents and repeats, as textures of floats */
+    float clip_from_camera[16]; /* column-major */
 };
 
-/* Finds the near faces of a frame and uploads their pieces; moves the view's near plane where that is automatic. */
+/* Cuts the near faces of a frame into pieces and uploads them.
+ *   view  in, out: its near plane is moved to the nearest surface if it is automatic */
 enum hatch_status near_begin(struct near *near, const struct scene *scene, const struct hatch_near_options *options,
                              struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Binds what the pieces of an item are drawn with; their program is in use. */
+/* Binds the buffers and sets the uniforms for the pieces of an item, in the program in use.
+ *   item  index in scene->items */
 void near_use(const struct near *near, const struct scene *scene, uint32_t item);
 
-/* Leaves *near zeroed. */
+/* Releases everything; leaves *near zeroed. */
 void near_free(struct near *near);
 
 #endif

@@ -7,25 +7,25 @@
 #include "render-gl/gpu/target.h"
 #include "render-gl/gpu/timer.h"
 
-/* How outputs combine with the target's: source, destination. */
+/* Combination of a shader's outputs with the target's content. */
 enum frame_blend {
     FRAME_BLEND_REPLACE,
-    FRAME_BLEND_OVER,           /* by alpha; alpha too */
-    FRAME_BLEND_OVER_COLOR,     /* by alpha; the target's alpha stays */
-    FRAME_BLEND_ADD,            /* the sum, alpha too */
-    FRAME_BLEND_MAX,            /* the larger of both */
-    FRAME_BLEND_SET_ALPHA,      /* alpha alone is replaced */
-    FRAME_BLEND_UNDER_ALPHA,    /* mixed by the target's alpha, which stays */
-    FRAME_BLEND_ADD_UNDER_ALPHA /* added, times the target's alpha, which stays */
+    FRAME_BLEND_OVER,           /* colour and alpha mixed by the shader's alpha */
+    FRAME_BLEND_OVER_COLOR,     /* colour mixed by the shader's alpha; the target's alpha is unchanged */
+    FRAME_BLEND_ADD,            /* sum of colour and alpha */
+    FRAME_BLEND_MAX,            /* maximum of colour and alpha */
+    FRAME_BLEND_SET_ALPHA,      /* alpha replaced, colour unchanged */
+    FRAME_BLEND_UNDER_ALPHA,    /* colour mixed by the target's alpha, which is unchanged */
+    FRAME_BLEND_ADD_UNDER_ALPHA /* colour times the target's alpha added; alpha is unchanged */
 };
 
 /* Depth is 1 at the near plane and 0 far away. */
 enum frame_depth {
     FRAME_DEPTH_NONE,
-    FRAME_DEPTH_NEARER, /* draws what is nearer, and writes its depth */
-    FRAME_DEPTH_EQUAL,  /* draws at equal depth */
-    FRAME_DEPTH_BEFORE, /* draws what is nearer, and leaves depth */
-    FRAME_DEPTH_LOWER   /* draws and writes what has a lower depth: for maps whose depth rises with distance */
+    FRAME_DEPTH_NEARER, /* draws where nearer, and writes depth */
+    FRAME_DEPTH_EQUAL,  /* draws where depth is equal; does not write it */
+    FRAME_DEPTH_BEFORE, /* draws where nearer; does not write depth */
+    FRAME_DEPTH_LOWER   /* draws where depth is lower, and writes it: for shadow maps, where 0 is near */
 };
 
 enum frame_cull { FRAME_CULL_NONE, FRAME_CULL_BACK, FRAME_CULL_FRONT };
@@ -36,9 +36,9 @@ struct frame_pass {
     enum frame_blend blend;
     enum frame_depth depth;
     enum frame_cull cull;
-    bool masks_color;         /* colours stay as they are */
-    const float *clear;       /* 4: output 0 is cleared to it first; NULL: it stays */
-    const float *clear_depth; /* depth is cleared to it first; NULL: it stays */
+    bool masks_color;         /* colour and alpha are not written */
+    const float *clear;       /* 4 numbers to which output 0 is cleared first; NULL: not cleared */
+    const float *clear_depth; /* depth is cleared to this first; NULL: not cleared */
 };
 
 /* Binds the target, all of it as viewport, and sets the state. */
@@ -54,7 +54,8 @@ void frame_pass_screen(const struct gpu_program *program);
  *   array  vertex array with attributes per instance; 0: none */
 void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei instances);
 
-/* Ends a pass, for its time. timer may be NULL. */
+/* Ends a pass, so that its time is taken.
+ *   timer  NULL: nothing is timed */
 void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer);
 
 /* A compute pass. */

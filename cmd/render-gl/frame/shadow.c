@@ -8,13 +8,15 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-#define MARGIN 1.05       /* around the scene, for the edges' width */
-#define CUBE_TANGENT 1.15 /* a cube's faces overlap, so that edges are soft over its borders */
-#define SPOT_COSINE 0.4   /* spots that are wider take a cube */
-#define NEAREST 1e-3      /* that casts a shadow in a lamp's light */
+#define MARGIN 1.05 /* radius around the scene that maps show, so that soft edges at the rim fit in */
+#define CUBE_TANGENT                                                                                                   \
+    1.15                /* half width of a cube's face at distance 1: faces overlap, for soft edges across borders     \
+                         */
+#define SPOT_COSINE 0.4 /* of the half angle; wider spots need a cube of six maps */
+#define NEAREST 1e-3    /* smallest distance from a lamp at which surfaces cast shadows */
 #define SIZE_MIN_PX 512u
 #define SIZE_MAX_PX 2048u
-#define EDGE_PX 13.0 /* edges are so many pixels of a map wide: the shader's reads leave no gaps */
+#define EDGE_PX 13.0 /* smallest width of soft edges in texels of a map: fewer would leave gaps between the reads */
 
 static const GLuint units[2] = {UNIT_SHADOWS, UNIT_SHADOW_TEXELS};
 
@@ -27,10 +29,12 @@ enum hatch_status shadow_prepare(struct shadow *shadow, struct gpu_programs *pro
     return HATCH_OK;
 }
 
-/* The volume that a map shows: axes, the last from the light, and where 0 is on each; extent: half its width and
- * height, of a lamp at distance 1. */
+/* Projection of a map. A lamp is a point light or spot; other lights are directional. */
 struct lens {
-    double axes[3][3], from[3], extent[2], near, far;
+    double axes[3][3]; /* unit vectors of the map's x and y, and the direction away from the light */
+    double from[3];    /* origin: position of the lamp; directional: middle of the scene's box */
+    double extent[2];  /* half width and height of the map; of a lamp at distance 1 */
+    double near, far;  /* along the last axis */
     bool lamp;
 };
 
@@ -44,7 +48,7 @@ static void set_axes(const double along[3], double axes[3][3])
     hatch_vec_cross(axes[2], axes[0], axes[1]);
 }
 
-/* Depth is 0 at the near plane and 1 at the far one. */
+/* Sets the matrix from the unit scene to a map; depth is 0 at the near plane and 1 at the far one. */
 static void set_matrix(const struct lens *lens, float matrix[16])
 {
     double rows[4][4] = {{0}};
@@ -67,7 +71,7 @@ static void set_matrix(const struct lens *lens, float matrix[16])
             matrix[4 * c + r] = (float)rows[r][c];
 }
 
-/* A sun sees the box of all items along its axes. */
+/* Fits the map of a directional light to the bounding box of all items along its axes. */
 static void fit(const struct hatch_unit_scene *scene, struct lens *lens)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -100,7 +104,8 @@ static void set_map(struct shadow *shadow, uint32_t light, const struct lens *le
         shadow->block.maps[light][2 + k] = (float)(0.5 / lens->extent[k]);
 }
 
-/* The faces go by the axis along which a point lies furthest from the lamp: +x -x +y -y +z -z. */
+/* Sets the six maps of a lamp. A point belongs to the face along whose axis it is farthest from the lamp, in the order
+ * +x -x +y -y +z -z (cube_face in shaders/shadow/shadow.glsl). */
 static void set_cube(struct shadow *shadow, uint32_t light, struct lens lens)
 {
     lens.extent[0] = lens.extent[1] = CUBE_TANGENT;
@@ -145,7 +150,7 @@ static void add_light(const struct hatch_unit_light *light, uint32_t index, cons
     set_map(shadow, index, &lens);
 }
 
-/* Beyond a map nothing keeps the light away. */
+/* Points outside a map are lit. */
 static void set_reads(GLuint sampler, GLint filter)
 {
     static const GLfloat lit[4] = {1, 1, 1, 1};

@@ -1,5 +1,5 @@
-/* Shadow maps (Williams 1978): depth as each light sees it, in layers of one texture. shaders/shadow/shadow.glsl
- * computes from them the share of a light that reaches a point, with soft edges (Reeves et al. 1987). */
+/* Shadow maps (Williams 1978): depth as seen from each light, in the layers of one texture. shaders/shadow/shadow.glsl
+ * computes the share of a light that reaches a point from them, with soft edges (Reeves et al. 1987). */
 #ifndef RENDER_FRAME_SHADOW_H
 #define RENDER_FRAME_SHADOW_H
 
@@ -7,44 +7,48 @@
 #include "render-gl/frame/pass.h"
 #include "render-gl/scene/scene.h"
 
-#define SHADOW_LAYERS_MAX 24u /* directional lights and spots take one, lamps that shine all around take six */
+#define SHADOW_LAYERS_MAX 24u /* a directional light or narrow spot uses one layer, any other light six */
 
-/* std140; the same as in shaders/shadow/block.glsl */
+/* std140 layout; the same as block Shadows of shaders/shadow/block.glsl. */
 struct shadow_block {
-    float map_from_unit[SHADOW_LAYERS_MAX][16]; /* to 0 .. 1 in each coordinate; column-major */
-    float maps[HATCH_LIGHTS_MAX][4]; /* first layer, below 0: none; layers; maps a unit at distance 1, in x and in y */
-    float edge[4];                   /* half the edges' width in the unit scene; 1/pixels of a map */
+    float map_from_unit[SHADOW_LAYERS_MAX][16]; /* to 0 .. 1 in x, y and depth; column-major */
+    float maps[HATCH_LIGHTS_MAX][4]; /* per light: first layer (below 0: none), layers, and the size of one unit at
+                                        distance 1, as a share of the map's width and height */
+    float edge[4];                   /* half the width of soft edges in the unit scene, 1 / side of a map in texels */
 };
 
-/* Zeroed to begin with. */
+/* Zeroed before the first call. */
 struct shadow {
-    const struct gpu_program *draw[2]; /* items whole, items with holes; NULL until shadow_prepare */
-    GLuint maps, framebuffer, buffer;
-    GLuint samplers[2];       /* filtered; texel by texel */
-    uint32_t size_px, layers; /* of maps */
-    uint32_t pose_number;     /* of the scene that they show */
-    bool drawn;               /* the maps are up to date */
+    const struct gpu_program *draw[2]; /* for items without and with holes; NULL until shadow_prepare */
+    GLuint maps;                       /* depth texture, 2D array */
+    GLuint framebuffer, buffer;        /* buffer: the uniform block */
+    GLuint samplers[2];                /* both compare depth; the first filters, the second reads single texels */
+    uint32_t size_px;                  /* side of a map */
+    uint32_t layers;                   /* layers in use */
+    uint32_t pose_number;              /* pose of the scene that the maps show */
+    bool drawn;                        /* the maps are up to date */
     struct shadow_block block;
 };
 
-/* Compiles. Calling it again is cheap. */
+/* Compiles the programs. Repeated calls return at once. */
 enum hatch_status shadow_prepare(struct shadow *shadow, struct gpu_programs *programs,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
-/* Chooses layers for a frame's lights, in their order while layers are left, and makes their maps, which stay drawn
- * while lights and pose stay. Updates the uniform block.
+/* Assigns layers to a frame's lights, in their order until SHADOW_LAYERS_MAX are used, and updates the uniform block.
+ * Clears `drawn` if lights or pose differ from those of the last call; the caller then draws every layer.
  *   frame  its lights are set
- *   width  of shadows' edges, in the unit scene
+ *   width  of the soft edges of shadows, in the unit scene
  * HATCH_LIMIT when the GPU has no memory for the maps. */
 enum hatch_status shadow_begin(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
                                double width, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Begins drawing a layer, with the programs of `draw`. */
+/* Begins the pass that draws a layer, which uses the programs of `draw`. */
 void shadow_begin_layer(const struct shadow *shadow, uint32_t layer);
 
 /* Binds the maps for shaders. */
 void shadow_use(const struct shadow *shadow);
 
+/* Releases everything; leaves *shadow zeroed. */
 void shadow_free(struct shadow *shadow);
 
 #endif

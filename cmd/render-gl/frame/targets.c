@@ -24,7 +24,7 @@ enum hatch_status frame_target(struct frame_targets *targets, const struct gpu_t
             chosen = i;
     }
     if (chosen == FRAME_TARGETS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a frame takes more than %u transient targets", FRAME_TARGETS_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "a frame needs more than %u transient targets", FRAME_TARGETS_MAX);
     if (!targets->entries[chosen].target.framebuffer)
         HATCH_TRY(gpu_target_make(form, &targets->entries[chosen].target, err));
     targets->entries[chosen].taken = true;

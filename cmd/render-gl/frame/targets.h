@@ -10,16 +10,16 @@ struct frame_targets {
     struct {
         struct gpu_target target;
         bool taken;            /* in this frame */
-        uint32_t frames_spare; /* successive frames without use */
+        uint32_t frames_spare; /* number of frames since its last use */
     } entries[FRAME_TARGETS_MAX];
 };
 
-/* Makes all targets available again, and frees those that two frames have not used. */
+/* Makes all targets available again, and frees those that the last two frames have not used. */
 void frame_targets_begin(struct frame_targets *targets);
 
-/* Takes a target of a size and formats until the next frame_targets_begin. Its content is unset.
+/* Returns a target of a size and formats for use until the next frame_targets_begin. Its content is undefined.
  *   target  out: owned by targets
- * HATCH_LIMIT when the GPU has no memory for it, or FRAME_TARGETS_MAX are taken. */
+ * HATCH_LIMIT when the GPU has no memory for it, or FRAME_TARGETS_MAX are in use. */
 enum hatch_status frame_target(struct frame_targets *targets, const struct gpu_target_form *form,
                                const struct gpu_target **target, struct hatch_err *err) HATCH_MUST_USE;
 

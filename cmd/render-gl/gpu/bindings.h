@@ -1,23 +1,23 @@
-/* Every number that C and GLSL share: texture units, uniform blocks, uniform locations, vertex attributes. The text of
- * this file is put before each shader stage, so that it stands here alone: only plain #define lines. */
+/* Numbers that C and GLSL share: uniform blocks, texture units, uniform locations, vertex attributes. gpu/embed.sh
+ * copies the #define lines in front of every shader stage, so each must be plain: a name and a number. */
 #ifndef RENDER_GPU_BINDINGS_H
 #define RENDER_GPU_BINDINGS_H
 
 /* Uniform blocks */
 #define BLOCK_FRAME 0
-#define BLOCK_TECHNIQUE 1 /* a technique's own */
+#define BLOCK_TECHNIQUE 1 /* free for the technique in use */
 #define BLOCK_SHADOWS 2
 #define BLOCK_HALOES 3
 #define BLOCK_COUNT 4
 
 /* Texture units */
-#define UNIT_TONES 0 /* the asset that strokes are read from; of full-screen passes their source */
+#define UNIT_TONES 0 /* the asset that strokes are read from; in full-screen passes the source texture */
 #define UNIT_SOURCE 1
 #define UNIT_SHADOW_TEXELS 2
 #define UNIT_BASE 3
-#define UNIT_TECHNIQUE 4 /* five units of a technique's own */
+#define UNIT_TECHNIQUE 4 /* five units, 4 .. 8, free for the technique in use */
 #define UNIT_NORMALS 9
-#define UNIT_PIECES 10 /* vertices; then tangents by texture coordinates, repeats */
+#define UNIT_PIECES 10 /* three units: vertices, surface derivatives along u and v, repeats */
 #define UNIT_SHADOWS 13
 #define UNIT_HALO_DEPTHS 14
 #define UNIT_HALO_CELLS 15
@@ -64,7 +64,7 @@
 #define ATTRIBUTE_MARK_HALF 1
 #define ATTRIBUTE_MARK_CONFIDENCE 2
 
-/* Vertex attributes of a piece of a near face */
+/* Vertex attributes of pieces, into which faces near the eye are cut (near/near.h) */
 #define ATTRIBUTE_PLACE 0
 #define ATTRIBUTE_FROM 1
 #define ATTRIBUTE_WEIGHT 2

@@ -3,13 +3,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#define LEAST_BYTES 16u
+#define MIN_BYTES 16u
 
 GLuint gpu_buffer_make(const void *data, size_t size_bytes)
 {
     GLuint buffer;
     glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, (GLsizeiptr)(size_bytes > LEAST_BYTES ? size_bytes : LEAST_BYTES), NULL,
+    glNamedBufferStorage(buffer, (GLsizeiptr)(size_bytes > MIN_BYTES ? size_bytes : MIN_BYTES), NULL,
                          GL_DYNAMIC_STORAGE_BIT);
     if (data)
         gpu_buffer_update(buffer, data, size_bytes);

@@ -1,4 +1,4 @@
-/* Buffers, and the vertex arrays that read them. */
+/* GL buffers, and vertex arrays that read from them. */
 #ifndef RENDER_GPU_BUFFER_H
 #define RENDER_GPU_BUFFER_H
 
@@ -7,33 +7,40 @@
 
 #include "base/status.h"
 
-/* Makes a buffer of fixed size. size_bytes may be 0: drivers refuse empty buffers, so it gets a few bytes.
- *   data  NULL: unset; gpu_buffer_update may change it either way */
+/* Makes a buffer of fixed size, which gpu_buffer_update may change later.
+ *   data        size_bytes bytes, copied; NULL: the content is undefined
+ *   size_bytes  0 is allowed */
 GLuint gpu_buffer_make(const void *data, size_t size_bytes);
 
-/* Writes the first size_bytes of a buffer. */
+/* Overwrites the first size_bytes of a buffer. */
 void gpu_buffer_update(GLuint buffer, const void *data, size_t size_bytes);
 
-/* Writes a uniform block and binds it; makes *buffer on the first call, when it is 0. */
+/* Writes a uniform block and binds it.
+ *   buffer   in, out: 0 on the first call, which makes the buffer; the caller deletes it
+ *   binding  BLOCK_... of gpu/bindings.h
+ *   block    size_bytes bytes in std140 layout; the size must be the same in all calls */
 void gpu_block_update(GLuint *buffer, GLuint binding, const void *block, size_t size_bytes);
 
-/* Reads the first size_bytes of a buffer back; waits for the GPU. */
+/* Reads back the first size_bytes of a buffer. Waits for the GPU. */
 void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes);
 
-/* Where an attribute of a vertex array lies in its buffer. */
+/* One vertex attribute and its position in the buffer. */
 struct gpu_attribute {
-    GLuint location;
-    GLint components;
-    GLenum type; /* GL_FLOAT, or GL_UNSIGNED_INT, which shaders read as whole numbers */
-    GLuint offset_bytes;
+    GLuint location;     /* ATTRIBUTE_... of gpu/bindings.h */
+    GLint components;    /* 1 .. 4 */
+    GLenum type;         /* GL_FLOAT, or GL_UNSIGNED_INT, which shaders read as integers */
+    GLuint offset_bytes; /* from the start of a vertex */
 };
 
-/* Lets a vertex array read attributes from a buffer.
- *   slot  the array's slot for this buffer: one of its own for each buffer of the array */
+/* Connects attributes of a vertex array to a buffer.
+ *   slot          buffer binding point of the array; each buffer of one array needs a different slot
+ *   stride_bytes  from one vertex to the next
+ *   attributes    count entries */
 void gpu_array_attach(GLuint array, GLuint slot, GLuint buffer, size_t stride_bytes,
                       const struct gpu_attribute *attributes, size_t count);
 
-/* HATCH_LIMIT with "the GPU has no memory for WHAT" where an allocation has failed since the last check. */
+/* Fails with HATCH_LIMIT and "the GPU has no memory for WHAT" if an allocation has failed since the last check.
+ *   what  printf format of WHAT */
 enum hatch_status gpu_check_memory(struct hatch_err *err, const char *what, ...) HATCH_MUST_USE HATCH_PRINTF(2, 3);
 
 #endif

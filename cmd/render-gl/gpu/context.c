@@ -9,8 +9,8 @@
 #include <string.h>
 
 #ifdef __SANITIZE_ADDRESS__
-/* Drivers keep memory until the process ends, and unload themselves before, so that no list of exceptions can name
- * them: programs that draw are not searched for leaks. */
+/* Drivers keep memory until the process ends but are unloaded before the leak check, so that a suppression list cannot
+ * name them. Therefore leak detection is off in programs that draw. */
 int __lsan_is_turned_off(void);
 int __lsan_is_turned_off(void)
 {
@@ -20,8 +20,8 @@ int __lsan_is_turned_off(void)
 
 #define DEVICES_MAX 16
 
-/* libepoxy ends the process when the library that it forwards to is missing, so look first. */
-static bool library_is_there(const char *name)
+/* libepoxy aborts when the library that it forwards to is missing, so this is checked first. */
+static bool library_exists(const char *name)
 {
     void *handle = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
     if (handle)
@@ -47,14 +47,14 @@ static void close_headless(struct gpu_context *context)
 
 static bool make_current(struct gpu_context *context, EGLDisplay display)
 {
-    static const EGLint want[] = {
+    static const EGLint attributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL))
         return false;
     EGLContext made = EGL_NO_CONTEXT;
     if (eglBindAPI(EGL_OPENGL_API))
-        made = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, want);
+        made = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (made == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
         if (made != EGL_NO_CONTEXT)
             eglDestroyContext(display, made);
@@ -67,7 +67,7 @@ static bool make_current(struct gpu_context *context, EGLDisplay display)
     return true;
 }
 
-/* The first listed device that is hardware; Mesa lists its software renderer among the devices too. */
+/* Opens the first device that is hardware; Mesa lists its software renderer as a device, too. */
 static bool open_hardware(struct gpu_context *context, const char *extensions)
 {
     EGLDeviceEXT devices[DEVICES_MAX];
@@ -94,7 +94,7 @@ static bool open_surfaceless(struct gpu_context *context, const char *extensions
 enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct hatch_err *err)
 {
     if (epoxy_gl_version() < 45)
-        return hatch_fail(err, HATCH_IO, "the driver has OpenGL %d.%d, want 4.5", epoxy_gl_version() / 10,
+        return hatch_fail(err, HATCH_IO, "the driver has OpenGL %d.%d, OpenGL 4.5 is needed", epoxy_gl_version() / 10,
                           epoxy_gl_version() % 10);
     GLint texture = 0, viewport[2] = {0, 0};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
@@ -112,19 +112,19 @@ enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct ha
 enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_t threads, struct hatch_err *err)
 {
     char number[16];
-    if (!library_is_there("libEGL.so.1") || !library_is_there("libGL.so.1"))
+    if (!library_exists("libEGL.so.1") || !library_exists("libGL.so.1"))
         return hatch_fail(err, HATCH_IO,
-                          "there is no libEGL.so.1 or no libGL.so.1: install EGL "
+                          "libEGL.so.1 or libGL.so.1 is missing: install EGL "
                           "(libegl1) and OpenGL (libgl1-mesa-dri)");
-    /* Mesa prints about devices that it may not open; our message is one line. */
+    /* Otherwise Mesa prints messages about devices that it may not open. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
-    /* Mesa's software renderer takes its number of threads from here alone. */
+    /* Mesa's software renderer reads its number of threads from this variable only. */
     snprintf(number, sizeof number, "%u", threads);
     setenv("LP_NUM_THREADS", number, 1);
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!extensions || (!open_hardware(context, extensions) && !open_surfaceless(context, extensions)))
         return hatch_fail(err, HATCH_IO,
-                          "EGL finds no driver with OpenGL 4.5 that works without a "
+                          "EGL finds no OpenGL 4.5 driver that works without a "
                           "display: install libgl1-mesa-dri");
     return gpu_context_read_limits(context, err);
 }

@@ -1,6 +1,7 @@
 #!/bin/sh
-# embed.sh BINDINGS FOLDER FILE...: C on standard output that holds the files as shader_files.h declares them, by their
-# names in FOLDER, and the #define lines of BINDINGS. Bytes are numbers, because C limits the length of a string.
+# embed.sh BINDINGS FOLDER FILE...: writes the C source that defines the variables of shader_files.h: the FILEs, named
+# relative to FOLDER, and the #define lines of BINDINGS. Texts are arrays of numbers, because C limits the length of
+# string literals.
 set -eu
 bytes() {
     od -An -v -tu1 | sed 's/  */,/g; s/^,//; s/$/,/'

@@ -10,7 +10,7 @@
 #define INCLUDES_MAX 16u
 #define NAME_MAX_BYTES 64u
 
-/* One stage as it is joined from files; their order gives the numbers of #line. */
+/* The text of a stage while it is joined from files. The index of a file is its number in #line directives. */
 struct stage_text {
     const struct gpu_programs *programs;
     struct hatch_buffer text;
@@ -33,10 +33,10 @@ static enum hatch_status find_text(const struct gpu_programs *programs, const ch
             *text = (struct hatch_bytes){(const uint8_t *)file->text, strlen(file->text)};
             return HATCH_OK;
         }
-    return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: not built in", name);
+    return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: there is no such built-in file", name);
 }
 
-/* The file that a line includes, or an empty name. */
+/* Extracts the file name of an #include line; empty for other lines. */
 static void included_name(const char *line, size_t length, char name[NAME_MAX_BYTES])
 {
     static const char directive[] = "#include \"";
@@ -52,7 +52,7 @@ static void included_name(const char *line, size_t length, char name[NAME_MAX_BY
     }
 }
 
-static bool is_taken(const struct stage_text *stage, const char *name)
+static bool has_file(const struct stage_text *stage, const char *name)
 {
     for (uint32_t i = 0; i < stage->file_count; i++)
         if (strcmp(stage->files[i], name) == 0)
@@ -60,13 +60,13 @@ static bool is_taken(const struct stage_text *stage, const char *name)
     return false;
 }
 
-static enum hatch_status take_file(struct stage_text *stage, const char *name, struct hatch_err *err)
+static enum hatch_status add_file(struct stage_text *stage, const char *name, struct hatch_err *err)
 {
     struct hatch_bytes text;
-    if (is_taken(stage, name))
+    if (has_file(stage, name))
         return HATCH_OK;
     if (stage->file_count == INCLUDES_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: more than %u files", name, INCLUDES_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: a stage includes more than %u files", name, INCLUDES_MAX);
     HATCH_TRY(find_text(stage->programs, name, &text, err));
     uint32_t number = stage->file_count++;
     snprintf(stage->files[number], NAME_MAX_BYTES, "%s", name);
@@ -78,7 +78,7 @@ static enum hatch_status take_file(struct stage_text *stage, const char *name, s
         char included[NAME_MAX_BYTES];
         included_name(at, (size_t)(next - at), included);
         if (included[0]) {
-            HATCH_TRY(take_file(stage, included, err));
+            HATCH_TRY(add_file(stage, included, err));
             HATCH_TRY(hatch_buffer_print(&stage->text, err, "#line %u %u\n", line + 1, number));
         } else {
             HATCH_TRY(hatch_buffer_add(&stage->text, at, (size_t)(next - at), err));
@@ -88,9 +88,9 @@ static enum hatch_status take_file(struct stage_text *stage, const char *name, s
     return HATCH_OK;
 }
 
-/* Drivers begin a complaint with the file's number: "0:12(5): error". */
-static enum hatch_status complain(const struct stage_text *stage, const char *what, const char *log,
-                                  struct hatch_err *err)
+/* Reports the first line of the compiler's log, which begins with the number of the file: "0:12(5): error". */
+static enum hatch_status fail_with_log(const struct stage_text *stage, const char *what, const char *log,
+                                       struct hatch_err *err)
 {
     unsigned file = 0;
     int length = (int)strcspn(log, "\n");
@@ -108,7 +108,7 @@ static enum hatch_status compile(const struct gpu_programs *programs, GLenum kin
     enum hatch_status status =
         hatch_buffer_print(&stage.text, err, "#version 450 core\n%s%s", shader_bindings, defines);
     if (status == HATCH_OK)
-        status = take_file(&stage, name, err);
+        status = add_file(&stage, name, err);
     if (status == HATCH_OK) {
         GLuint shader = glCreateShader(kind);
         const GLchar *text = (const GLchar *)stage.text.data;
@@ -119,7 +119,7 @@ static enum hatch_status compile(const struct gpu_programs *programs, GLenum kin
         char log[240] = "";
         if (!good) {
             glGetShaderInfoLog(shader, (GLsizei)sizeof log, NULL, log);
-            status = complain(&stage, name, log, err);
+            status = fail_with_log(&stage, name, log, err);
         } else {
             glAttachShader(program, shader);
         }
@@ -149,7 +149,7 @@ static enum hatch_status build(const struct gpu_programs *programs, const struct
     if (good)
         return HATCH_OK;
     glGetProgramInfoLog(program, (GLsizei)sizeof log, NULL, log);
-    return complain(NULL, stages->fragment ? stages->fragment : stages->compute, log, err);
+    return fail_with_log(NULL, stages->fragment ? stages->fragment : stages->compute, log, err);
 }
 
 static enum hatch_status make(const struct gpu_programs *programs, const struct gpu_stages *stages, const char *defines,

@@ -1,16 +1,16 @@
-/* The files of shaders/ and the numbers of gpu/bindings.h, as embed.sh builds them into the command. */
+/* The files of shaders/ and the numbers of gpu/bindings.h, as gpu/embed.sh builds them into the command. */
 #ifndef RENDER_GPU_SHADER_FILES_H
 #define RENDER_GPU_SHADER_FILES_H
 
 struct shader_file {
-    const char *name; /* "frame/light.glsl" */
+    const char *name; /* path in shaders/: "frame/light.glsl" */
     const char *text; /* zero-terminated */
 };
 
-/* The last entry has no name. */
+/* Ended by an entry whose name is NULL. */
 extern const struct shader_file shader_files[];
 
-/* #define lines; zero-terminated. */
+/* The #define lines of gpu/bindings.h; zero-terminated. */
 extern const char shader_bindings[];
 
 #endif

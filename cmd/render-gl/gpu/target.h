@@ -1,4 +1,4 @@
-/* Render targets: several colour outputs and depth. */
+/* Render targets: textures for colour outputs and for depth, with their framebuffer. */
 #ifndef RENDER_GPU_TARGET_H
 #define RENDER_GPU_TARGET_H
 
@@ -10,41 +10,42 @@
 
 #define GPU_OUTPUTS_MAX 4u
 
-/* A target's size and formats: two of equal ones are interchangeable. */
+/* Size and formats of a target. Targets of equal form are interchangeable. */
 struct gpu_target_form {
     uint32_t width, height;          /* texels, at least 1 */
-    GLenum outputs[GPU_OUTPUTS_MAX]; /* internal formats of output 0 onwards; 0: no more */
-    GLenum depth;                    /* internal format; 0: none */
+    GLenum outputs[GPU_OUTPUTS_MAX]; /* internal formats of the outputs; the first 0 ends them */
+    GLenum depth;                    /* internal format; 0: no depth */
 };
 
 /* Zeroed: no target. */
 struct gpu_target {
     struct gpu_target_form form;
-    uint32_t output_count;
-    GLuint framebuffer;
-    GLuint outputs[GPU_OUTPUTS_MAX], depth; /* textures */
+    uint32_t output_count;                  /* 0 .. GPU_OUTPUTS_MAX */
+    GLuint framebuffer;                     /* 0: the window's */
+    GLuint outputs[GPU_OUTPUTS_MAX], depth; /* textures; 0: none */
 };
 
-/* Makes a target, unset. HATCH_LIMIT when the GPU has no memory for it. */
+/* Makes a target with undefined content. HATCH_LIMIT when the GPU has no memory for it. */
 enum hatch_status gpu_target_make(const struct gpu_target_form *form, struct gpu_target *target,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* A rectangle of texels, from the lower left corner. */
+/* A rectangle of texels; x and y of its lower left corner, rows counted from the bottom. */
 struct gpu_rectangle {
     uint32_t x, y, width, height;
 };
 
-/* Reads a rectangle of an output back; waits for the GPU.
- *   layout, type   as glReadPixels takes them (GL_RGBA, GL_FLOAT)
- *   row_length     texels from row to row in memory; 0: the rectangle's width
- *   texels         out: rows from the lowest up */
+/* Reads back a rectangle of an output. Waits for the GPU.
+ *   output        index of the output
+ *   layout, type  of the texels in memory, as in glReadPixels (GL_RGBA, GL_FLOAT)
+ *   row_length    texels from one row to the next in memory; 0: the rectangle's width
+ *   texels        out: rows from bottom to top */
 void gpu_target_read(const struct gpu_target *target, uint32_t output, struct gpu_rectangle from, GLenum layout,
                      GLenum type, uint32_t row_length, void *texels);
 
-/* Reads the depth of one texel. */
+/* Reads back the depth of one texel, row y counted from the bottom. Waits for the GPU. */
 float gpu_target_read_depth(const struct gpu_target *target, uint32_t x, uint32_t y);
 
-/* Leaves *target zeroed. */
+/* Releases the textures; leaves *target zeroed. */
 void gpu_target_free(struct gpu_target *target);
 
 #endif

@@ -5,22 +5,27 @@
 #include <epoxy/gl.h>
 #include <stdint.h>
 
-/* Makes an unset texture of one level. */
+/* Makes a 2D texture of one level with undefined content.
+ *   format  internal format */
 GLuint gpu_texture_2d(GLenum format, uint32_t width, uint32_t height);
 
-/* Makes an unset texture of `levels` levels.
- *   kind   GL_TEXTURE_2D, _2D_ARRAY or _3D
- *   depth  layers or slices; of 2D textures 1 */
+/* Makes a texture with undefined content.
+ *   kind    GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D
+ *   levels  number of mip levels
+ *   format  internal format
+ *   depth   layers of an array or slices of a 3D texture; ignored for 2D */
 GLuint gpu_texture_make(GLenum kind, GLsizei levels, GLenum format, uint32_t width, uint32_t height, uint32_t depth);
 
-/* Makes a texture that reads a buffer as an array of texels. */
+/* Makes a texture through which shaders read a buffer as an array of texels.
+ *   format  of a texel (GL_RGBA8) */
 GLuint gpu_texture_of_buffer(GLenum format, GLuint buffer);
 
-/* A one-channel texture read as grey with alpha 1. */
+/* Makes shaders read a one-channel texture as grey with alpha 1. */
 void gpu_texture_read_grey(GLuint texture);
 
 /* Binds a texture to a unit.
- *   sampler  0: the texture's own state */
+ *   unit     UNIT_... of gpu/bindings.h
+ *   sampler  0: the texture's own filters */
 void gpu_texture_bind(GLuint unit, GLuint texture, GLuint sampler);
 
 #endif

@@ -1,4 +1,4 @@
-/* Times of passes: GL timer queries, and the wall clock around commands that are finished. */
+/* Times of a frame and of its passes, by GL timer queries and by the wall clock. */
 #ifndef RENDER_GPU_TIMER_H
 #define RENDER_GPU_TIMER_H
 
@@ -9,26 +9,27 @@
 #define GPU_TIMER_PASSES_MAX 12u
 
 struct gpu_timer {
-    GLuint queries[GPU_TIMER_PASSES_MAX + 1]; /* moments: the beginning, and the end of each pass */
-    bool every_pass;                          /* the GPU finishes after each pass, so that their times are apart */
-    uint32_t count;                           /* passes of the frame so far */
-    double wall_begin_s;
-    double gpu_ms[GPU_TIMER_PASSES_MAX], wall_ms[GPU_TIMER_PASSES_MAX];
-    const char *names[GPU_TIMER_PASSES_MAX];
+    GLuint queries[GPU_TIMER_PASSES_MAX + 1]; /* time stamps: start of the frame, end of each pass */
+    bool every_pass;     /* time each pass, waiting for the GPU after each; false: the whole frame; set by the user */
+    uint32_t count;      /* passes timed so far; after gpu_timer_end: valid entries of the arrays below */
+    double wall_begin_s; /* start of the current pass, gpu_timer_now_s */
+    double gpu_ms[GPU_TIMER_PASSES_MAX], wall_ms[GPU_TIMER_PASSES_MAX]; /* milliseconds */
+    const char *names[GPU_TIMER_PASSES_MAX];                            /* string literals */
 };
 
+/* Makes the queries; gpu_timer_free releases them. */
 void gpu_timer_make(struct gpu_timer *timer);
 
-/* timer may be NULL in these three: nothing is timed. */
+/* Starts timing a frame. timer: NULL here and in the next two functions: they do nothing. */
 void gpu_timer_begin(struct gpu_timer *timer);
-/* Ends a pass that began where the one before it ended. */
+/* Ends a pass, which began where the previous one ended. name: string literal, kept by reference. */
 void gpu_timer_end_pass(struct gpu_timer *timer, const char *name);
-/* Waits for the GPU and fills the times; count is 1, the whole frame, unless every_pass. */
+/* Waits for the GPU and sets gpu_ms. Without every_pass there is one entry, "frame". */
 void gpu_timer_end(struct gpu_timer *timer);
 
 void gpu_timer_free(struct gpu_timer *timer);
 
-/* Seconds of a clock that only runs forward. */
+/* Seconds of a monotonic clock. */
 double gpu_timer_now_s(void);
 
 #endif

@@ -11,7 +11,7 @@
 #include "shared/scene.h"
 
 #define TWO_PI 6.28318530717958648
-#define SPAN_MOMENTS 9 /* at which an animation's extent is measured */
+#define SPAN_MOMENTS 9 /* times at which the bounds of an animation are measured */
 
 static const char *scene_name(const struct job *job)
 {
@@ -36,14 +36,14 @@ static void check_animation(const struct job *job)
     }
 }
 
-static void warn_of_stillness(const struct job *job)
+static void warn_if_still(const struct job *job)
 {
     const struct options *options = job->options;
     if (options->frames > 1 && !options->turntable && !options->change_count && !job->values.animation_count)
-        cmd_warn(scene_name(job), "no animation: all frames are alike without --turntable or --animate");
+        cmd_warn(scene_name(job), "the scene has no animation: all frames are alike without --turntable or --animate");
 }
 
-/* Warns of what is wrong with a map, and of what a technique of six grey columns leaves out of it. */
+/* Warns of strokes that do not nest, and of columns and colours that the technique does not draw. */
 static void warn_of_map(struct cmd_args *args, const struct options *options, const struct hatch_tam *map)
 {
     const char *name = cmd_input_name(options->map_path);
@@ -51,13 +51,14 @@ static void warn_of_map(struct cmd_args *args, const struct options *options, co
     if (options->technique->asset != &asset_six_columns)
         return;
     if (map->tones > ASSET_SIX_COLUMNS_MAX)
-        cmd_warn(name, "%u of the map's %u columns are drawn, spread over it; %s draws all", ASSET_SIX_COLUMNS_MAX,
+        cmd_warn(name, "only %u of the map's %u columns are drawn; --technique %s draws all", ASSET_SIX_COLUMNS_MAX,
                  map->tones, technique_find(TECHNIQUE_ALL_COLUMNS)->name);
     if (map->color)
-        cmd_warn(name, "the map's colours are drawn grey; %s draws them", technique_find(TECHNIQUE_ALL_COLUMNS)->name);
+        cmd_warn(name, "the map's colours are drawn in grey; --technique %s draws them",
+                 technique_find(TECHNIQUE_ALL_COLUMNS)->name);
 }
 
-/* Dies where the file is of another kind than the technique, or --probe, reads. */
+/* Exits with a message if the asset is not of the kind that the technique, or --probe, reads. */
 static void check_asset(const struct job *job)
 {
     const struct options *options = job->options;
@@ -65,7 +66,7 @@ static void check_asset(const struct job *job)
     struct hatch_err err;
     if (!kind || kind->is(&job->asset))
         return;
-    hatch_fail(&err, HATCH_BAD_INPUT, "%s%s wants %s, this is %s", options->probe ? "--probe" : "technique ",
+    hatch_fail(&err, HATCH_BAD_INPUT, "%s%s needs %s, this is %s", options->probe ? "--probe" : "technique ",
                options->probe ? "" : options->technique->name, kind->name,
                asset_is_map(&job->asset) ? "a tonal art map" : "another texture");
     cmd_die(cmd_input_name(options->map_path), &err);
@@ -94,7 +95,8 @@ struct technique_instance *job_open(struct job *job, const struct technique *tec
     return instance;
 }
 
-/* Techniques whose own options were given read their files at once, though a window may never change to them. */
+/* Opens the chosen technique, and those whose options were given: a window may switch to them, and errors in their
+ * files should show at the start. */
 static void open_techniques(struct job *job)
 {
     struct hatch_err err;
@@ -123,7 +125,7 @@ void job_read(struct job *job)
     cmd_check(job_check(job, options->technique, &err), scene_name(job), &err);
     check_animation(job);
     cmd_warn_mesh(scene_name(job), &notes);
-    warn_of_stillness(job);
+    warn_if_still(job);
 }
 
 static double time_of(const struct job *job, uint32_t frame)
@@ -131,7 +133,7 @@ static double time_of(const struct job *job, uint32_t frame)
     return job->options->time_s + (double)frame / job->options->rate;
 }
 
-/* All frames share one unit scene and one framing, so that a framing camera stands still. */
+/* Sets the time span of all frames. They share one unit scene and one framing, so that the camera does not move. */
 static void set_span(struct job *job)
 {
     const struct options *options = job->options;
@@ -154,10 +156,10 @@ static void open_context(struct job *job)
               NULL, &err);
     cmd_note("%s", job->gpu.device);
     if (options->anisotropy > (double)job->gpu.anisotropy_max)
-        cmd_note("the driver filters with anisotropy %g at most", (double)job->gpu.anisotropy_max);
+        cmd_note("the driver limits --anisotropy to %g", (double)job->gpu.anisotropy_max);
 }
 
-/* Measures the scene and finds the view; then the GPU's part. */
+/* Measures the scene, finds the view, opens the context and uploads. */
 static void upload_scene(struct job *job)
 {
     const struct options *options = job->options;
@@ -170,10 +172,10 @@ static void upload_scene(struct job *job)
     cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
     cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &source.bounds, &err), name, &err);
     if (source.bounds.empty)
-        cmd_warn(name, "the scene shows no faces");
+        cmd_warn(name, "the scene has no visible faces");
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)
-        cmd_warn(name, "%u lights are left out: %u are the most", left_out, HATCH_LIGHTS_MAX);
+        cmd_warn(name, "%u lights are left out: at most %u are used", left_out, HATCH_LIGHTS_MAX);
     const struct hatch_view_choice choice = options_view(options);
     const struct hatch_framing framing = {&job->span, &source.bounds, (double)options->width / options->height};
     cmd_check(hatch_view_make(&choice, &pose, &framing, scratch, &job->fixed_view, &err), name, &err);
@@ -206,7 +208,7 @@ struct picture job_picture(struct job *job, struct technique_instance *instance)
                             .draws_lines = job->has_lines && options_draw_lines(job->options, instance->technique)};
 }
 
-/* The darkest tone that is asked for, unless the user says it: that of the asset, or of all layers of strokes. */
+/* Sets the upper end of --tone-range, if it was not given, to the darkest tone of the asset or the technique. */
 static void set_darkest(struct job *job)
 {
     struct options *options = job->options;
@@ -220,7 +222,7 @@ static void set_darkest(struct job *job)
         options->tone_range[1] = options->technique->darkest(instance);
 }
 
-/* How the strokes' images repeat over surfaces. */
+/* Sets how often the map repeats over each surface. */
 static enum hatch_status set_repeats(struct job *job, struct hatch_err *err)
 {
     const struct hatch_uv_repeat how = {.repeat = job->options->repeat,

@@ -1,4 +1,4 @@
-/* Everything between the options and the drawing: the scene, the asset, the GPU, the techniques in use. */
+/* A run of the command after its options are read: the scene, the asset, the GL context, the techniques in use. */
 #ifndef RENDER_MODE_JOB_H
 #define RENDER_MODE_JOB_H
 
@@ -9,63 +9,70 @@
 struct job {
     struct cmd_args args;
     struct options *options;
-    struct hatch_scene values;        /* the scene as read */
-    struct hatch_patch_mesh *patches; /* of each of its meshes */
-    struct asset asset;
+    struct hatch_scene values;        /* the scene as read from files, in memory */
+    struct hatch_patch_mesh *patches; /* one per mesh of values */
+    struct asset asset;               /* of --tam; zeroed: none */
     struct gpu_context gpu;
     enum hatch_status (*open_window)(struct gpu_context *context, uint32_t width, uint32_t height,
-                                     struct hatch_err *err); /* NULL: there is none, and frames go to files */
-    struct scene scene;
+                                     struct hatch_err *err); /* window_open; NULL: no window, frames go to files */
+    struct scene scene;                                      /* the scene on the GPU */
     struct assets assets;
     struct frame frame;
     struct technique_context context;
-    struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those in use; those of --show and --probe, too */
+    struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those opened; two more for --show and --probe */
     struct line_overlay lines;
     bool has_lines;               /* lines have been made */
     struct cmd_output **outputs;  /* one per frame, or one for a report; NULL with a window */
-    struct hatch_pose_span span;  /* all frames */
-    struct hatch_view fixed_view; /* used where the view does not follow the scene's pose */
-    struct hatch_view first_view;
-    uint32_t changes;  /* how often the technique's parameters were applied */
-    double changes_ms; /* and how long that took */
+    struct hatch_pose_span span;  /* the animation and its time, over all frames */
+    struct hatch_view fixed_view; /* the view, if it does not follow the scene's pose */
+    struct hatch_view first_view; /* of the first frame */
+    uint32_t changes;             /* number of times that the technique's `changed` ran */
+    double changes_ms;            /* total time of those */
 };
 
-/* Reads the files. Dies with one line on what is wrong with them. */
+/* Reads the files. Exits with a message on failure. */
 void job_read(struct job *job);
 
-/* Opens the context and uploads. The scene is posed at the first frame then. */
+/* Opens the context, uploads the scene and the asset, prepares the technique, and poses the scene for the first frame.
+ * Exits with a message on failure. */
 void job_prepare(struct job *job);
 
-/* The instance of a technique, which is opened and has read its files; NULL when memory does not suffice. Dies on what
- * is wrong with its files. */
+/* Returns the instance of a technique. Opens it on the first call and reads its files; exits with a message if they
+ * are wrong. NULL, with err set, when memory does not suffice. */
 struct technique_instance *job_open(struct job *job, const struct technique *technique, struct hatch_err *err);
 
-/* What draws pictures with an instance that is prepared. */
+/* Returns a struct picture that draws with a prepared instance, for picture_draw. */
 struct picture job_picture(struct job *job, struct technique_instance *instance);
 
-/* Finds the scene's feature lines. kinds: enum hatch_line_kind, joined. */
+/* Finds the scene's feature lines.
+ *   kinds  enum hatch_line_kind, joined */
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fails with HATCH_BAD_INPUT where the scene lacks what a technique draws. */
+/* Fails with HATCH_BAD_INPUT if the scene lacks something that the technique draws. */
 enum hatch_status job_check(const struct job *job, const struct technique *technique,
                             struct hatch_err *err) HATCH_MUST_USE;
 
-/* After parameters have changed: recomputes what depends on them.
- *   instance  that is drawn with
- *   subjects  of params_move */
+/* Recomputes what depends on parameters that have changed.
+ *   instance  the one that draws
+ *   subjects  bits 1 << enum param_subject of those parameters */
 enum hatch_status job_refresh(struct job *job, struct technique_instance *instance, uint32_t subjects,
                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Poses the scene for a frame and finds its view. */
+/* Sets the parameters of --animate and the pose for a frame, and computes its view.
+ *   frame  from 0
+ *   view   out */
 void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view);
 
-/* The view that the options ask for at the present pose, which is that of the animation's time_s. */
+/* Computes the view that the options describe, at the scene's current pose.
+ *   time_s  of the animation, for that pose
+ *   view    out */
 void job_view(struct job *job, double time_s, struct hatch_view *view);
 
-/* A canvas for the picture, or for its tiles. Dies when the GPU has no memory for it. */
+/* Makes a canvas for the picture or for its tiles. Exits with a message when the GPU has no memory for it.
+ *   canvas  out: owned by the caller */
 void job_make_canvas(struct job *job, struct canvas *canvas);
 
-/* Releases what OpenGL holds. */
+/* Releases all GL objects and the context. */
 void job_end(struct job *job);
 
 #endif

@@ -15,7 +15,7 @@ static void load_row(struct cmd_args *args, char *const *paths, uint32_t count, 
     cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
-/* What is nowhere as opaque as its material asks for has no faces that could be seen. */
+/* Removes the faces of meshes whose base colour alone is below the alpha cutoff: no part of them is visible. */
 static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes *notes)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
@@ -51,8 +51,8 @@ enum hatch_status load_check_texcoords(const struct hatch_scene *scene, struct h
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
             return hatch_fail(err, HATCH_BAD_INPUT,
-                              "mesh %u has no texture coordinates for strokes to follow: "
-                              "dirfield FILE | lapped-param -o NEW.glb gives it some",
+                              "mesh %u has no texture coordinates, which strokes follow: "
+                              "dirfield FILE | lapped-param -o NEW.glb makes some",
                               i);
     return HATCH_OK;
 }

@@ -1,14 +1,17 @@
-/* The ways to end a job: pictures into files, times and probes as text. */
+/* The command's work on a prepared job: write pictures, report times, report a probe. The functions exit with a
+ * message on failure. */
 #ifndef RENDER_MODE_MODES_H
 #define RENDER_MODE_MODES_H
 
 #include "render-gl/mode/job.h"
 
 void pictures_write(struct job *job);
-void timing_report(struct job *job);
-void probe_report(struct job *job);
+void timing_report(struct job *job); /* --time */
+void probe_report(struct job *job);  /* --probe */
 
-/* The bytes of a picture: EXR where the path ends so, else PNG. Dies when memory does not suffice. */
+/* Encodes a picture: as OpenEXR if the path ends in .exr, else as PNG.
+ *   path  NULL: PNG
+ *   file  out: empty before */
 void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
                      struct hatch_buffer *file);
 

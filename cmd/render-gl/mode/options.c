@@ -9,8 +9,8 @@
 #include "math/angle.h"
 #include "render-gl/mode/parse_args.h"
 
-#define AMBIENT 0.05 /* light from all directions, so that shadows hold some form */
-#define ROWS_MAX 80
+#define AMBIENT 0.05 /* light from all directions, so that unlit parts are not all of one tone */
+#define ROWS_MAX 80  /* of the option table */
 
 static struct options chosen = {
     .hatch_scale = 1,
@@ -27,87 +27,102 @@ static struct options chosen = {
     .rate = 24,
 };
 
-/* Values that options_read turns into those of struct options. */
-static int technique, show = -1; /* -1: nothing */
+/* Option values that options_read converts for struct options. */
+static int technique, show = -1; /* -1: --show is not given */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool technique_given, samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
-/* Before the techniques' own options, and after them. Those of --animate stand in the order in which the window's keys
- * go through them. */
+/* Rows before and after the techniques' own options. */
 static const struct cmd_option first[] = {
-    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "how tone becomes strokes (default: the first)", &technique, NULL,
-     &technique_given},
-    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "the tonal art map of tamgen, or what tamvol or tamthresh made of it",
+    {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "drawing technique; the manual describes them (default tam)",
+     &technique, NULL, &technique_given},
+    {'T', "tam", CMD_TEXT, 0, 0, "FILE", "tonal art map, made by tamgen; or a texture of tamvol or tamthresh",
      &chosen.map_path, NULL, NULL},
     {0},
 };
 
 static const struct cmd_option rest[] = {
-    {0, "size", CMD_PAIR, 1, 65536, "WxH", "the picture's size in pixels (default 1280x720)", size, NULL, NULL},
-    {0, "samples", CMD_INT, 1, 64, "N", "shaded samples a pixel, a square number (default 4, or as the technique asks)",
-     &samples, NULL, &samples_given},
-    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on their surface (default 0)",
+    {0, "size", CMD_PAIR, 1, 65536, "WxH", "width and height of the picture in pixels (default 1280x720)", size, NULL,
+     NULL},
+    {0, "samples", CMD_INT, 1, 64, "N", "samples per pixel, a square number (default 4; tam-threshold 16)", &samples,
+     NULL, &samples_given},
+    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on the surface, counter-clockwise (default 0)",
      &chosen.hatch_turn_deg, NULL, NULL},
-    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+size of the strokes' pattern (default 1)", &chosen.hatch_scale, NULL,
-     NULL},
+    {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+factor for the size of the strokes' pattern (default 1)",
+     &chosen.hatch_scale, NULL, NULL},
     {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
-     "darkness of the lit and of the unlit (default 0:1, or the map's darkest)", chosen.tone_range, NULL,
+     "tone, 0 to 1, of lit and unlit parts (default 0:1, or the map's darkest)", chosen.tone_range, NULL,
      &chosen.tone_range_given},
-    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of the darkness (default 1)", &chosen.tone_gamma, NULL, NULL},
-    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "a name or #rrggbb (default white)", &paper, NULL, NULL},
+    {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of tone; over 1 lightens middle tones (default 1)",
+     &chosen.tone_gamma, NULL, NULL},
+    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "colour of the paper, a name or #rrggbb (default white)", &paper, NULL,
+     NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
-     "default black; lighter than the paper: for what is lit; two: for both", &ink, NULL, NULL},
-    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "instead of strokes: patches, or the direction field", &show, NULL, NULL},
-    {0, "light", CMD_PAIR, -180, 180, "AZ:EL", "one light, degrees from the camera, for the scene's (default -40:40)",
-     chosen.light_deg, NULL, &chosen.light_given},
-    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+highlight: strength, exponent (default none)", chosen.specular, NULL,
-     &specular_given},
-    {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH", "+cast shadows; their edges' width in the scene's radius",
-     &chosen.shadow_edge, NULL, &chosen.shadows},
-    {0, "ground", CMD_REAL, 0.1, 100, "R", "+a plane under the scene, R of its radii to each side", &chosen.ground,
+     "colour of the strokes; a second one draws the lit parts (default black)", &ink, NULL, NULL},
+    {0, "show", CMD_CHOICE, 0, 0, "WHAT", "draw patches or field (directions) instead of strokes", &show, NULL, NULL},
+    {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
+     "replace the scene's lights by one, in degrees from the camera (default -40:40)", chosen.light_deg, NULL,
+     &chosen.light_given},
+    {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+strength and exponent of highlights (default 0:32: none)",
+     chosen.specular, NULL, &specular_given},
+    {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH",
+     "+cast shadows; width of their soft edges in scene radii (default: none)", &chosen.shadow_edge, NULL,
+     &chosen.shadows},
+    {0, "ground", CMD_REAL, 0.1, 100, "R", "+add a ground plane; half its side in scene radii (default: none)",
+     &chosen.ground, NULL, NULL},
+    {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: automatic)", &chosen.exposure,
      NULL, NULL},
-    {0, "exposure", CMD_REAL, 0, 1e30, "E", "+factor for the scene's lights (default 0: chosen)", &chosen.exposure,
-     NULL, NULL},
-    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "the materials' colours and textures count as tone", &chosen.base_tone,
-     NULL, NULL},
-    {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+the same of an image over the texture coordinates",
+    {0, "texture-tone", CMD_FLAG, 0, 0, NULL, "let colours and textures of materials darken the tone",
+     &chosen.base_tone, NULL, NULL},
+    {0, "modulate", CMD_TEXT, 0, 0, "IMAGE", "+let an image over the texture coordinates darken the tone",
      &chosen.modulate_path, NULL, NULL},
-    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+light every pixel, not every vertex", &chosen.pixel_light, NULL, NULL},
+    {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+compute light per pixel, not per vertex", &chosen.pixel_light, NULL,
+     NULL},
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
-     "none, all, or of silhouettes,creases,boundaries (default all, where strokes are)", &lines, NULL,
+     "feature lines: none, all, or some of silhouettes,creases,boundaries (default all)", &lines, NULL,
      &chosen.lines_given},
-    {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+paper beside what passes before something farther", &chosen.halo_px, NULL,
+    {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+width of bare paper around nearer surfaces (default: none)",
+     &chosen.halo_px, NULL, NULL},
+    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+width of feature lines in pixels (default 2)", &chosen.line_px, NULL,
      NULL},
-    {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+of lines (default 2)", &chosen.line_px, NULL, NULL},
-    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+of lines (default the ink's)", &line_color, NULL, NULL},
-    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges that turn by more are creases (default 40)", &chosen.crease_deg,
+    {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+colour of feature lines (default: that of the ink)", &line_color,
      NULL, NULL},
-    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "map tiles a unit of u and v (default auto)", &uv_scale, NULL, NULL},
-    {0, "anisotropy", CMD_REAL, 1, 16, "N", "+hardware anisotropic filtering (default 1: none)", &chosen.anisotropy,
-     NULL, NULL},
-    {0, "camera", CMD_TEXT, 0, 0, "WHICH", "the scene's camera N, frame, or X,Y,Z[:X,Y,Z]: from where, at what",
-     &camera, NULL, NULL},
-    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "framed: direction to the camera (default 30:20)", chosen.from_deg, NULL,
-     &from_given},
-    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, but for the scene's cameras (default 30)",
+    {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges where the surface turns by more are creases (default 40)",
+     &chosen.crease_deg, NULL, NULL},
+    {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "repeats of the map per unit of texture coordinates (default auto)",
+     &uv_scale, NULL, NULL},
+    {0, "anisotropy", CMD_REAL, 1, 16, "N", "+anisotropic texture filtering by the driver (default 1: none)",
+     &chosen.anisotropy, NULL, NULL},
+    {0, "camera", CMD_TEXT, 0, 0, "WHICH",
+     "number of a scene's camera, frame (fit the scene), or POSITION[:TARGET] as X,Y,Z", &camera, NULL, NULL},
+    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "frame the scene from this azimuth and elevation (default 30:20)",
+     chosen.from_deg, NULL, &from_given},
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view, except of the scene's cameras (default 30)",
      &chosen.fov_deg, NULL, &fov_given},
-    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+X times nearer to what the picture's middle shows", &chosen.zoom, NULL,
-     NULL},
-    {'n', "frames", CMD_INT, 1, 4096, "N", "pictures: -o name%03d.png", &frames, NULL, &frames_given},
-    {0, "turntable", CMD_FLAG, 0, 0, NULL, "the frames go once around the scene", &chosen.turntable, NULL, NULL},
-    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "an option's number changes over the frames; repeatable",
+    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "+move X times nearer to the middle of the picture (default 1)",
+     &chosen.zoom, NULL, NULL},
+    {'n', "frames", CMD_INT, 1, 4096, "N", "draw N pictures, named like -o name%03d.png (default 1)", &frames, NULL,
+     &frames_given},
+    {0, "turntable", CMD_FLAG, 0, 0, NULL, "move the camera once around the scene over all frames", &chosen.turntable,
+     NULL, NULL},
+    {0, "animate", CMD_TEXTS, 0, 0, "PARAM=A..B", "change option --PARAM from A to B over the frames; repeatable",
      &chosen.animate, NULL, NULL},
-    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N (default 0 with --frames)", &animation, NULL,
+    {0, "animation", CMD_INT, 0, 65535, "N", "+play animation N of the scene (default 0)", &animation, NULL,
      &chosen.animation_given},
-    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+the animation's time at the first frame", &chosen.time_s, NULL,
-     &time_given},
-    {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "+frames a second (default 24)", &chosen.rate, NULL, NULL},
-    {0, "time", CMD_INT, 1, 10000, "N", "draw N frames and print their times", &timed_frames, NULL, NULL},
-    {0, "probe", CMD_FLAG, 0, 0, NULL, "print what the picture uses of map and scene", &chosen.probe, NULL, NULL},
-    {'w', "window", CMD_FLAG, 0, 0, NULL, "show it in a window; ? there lists the keys", &chosen.window, NULL, NULL},
-    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from there", &chosen.shader_folder, NULL, NULL},
+    {0, "time-s", CMD_REAL, 0, 1e6, "SECONDS", "+time of the animation at the first frame (default 0)", &chosen.time_s,
+     NULL, &time_given},
+    {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "+frames per second of the animation (default 24)", &chosen.rate, NULL,
+     NULL},
+    {0, "time", CMD_INT, 1, 10000, "N", "print how long N frames take, instead of a picture", &timed_frames, NULL,
+     NULL},
+    {0, "probe", CMD_FLAG, 0, 0, NULL, "print which tones and mip levels the picture uses, instead of it",
+     &chosen.probe, NULL, NULL},
+    {'w', "window", CMD_FLAG, 0, 0, NULL, "show the scene in a window; its key ? lists the keys", &chosen.window, NULL,
+     NULL},
+    {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from this folder (default: the built-in ones)",
+     &chosen.shader_folder, NULL, NULL},
     {0},
 };
 
@@ -156,7 +171,7 @@ static size_t add_rows(const struct cmd_option *rows, size_t count)
     return count;
 }
 
-/* The command's table: the common options, and those of every technique. */
+/* Joins the rows of the command and of all techniques into one table. */
 static void make_table(const struct options_shown *shown)
 {
     static const char *names[TECHNIQUE_COUNT + 1], *shown_names[8];
@@ -178,7 +193,7 @@ static void read_view(struct hatch_view_choice *view)
     *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turntable = chosen.turntable};
     if (camera && !frame &&
         (from_given || !(parse_whole(camera, 65535, &view->index) || parse_camera_place(camera, view))))
-        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z], the last three without --from", camera);
+        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z]; --from goes with frame only", camera);
     if (frame || from_given || (fov_given && !camera))
         view->kind = HATCH_VIEW_FRAMED;
     else if (camera && view->kind != HATCH_VIEW_EYE)
@@ -196,9 +211,9 @@ static void read_colors(void)
     if (inks->two)
         parse_color("ink", (struct hatch_text){ink + length + 1, strlen(ink + length + 1)}, inks->light_ink);
     if (!inks->two && memcmp(inks->paper, inks->ink, sizeof inks->ink) == 0)
-        cmd_warn(NULL, "ink and paper have the same colour: strokes will not be seen");
+        cmd_warn(NULL, "ink and paper have the same colour: strokes are invisible");
     if (specular_given && chosen.specular[0] > 10)
-        cmd_usage("--specular %g:%g: strength outside 0 to 10", chosen.specular[0], chosen.specular[1]);
+        cmd_usage("--specular %g:%g: want a strength from 0 to 10", chosen.specular[0], chosen.specular[1]);
     chosen.line_kinds = parse_line_kinds(lines ? lines : "all");
     if (line_color)
         parse_color("line-color", (struct hatch_text){line_color, strlen(line_color)}, chosen.line_color);
@@ -229,7 +244,7 @@ static bool has_option(const struct technique *owner, const struct cmd_option *o
     return row && row->name;
 }
 
-/* Refuses options of other techniques; a window may change to them. */
+/* Refuses options of techniques that are not drawn; a window may switch to them, so it accepts all. */
 static void check_owners(void)
 {
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
@@ -239,7 +254,7 @@ static void check_owners(void)
                           chosen.technique->name);
 }
 
-/* The techniques with a feature: "a, b and c". */
+/* Writes the names of the techniques with a feature: "a, b and c". */
 static void list_features(uint32_t feature, char *text, size_t bytes)
 {
     size_t left = 0, used = 0;
@@ -269,7 +284,7 @@ static void check_technique(void)
     }
     check_owners();
     if (chosen.modulate_path && chosen.base_tone)
-        cmd_usage("--modulate takes the place of --texture-tone");
+        cmd_usage("--modulate replaces --texture-tone: give one of them");
     if (chosen.probe && !chosen.map_path)
         cmd_usage("--probe needs a tonal art map: --tam FILE");
 }
@@ -280,7 +295,7 @@ static void check_frames(const struct cmd_args *args)
     if (chosen.turntable && !frames_given)
         cmd_usage("--turntable needs --frames");
     if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
-        cmd_usage("--frames needs -o with one place for the number, like -o name%%03d.png");
+        cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png");
     if (chosen.animate.count && (report || (frames < 2 && !chosen.window)))
         cmd_usage("--animate needs --frames 2 or more, or --window");
     if (args->json && !report)

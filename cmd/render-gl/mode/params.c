@@ -6,7 +6,7 @@
 
 #define TEXT_MAX 128
 
-/* Those of no technique's own, in the order of the window's keys. */
+/* Parameters that belong to no technique, in the order of the window's keys. */
 static const struct {
     struct technique_param param;
     enum param_subject subject;
@@ -84,7 +84,7 @@ bool params_set(const struct param *param, const double values[2])
     return true;
 }
 
-static bool find(const char *text, size_t length, struct param *param)
+static bool find_param(const char *text, size_t length, struct param *param)
 {
     for (uint32_t i = 0; params_at(i, param); i++)
         if (strlen(param->option->name) == length && strncmp(param->option->name, text, length) == 0)
@@ -103,8 +103,8 @@ static noreturn void refuse_name(const char *text, size_t length)
     cmd_usage("--animate %.*s: want one of %s", (int)length, text, all);
 }
 
-/* Gives an option a text as its value, and reads that. */
-static void take(const struct param *param, const char *text, size_t length, double values[2])
+/* Parses a value by setting the option to it; checks its range. */
+static void parse_value(const struct param *param, const char *text, size_t length, double values[2])
 {
     char word[TEXT_MAX];
     if (length >= sizeof word)
@@ -121,14 +121,14 @@ static void read_one(const char *text, struct param *param, struct option_change
     const char *from = text + length + 1, *gap = text[length] ? strstr(from, "..") : NULL;
     if (!gap)
         cmd_usage("--animate %s: want PARAM=FROM..TO, like stroke=20x1.5..80x3", text);
-    if (!find(text, length, param))
+    if (!find_param(text, length, param))
         refuse_name(text, length);
     *change = (struct option_change){.option = param->option, .by_factor = param->by_factor};
-    take(param, gap + 2, strlen(gap + 2), change->to);
-    take(param, from, (size_t)(gap - from), change->from);
+    parse_value(param, gap + 2, strlen(gap + 2), change->to);
+    parse_value(param, from, (size_t)(gap - from), change->from);
     for (uint32_t k = 0; param->by_factor && k < params_count(param); k++)
         if (!(change->from[k] > 0 && change->to[k] > 0))
-            cmd_usage("--animate %s: it changes by factors, from and to numbers over 0", text);
+            cmd_usage("--animate %s: want numbers over 0, since it changes by factors", text);
 }
 
 void params_read(struct options *options)
@@ -142,7 +142,7 @@ void params_read(struct options *options)
         read_one(options->animate.at[i], &param, change);
         for (uint32_t k = 0; k < options->change_count; k++)
             if (options->changes[k].option == change->option)
-                cmd_usage("--animate %s: it changes in one way only", change->option->name);
+                cmd_usage("--animate %s: given twice", change->option->name);
         if (!params_are_used(&param, technique, options_draw_lines(options, technique)))
             cmd_usage("--animate %s: technique %s does not use it%s", change->option->name, technique->name,
                       param.subject == PARAM_LINES ? " without --lines" : "");
@@ -157,7 +157,7 @@ uint32_t params_move(const struct options *options, double share)
         const struct option_change *change = &options->changes[i];
         struct param param;
         double values[2] = {0};
-        find(change->option->name, strlen(change->option->name), &param);
+        find_param(change->option->name, strlen(change->option->name), &param);
         for (uint32_t k = 0; k < params_count(&param); k++) {
             double from = change->from[k], to = change->to[k];
             values[k] = change->by_factor ? from * pow(to / from, share) : from + share * (to - from);

@@ -56,7 +56,7 @@ uint32_t parse_line_kinds(const char *list)
         if (!*at)
             return kinds;
     }
-    cmd_usage("--lines %s: want none, all, or silhouettes, creases, boundaries with commas between", list);
+    cmd_usage("--lines %s: want none, all, or silhouettes, creases and boundaries separated by commas", list);
 }
 
 static const char *find_place(const char *pattern, int *width)

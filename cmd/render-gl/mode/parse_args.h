@@ -1,4 +1,4 @@
-/* Arguments of the command line that are more than a number. */
+/* Parsers for options whose values are not plain numbers. */
 #ifndef RENDER_MODE_PARSE_ARGS_H
 #define RENDER_MODE_PARSE_ARGS_H
 
@@ -7,23 +7,27 @@
 #include "view/view.h"
 #include "shared/cmd.h"
 
-/* Parses a colour into linear light; dies on any other text as wrong usage of the option. */
+/* Parses a colour name or #rrggbb. Exits with a usage message if the text is neither.
+ *   option  name of the option, for the message
+ *   rgb     out: linear light */
 void parse_color(const char *option, struct hatch_text text, float rgb[3]);
 
-/* Parses a whole number up to `most`. Returns false for any other text. */
+/* Parses an integer from 0 to `most`. Returns false for any other text. */
 bool parse_whole(const char *text, uint32_t most, uint32_t *value);
 
-/* Parses X,Y,Z[:X,Y,Z]: the eye, and the point that it looks at. Returns false for any other text. */
+/* Parses X,Y,Z[:X,Y,Z]: the camera's position and the point that it looks at. Returns false for any other text. */
 bool parse_camera_place(const char *text, struct hatch_view_choice *view);
 
-/* Parses a list of kinds of lines with commas between; dies on any other word as wrong usage of --lines. Returns enum
+/* Parses the comma-separated list of --lines. Exits with a usage message on an unknown word. Returns enum
  * hatch_line_kind, joined. */
 uint32_t parse_line_kinds(const char *list);
 
-/* Whether an output's name has one place for the number of a frame: %d, %3d or %03d. pattern: may be NULL. */
+/* Whether a file name has exactly one field for the frame number: %d, %3d or %03d.
+ *   pattern  NULL: false */
 bool parse_has_frame(const char *pattern);
 
-/* Writes the name of a frame's file: `pattern` with that place replaced by the number. size_bytes: of name. */
+/* Writes the file name of a frame: `pattern` with its field, if any, replaced by the number.
+ *   size_bytes  of name; longer names are truncated */
 void parse_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes);
 
 #endif

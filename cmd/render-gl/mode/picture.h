@@ -1,4 +1,4 @@
-/* Whole pictures: drawn tile by tile where they are larger than a canvas. */
+/* Whole pictures, drawn tile by tile if they are larger than a canvas. */
 #ifndef RENDER_MODE_PICTURE_H
 #define RENDER_MODE_PICTURE_H
 
@@ -7,24 +7,29 @@
 
 #define PICTURE_CANVAS_MAX_PX 4096u /* samples along a side of a canvas */
 
-/* What pictures are drawn with. */
+/* Technique and lines with which pictures are drawn. */
 struct picture {
     struct technique_context *context;
     struct technique_instance *instance; /* prepared */
-    struct line_overlay *lines;          /* NULL: none have been made */
-    bool draws_lines;
+    struct line_overlay *lines;          /* NULL: not made */
+    bool draws_lines;                    /* only if lines is set */
 };
 
-/* A canvas for pictures of that size: for all of it, or for a tile. side: as in struct canvas. */
+/* Makes a canvas for pictures of a size: as large as the picture, or as a tile of it.
+ *   side    samples along a pixel's side, 1 .. 8
+ *   canvas  out: owned by the caller */
 enum hatch_status picture_canvas(struct frame *frame, uint32_t width, uint32_t height, uint32_t side,
                                  struct canvas *canvas, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws a tile: surfaces, then lines. The scene is posed. HATCH_LIMIT when memory does not suffice. */
+/* Draws a tile of the posed scene: surfaces, then lines. HATCH_LIMIT when memory does not suffice.
+ *   canvas  as large as the tile; holds the result */
 enum hatch_status picture_draw_tile(const struct picture *picture, const struct hatch_view *view,
                                     const struct hatch_tile *tile, const struct canvas *canvas,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws the view into an image with channels R G B. */
+/* Draws a whole picture of the posed scene.
+ *   canvas  of picture_canvas, for the image's size
+ *   image   channels R G B, linear light */
 enum hatch_status picture_draw(const struct picture *picture, const struct hatch_view *view,
                                const struct canvas *canvas, struct hatch_image *image,
                                struct hatch_err *err) HATCH_MUST_USE;

@@ -1,4 +1,4 @@
-/* Frames into PNG and EXR files. */
+/* Draws frames and writes them as PNG or EXR files. */
 #include <string.h>
 
 #include "io/exr/exr.h"
@@ -48,13 +48,13 @@ void pictures_write(struct job *job)
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);
         files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
-        if (cmd_write_ahead(&files[frame])) { /* a film of thousands of frames is more than memory */
+        if (cmd_write_ahead(&files[frame])) { /* written early: thousands of frames would not fit into memory */
             files[frame] = (struct cmd_file){.output = job->outputs[frame]};
             hatch_arena_rewind(keep, mark);
         }
     }
     if (job->changes)
-        cmd_note("the technique's parameters were applied %u times, %.2f ms each", job->changes,
+        cmd_note("the technique's options were changed and applied %u times, %.2f ms each", job->changes,
                  job->changes_ms / job->changes);
     cmd_write_all(files, options->frames);
     canvas_free(&canvas);

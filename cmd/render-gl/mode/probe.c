@@ -1,4 +1,4 @@
-/* What the picture uses of scene and map, as TSV or JSON. */
+/* --probe: which tones and mip levels of the map a picture uses, and counts of the scene, as TSV or JSON. */
 #include <math.h>
 
 #include "render-gl/mode/modes.h"
@@ -7,15 +7,17 @@
 
 #define LEVELS_MAX 32
 
+/* Numbers of samples. */
 struct probe {
-    uint64_t pixels, drawn;
-    uint64_t tones[HATCH_TAM_TONES_MAX]; /* pixels in which a column of the map has a weight */
-    uint64_t bare;                       /* pixels of the scene that ask for no ink */
-    uint64_t levels[LEVELS_MAX];         /* pixels that read a level */
-    uint64_t magnified;                  /* pixels finer than the finest level */
+    uint64_t pixels;                     /* all */
+    uint64_t drawn;                      /* of the scene */
+    uint64_t tones[HATCH_TAM_TONES_MAX]; /* that read each column of the map */
+    uint64_t bare;                       /* of the scene, with tone 0 */
+    uint64_t levels[LEVELS_MAX];         /* that read each mip level */
+    uint64_t magnified;                  /* that would need a finer level than the finest */
 };
 
-/* Marks the columns whose blend makes an amount of ink. */
+/* Counts the one or two columns whose blend has a tone. */
 static void count_tones(const struct hatch_tam *map, float amount, uint64_t *tones)
 {
     uint32_t above = 0;
@@ -54,7 +56,7 @@ static const struct frame_shading shading = {
     .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}},
 };
 
-/* Amounts of ink and levels of detail instead of colours. */
+/* A technique that writes tones and mip levels instead of colours. */
 static const struct technique probe_technique = {
     .name = "probe",
     .asset = &asset_six_columns,
@@ -95,7 +97,7 @@ static void report_row(struct cmd_report *report, const char *thing, uint32_t in
     cmd_report_text(report, thing);
     cmd_report_integer(report, index);
     if (value == floor(value))
-        cmd_report_integer(report, (uint64_t)value); /* all digits of a number of texels */
+        cmd_report_integer(report, (uint64_t)value); /* counts of texels are printed in full */
     else
         cmd_report_number(report, value);
     cmd_report_text(report, unit);

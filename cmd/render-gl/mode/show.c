@@ -4,7 +4,7 @@
 #include "render-gl/scene/attributes.h"
 #include "render-gl/technique/shaded.h"
 
-#define FIELD_SHADE 0.2 /* of the tone, so that marks stand out */
+#define FIELD_SHADE 0.2 /* factor for the tone of the surface, so that marks stand out */
 
 static enum hatch_status check_patches(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                        struct hatch_err *err)
@@ -12,7 +12,8 @@ static enum hatch_status check_patches(const struct hatch_scene *scene, const st
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (patches[i].patch_count)
             return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "the scene has no patches: dirfield FILE | lapped-param makes some");
+    return hatch_fail(err, HATCH_BAD_INPUT,
+                      "the scene has no patches: dirfield FILE | lapped-param -o NEW.glb makes some");
 }
 
 static enum hatch_status prepare_patches(struct technique_context *context, struct technique_instance *instance,
@@ -29,7 +30,7 @@ static const struct frame_shading patches_shading = {
     .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
 };
 
-/* The patches themselves, as in real-time hatching §6. */
+/* Draws each patch in its own tone (Real-Time Hatching §6). */
 static const struct technique show_patches = {
     .name = "patches",
     .state_size = sizeof(struct shaded_state),
@@ -39,7 +40,7 @@ static const struct technique show_patches = {
     .draw = shaded_draw,
 };
 
-/* Direction marks over the tone. */
+/* Draws direction marks over the tone. */
 struct field_state {
     struct shaded_state shaded;
     struct mark_overlay marks;
@@ -52,7 +53,7 @@ static enum hatch_status check_field(const struct hatch_scene *scene, const stru
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (hatch_mesh_find(&scene->meshes[i].mesh, "_HATCH_DIR", 4))
             return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE computes some");
+    return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE -o NEW.glb computes some");
 }
 
 static enum hatch_status prepare_field(struct technique_context *context, struct technique_instance *instance,

@@ -1,4 +1,4 @@
-/* How long frames and their passes take, as TSV or JSON. */
+/* --time: how long frames and their passes take, as TSV or JSON. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,13 +6,13 @@
 #include "render-gl/mode/modes.h"
 #include "shared/report.h"
 
-#define WARM_UP 3u
+#define WARM_UP 3u /* frames drawn before any is timed */
 
-/* The times of one span over all frames. */
+/* The times of one span, which is a whole frame or one pass, over all frames. */
 struct series {
     const struct technique *technique;
     const char *name;
-    double *gpu_ms, *wall_ms;
+    double *gpu_ms, *wall_ms; /* one entry per frame */
 };
 
 #define SERIES_MAX (GPU_TIMER_PASSES_MAX + 2u)
@@ -30,10 +30,10 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-/* What is timed in turns. */
+/* A kind of frame to time: the whole frame, its single passes, or the reference. */
 struct turn {
     struct picture picture;
-    bool every_pass;
+    bool every_pass; /* times the passes */
 };
 
 static void draw(struct job *job, const struct turn *turn, const struct hatch_view *view, const struct canvas *canvas)
@@ -45,9 +45,9 @@ static void draw(struct job *job, const struct turn *turn, const struct hatch_vi
     cmd_check(picture_draw_tile(&turn->picture, view, &tile, canvas, &err), NULL, &err);
 }
 
-/* Draws frames and notes their times: the whole frame, its passes, and the frame of the reference, in turns, so that
- * all of them see the machine equally busy. The GPU has to finish after each pass to tell passes apart, which is
- * slower, so whole frames are drawn by themselves. Returns the number of series. */
+/* Draws frames and records their times. The kinds of frame alternate, so that the load of the machine affects all of
+ * them alike. Passes are timed in frames of their own, because the GPU must finish after each pass, which is slower.
+ * Returns the number of series. */
 static uint32_t measure(struct job *job, const struct turn turns[3], const struct canvas *canvas, struct series *series)
 {
     const struct gpu_timer *timer = job->frame.timer;
@@ -122,7 +122,7 @@ void timing_report(struct job *job)
     struct turn turns[3] = {{prepare(job, job->options->technique), false},
                             {prepare(job, job->options->technique), true},
                             {prepare(job, technique_find(TECHNIQUE_REFERENCE)), false}};
-    /* The reference differs from the technique in its strokes alone. */
+    /* The reference has the same feature lines: it differs from the technique in the strokes only. */
     turns[2].picture.draws_lines = turns[0].picture.draws_lines;
     make_series(job, series);
     job_make_canvas(job, &canvas);

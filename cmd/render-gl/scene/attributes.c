@@ -74,7 +74,7 @@ static enum hatch_status make_patch_tones(const struct hatch_patch_mesh *patches
         return HATCH_LIMIT;
     for (uint32_t patch = 0; patch < patches->patch_count; patch++)
         for (uint32_t v = patches->first_vertex[patch]; v < patches->first_vertex[patch + 1]; v++)
-            tones[v] = 1.0f - powf(0.3f + 0.7f * hatch_random_unit(1, 0, patch), 2.2f); /* even to the eye */
+            tones[v] = 1.0f - powf(0.3f + 0.7f * hatch_random_unit(1, 0, patch), 2.2f); /* perceptually uniform */
     mesh->patch_tones = gpu_buffer_make(tones, sizeof *tones * count);
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;

@@ -1,21 +1,23 @@
-/* Vertex attributes that some techniques read beside struct scene_vertex. */
+/* Vertex attributes that some techniques need in addition to struct scene_vertex. */
 #ifndef RENDER_SCENE_ATTRIBUTES_H
 #define RENDER_SCENE_ATTRIBUTES_H
 
 #include "render-gl/scene/scene.h"
 #include "view/uv_repeat.h"
 
-/* Sets the repeats of every item of a posed scene, and uploads them. arena: keeps them. */
+/* Computes how often the map repeats over each item of a posed scene (hatch_uv_repeat_set) and uploads the result.
+ *   arena  holds the repeats per vertex, for the life of the scene */
 enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_repeat *how, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives every item's vertices their tangents by texture coordinates, and sets uv_reach. Shaped items have none, since
- * their surface moves: shaders take the derivatives of the picture there. Calling it again is cheap. */
+/* Computes and uploads per vertex the derivatives of the surface along u and v, and sets uv_reach of every item. Items
+ * with skins or morph targets have none, because their surface moves: shaders use screen-space derivatives there.
+ * Repeated calls return at once. */
 enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives the vertices of patches a random tone each, one for a patch, by which patches can be told apart. Calling it
- * again is cheap. */
+/* Gives every patch of lapped meshes a random tone, as a vertex attribute, to tell patches apart. Repeated calls return
+ * at once. */
 enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 

@@ -34,7 +34,7 @@ static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap
 enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
                                    struct hatch_err *err)
 {
-    static const float nothing[4] = {0, 0, 0, 0};
+    static const float transparent[4] = {0, 0, 0, 0};
     size_t count = (size_t)image->width * image->height, channels = image->channel_count;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *alpha = HATCH_NEW(scratch, float, count, err);
@@ -51,12 +51,12 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
     glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTextureParameterfv(*texture, GL_TEXTURE_BORDER_COLOR, nothing);
+    glTextureParameterfv(*texture, GL_TEXTURE_BORDER_COLOR, transparent);
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
 
-/* Halves an image until the driver takes it. */
+/* Halves an image until neither side is longer than size_max_px. */
 static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px, struct hatch_arena *arena,
                              struct hatch_err *err)
 {
@@ -93,19 +93,19 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
     struct hatch_err err;
     read_texture(args, file, scene, normals->at.texture, &image);
     if (image.channel_count < 3) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: normals want 3 channels, it has %u", normals->at.texture,
+        hatch_fail(&err, HATCH_BAD_INPUT, "texture %u: a normal map needs 3 channels, it has %u", normals->at.texture,
                    image.channel_count);
         cmd_die(file, &err);
     }
     for (size_t i = 0; i < (size_t)image.width * image.height * image.channel_count; i++)
-        image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* these are no colours: as in the file */
+        image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* undoes the decoding as a colour */
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made = upload(&image, normals->at.wrap);
     hatch_arena_rewind(&args->scratch, mark);
     return made;
 }
 
-static float least_alpha(const struct hatch_image *image)
+static float smallest_alpha(const struct hatch_image *image)
 {
     size_t channels = image->channel_count;
     float least = 1;
@@ -114,10 +114,10 @@ static float least_alpha(const struct hatch_image *image)
     return least;
 }
 
-/* A texture to be read, and its size limit. */
+/* Context for decoding the textures of a scene. */
 struct decoding {
     struct cmd_args *args;
-    const char *file; /* the scene's name */
+    const char *file; /* the scene's name, for messages */
     uint32_t size_max_px;
     struct scene *scene;
 };
@@ -136,13 +136,13 @@ static void decode(const struct decoding *decoding, const struct hatch_material 
     else
         item->base_texture = upload(&image, material->base.wrap);
     item->base_side_px = (float)(image.width > image.height ? image.width : image.height);
-    item->base_alpha = least_alpha(&image);
+    item->base_alpha = smallest_alpha(&image);
     hatch_arena_rewind(scratch, mark);
 }
 
-/* An earlier item with the same texture, for the same use, or NULL. */
-static const struct scene_item *lender(const struct scene *scene, uint32_t index, const struct hatch_material *wanted,
-                                       bool outline)
+/* Returns an earlier item that uses the same texture in the same way, or NULL. */
+static const struct scene_item *find_same_texture(const struct scene *scene, uint32_t index,
+                                                  const struct hatch_material *wanted, bool outline)
 {
     for (uint32_t i = 0; i < index; i++) {
         uint32_t mesh = scene->unit.items[i].mesh, material = scene->unit.scene->meshes[mesh].material;
@@ -156,7 +156,7 @@ static const struct scene_item *lender(const struct scene *scene, uint32_t index
     return NULL;
 }
 
-/* Tone at vertices must not hold detail that lies between them. */
+/* Chooses the level for reading the texture at vertices: finer detail than the spacing of vertices would alias. */
 static void set_lod(struct scene_item *item, const struct hatch_mesh *mesh)
 {
     float vertices_side = sqrtf((float)mesh->vertex_count);
@@ -176,7 +176,7 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool as
     item->base_lightness = hatch_color_luminance(material->base_color);
     if (material->base.texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0 || outline))
         return;
-    const struct scene_item *other = lender(scene, index, material, outline);
+    const struct scene_item *other = find_same_texture(scene, index, material, outline);
     if (other) {
         item->base_texture = other->base_texture;
         item->base_side_px = other->base_side_px;
@@ -185,7 +185,7 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool as
         decode(decoding, material, outline, item);
     }
     if (item->base_alpha >= unit->alpha_cutoff)
-        unit->alpha_cutoff = 0; /* a texture without holes: exporters often declare all as blended */
+        unit->alpha_cutoff = 0; /* no holes: exporters often declare opaque textures as blended */
     unit->cut_out = unit->alpha_cutoff > 0;
     set_lod(item, &mesh->mesh);
 }

@@ -1,4 +1,5 @@
-/* The materials' colours and textures, where they matter: as tone, and as holes. */
+/* Base colours and base-colour textures of materials. They count in three ways: as tone, as holes (alpha below the
+ * material's cutoff), and as the outline of patches. */
 #ifndef RENDER_SCENE_MATERIAL_H
 #define RENDER_SCENE_MATERIAL_H
 
@@ -6,23 +7,31 @@
 #include "image/image.h"
 #include "render-gl/scene/scene.h"
 
-/* Decodes and uploads the base-colour textures that items need, each once, and sets the items'
- * fields. as_tone: colours count as tone; otherwise only holes do. Dies on an image that cannot be
- * read; one that is wider or higher than size_max_px is halved until it is not. file: the scene's name for
- * messages. */
+/* Decodes and uploads the base-colour textures that items need, each once, and sets the base_... members of the items.
+ * Exits with a message on an image that cannot be read.
+ *   file         the scene's name, for messages
+ *   as_tone      colours count as tone; false: only holes and outlines count
+ *   size_max_px  larger images are halved until they fit */
 void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct scene *scene);
 
-/* Gives every item without patches and holes an image as its tone, by its texture coordinates, in place of
- * what its material says (Webb et al. 2002, §3.2: the globe). Dies on an image that cannot be read. */
+/* Replaces the base texture of every item that has neither patches nor holes by one image, which then counts as tone
+ * (Webb et al. 2002, §3.2, the globe). Exits with a message on an image that cannot be read.
+ *   path         of the image
+ *   size_max_px  larger images are halved until they fit */
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct scene *scene);
 
-/* Decodes and uploads a texture of normals, as numbers. Dies on an image that cannot be read or is grey. */
+/* Decodes and uploads a normal map without colour conversion. Exits with a message on an image that cannot be read or
+ * has fewer than 3 channels.
+ *   file         the scene's name, for messages
+ *   size_max_px  larger images are halved until they fit
+ * Returns a texture, which the caller owns. */
 GLuint material_normals(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
                         const struct hatch_normal_map *normals, uint32_t size_max_px);
 
-/* Uploads the alpha of an image as the outline of patches; without alpha it is 1. Outside of the image it
- * is 0. No level coarser than the third is read: those would thin the outline's opaque middle, and what
- * lies below would show between patches. */
+/* Uploads the alpha of an image as the outline of patches, in the red channel: 1 for images without alpha, 0 outside
+ * the image. Shaders read the three finest levels only: coarser ones would thin the outline's opaque middle, and the
+ * paper below would show between patches.
+ *   texture  out: owned by the caller */
 enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
                                    struct hatch_err *err) HATCH_MUST_USE;
 

@@ -8,7 +8,7 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/scene/material.h"
 
-/* The frames of a mesh at rest, for its normals' texture coordinates. */
+/* Computes the tangent frames of a mesh at rest, for the texture coordinates of its normal map. */
 static enum hatch_status make_tangents(const struct hatch_mesh *from, const struct hatch_normal_map *normals,
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct scene_tangent **tangents, struct hatch_err *err)
@@ -87,7 +87,7 @@ enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const 
 {
     const struct hatch_item *unit = &scene->unit.items[index];
     const struct scene_item *item = &scene->items[index];
-    struct hatch_pose pose = scene->unit.pose; /* its scratch arrays are written, nothing else */
+    struct hatch_pose pose = scene->unit.pose; /* a copy: only its scratch arrays are written */
     struct hatch_mesh ahead = *scene->unit.meshes[unit->mesh].mesh;
     size_t count = ahead.vertex_count;
     struct scene_tangent *tangents = HATCH_NEW(scratch, struct scene_tangent, count, err);
@@ -96,7 +96,7 @@ enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const 
     if (!places)
         return HATCH_LIMIT;
     memcpy(tangents, item->rest, sizeof *tangents * count);
-    /* A tangent turns with the step to the point that lies ahead along it. */
+    /* The posed tangent is the difference between the posed vertex and the posed point one tangent ahead of it. */
     for (uint32_t i = 0; i < ahead.attribute_count; i++)
         if (strcmp(ahead.attributes[i].name, "POSITION") == 0) {
             for (size_t k = 0; k < 3 * count; k++)

@@ -1,30 +1,34 @@
-/* Normal maps of materials, where light is computed per pixel. Frames are those of glTF 2.0: tangents of the file, or
- * along rising u, and w, the direction of v. */
+/* Normal maps of materials, for light per pixel. A vertex's tangent frame is that of glTF 2.0: the TANGENT of the file,
+ * or the direction of rising u, with the handedness in w. */
 #ifndef RENDER_SCENE_NORMALS_H
 #define RENDER_SCENE_NORMALS_H
 
 #include "render-gl/scene/scene.h"
 #include "shared/cmd.h"
 
-/* A vertex's frame, beside struct scene_vertex. */
+/* Tangent frame of a vertex, in addition to struct scene_vertex. */
 struct scene_tangent {
-    float along[4]; /* unit, in the mesh; of a deformed item: in the unit scene; w: 1 or -1 */
-    float texcoord[2];
+    float along[4];    /* unit tangent, in mesh space; of a deformed item in the unit scene; w: handedness, 1 or -1 */
+    float texcoord[2]; /* where the normal map is read */
 };
 
-/* Uploads the normal maps and frames of the items whose materials have them. The scene is posed afterwards.
- *   file  the scene's name for messages
- * Dies on an image that cannot be read. */
+/* Uploads the normal maps and tangent frames of all items whose materials have a normal map. Call before
+ * scene_set_pose. Exits with a message on an image that cannot be read.
+ *   file         the scene's name, for messages
+ *   size_max_px  larger images are halved until they fit */
 void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_px, struct scene *scene);
 
-/* Gives one item a normal map.
- *   texture  from now on the item's
- *   arena    keeps the frames */
+/* Gives an item a normal map and uploads its tangent frames.
+ *   item     index in scene->items
+ *   texture  the normal map; the item owns it from now on
+ *   arena    holds the frames at rest, for the life of the scene */
 enum hatch_status normals_set(struct scene *scene, uint32_t item, const struct hatch_normal_map *normals,
                               GLuint texture, struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Poses the frames of a deformed item. positions: its posed vertices, 3 per vertex, in the world. */
+/* Updates the tangent frames of a deformed item to the scene's current pose.
+ *   item       index in scene->items
+ *   positions  posed vertices of the item in world space, 3 numbers each */
 enum hatch_status normals_pose(const struct scene *scene, uint32_t item, const double *positions,
                                struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -1,4 +1,5 @@
-/* The scene on the GPU: buffers of each mesh, vertex arrays and textures of each item. */
+/* The scene on the GPU: buffers of each mesh, vertex arrays and textures of each item. An item is a mesh placed by a
+ * node; a deformed item has a skin or morph targets, so that its vertices move with the pose. */
 #ifndef RENDER_SCENE_SCENE_H
 #define RENDER_SCENE_SCENE_H
 
@@ -6,74 +7,79 @@
 
 #include "scene/unit_scene.h"
 
-/* A vertex as the vertex stage reads it; 40 bytes. */
+/* A vertex as shaders read it; 40 bytes. */
 struct scene_vertex {
-    float position[3]; /* minus the mesh's origin; of a deformed item: in the unit scene */
-    float normal[3];
-    float texcoord[2];
-    float base_texcoord[2];
+    float position[3];      /* in mesh space, relative to the mesh's origin; of a deformed item in the unit scene */
+    float normal[3];        /* in mesh space; of a deformed item in the unit scene; any length */
+    float texcoord[2];      /* TEXCOORD_0, which strokes follow */
+    float base_texcoord[2]; /* where the base-colour texture, or the patch outline, is read */
 };
 
-/* Slots of items' vertex arrays, one for each buffer. */
+/* Buffer slots of an item's vertex arrays (gpu_array_attach). */
 enum { SCENE_SLOT_VERTICES, SCENE_SLOT_REPEATS, SCENE_SLOT_PATCHES, SCENE_SLOT_UV_TANGENTS, SCENE_SLOT_TANGENTS };
 
+/* Buffers of a mesh. */
 struct scene_mesh {
-    GLuint vertices, indices;
+    GLuint vertices; /* struct scene_vertex */
+    GLuint indices;  /* index_count of them, three per face; of a lapped mesh those of its patches */
     uint32_t index_count;
-    GLuint surface_indices; /* of a lapped mesh: of the surface's faces; else 0 */
-    GLuint patch_tones;     /* of a lapped mesh: a tone per vertex; 0: unset */
+    GLuint surface_indices; /* of a lapped mesh: faces of the surface below the patches; else 0 */
+    GLuint patch_tones;     /* of a lapped mesh: tone per vertex, 0 .. 1; 0: not made */
 };
 
 struct scene_item {
-    GLuint vertex_array;
-    GLuint surface_array; /* of a lapped mesh: of the surface's faces; else 0 */
-    GLuint posed;         /* own vertices of a deformed item, renewed with the pose; else 0 */
-    GLuint repeats;       /* two floats per vertex: struct hatch_item's; 0: its repeat for all */
-    GLuint uv_tangents;   /* six floats per vertex: hatch_uv_tangents; 0: unset */
-    GLuint base_texture;  /* the material's; of a lapped mesh the patches' outline, in red; 0: none */
-    float base_side_px;   /* its longer side */
-    float base_alpha;     /* the least alpha in it */
-    float base_lod;       /* the level of it that is as coarse as the vertices are */
-    float base_lightness; /* luminance of the material's colour; 1 where it does not count */
-    GLuint normals;       /* normal map; 0: none */
-    float normals_strength;
+    GLuint vertex_array;              /* of the mesh's indices */
+    GLuint surface_array;             /* of surface_indices; 0: the mesh is not lapped */
+    GLuint posed;                     /* of a deformed item: struct scene_vertex at the current pose; else 0 */
+    GLuint repeats;                   /* 2 floats per vertex: hatch_item's repeats; 0: hatch_item's repeat for all */
+    GLuint uv_tangents;               /* 6 floats per vertex: hatch_uv_tangents; 0: not made */
+    GLuint base_texture;              /* base-colour texture; of a lapped mesh the patch outline, in red; 0: none */
+    float base_side_px;               /* longer side of base_texture */
+    float base_alpha;                 /* smallest alpha in base_texture */
+    float base_lod;                   /* level of base_texture that is about as coarse as the mesh's vertices */
+    float base_lightness;             /* luminance of the material's colour, 0 .. 1; 1 without a material */
+    GLuint normals;                   /* normal map; 0: none */
+    float normals_strength;           /* factor for x and y of the normal map */
     GLuint tangents;                  /* struct scene_tangent per vertex; 0: none */
-    const struct scene_tangent *rest; /* the same at rest */
+    const struct scene_tangent *rest; /* the tangents at rest; NULL: none */
 };
 
-/* items and meshes have the numbers of unit's. */
 struct scene {
     struct hatch_unit_scene unit;
-    struct scene_mesh *meshes;
-    struct scene_item *items;
+    struct scene_mesh *meshes; /* one per unit.meshes */
+    struct scene_item *items;  /* one per unit.items */
 };
 
-/* A scene as values. */
+/* A scene in memory, from which scene_upload makes one on the GPU. */
 struct scene_source {
     const struct hatch_scene *scene;        /* kept by reference */
-    const struct hatch_patch_mesh *patches; /* of each of its meshes, or NULL; kept by reference */
-    struct hatch_bounds bounds;             /* of all moments that will be drawn */
+    const struct hatch_patch_mesh *patches; /* one per mesh; NULL: no mesh is lapped; kept by reference */
+    struct hatch_bounds bounds;             /* of all poses that will be drawn */
 };
 
-/* Uploads every mesh and lists the items. Nothing is posed yet: call scene_set_pose.
- *   arena  keeps the lists
- * HATCH_LIMIT when memory, the GPU's too, does not suffice. */
+/* Uploads all meshes and lists the items. The scene is not posed: call scene_set_pose next.
+ *   arena  holds the lists
+ * HATCH_LIMIT when memory, on the GPU or not, does not suffice. */
 enum hatch_status scene_upload(const struct scene_source *source, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Builds the vertices of a mesh.
- *   origin  subtracted from positions */
+ *   mesh      index in scene->meshes
+ *   origin    subtracted from the positions
+ *   vertices  out: vertex_count entries, in arena */
 enum hatch_status scene_make_vertices(const struct hatch_scene *scene, uint32_t mesh, const double origin[3],
                                       struct hatch_arena *arena, struct scene_vertex **vertices,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Moves texture coordinates to where a texture is read (KHR_texture_transform). */
+/* Applies a texture's KHR_texture_transform to texture coordinates.
+ *   at  in, out */
 void scene_place_texcoord(const struct hatch_texture_use *use, float at[2]);
 
-/* TEXCOORD_n, or NULL. set: at most HATCH_TEXCOORD_MAX. */
+/* Returns a mesh's TEXCOORD_n, two floats per vertex; NULL: the mesh has none.
+ *   set  n, at most HATCH_TEXCOORD_MAX */
 const float *scene_texcoords(const struct hatch_mesh *mesh, uint32_t set);
 
-/* Releases everything, textures too; leaves *scene zeroed. */
+/* Releases all buffers, arrays and textures; leaves *scene zeroed. */
 void scene_free(struct scene *scene);
 
 #endif

@@ -10,10 +10,10 @@ static const struct frame_shading shading = {
     .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
 };
 
-/* The tone that the other techniques draw with strokes: the reference for tone and for speed. */
+/* Draws the tone itself, which other techniques approximate by strokes: the reference for tone and for speed. */
 const struct technique technique_gouraud = {
     .name = "gouraud",
-    .summary = "the tone alone, without strokes",
+    .summary = "the tone without strokes",
     .features = TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_REFERENCE,
     .state_size = sizeof(struct shaded_state),
     .shading = &shading,

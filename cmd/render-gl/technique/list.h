@@ -1,4 +1,5 @@
-/* The techniques of --technique, in the order of its choices; the first is the default. Adding one adds a line. */
+/* The techniques of --technique, in the order of its choices; the first is the default. A new technique adds a line to
+ * TECHNIQUES. */
 #ifndef RENDER_TECHNIQUE_LIST_H
 #define RENDER_TECHNIQUE_LIST_H
 
@@ -17,17 +18,17 @@
     X(threshold)                                                                                                       \
     X(threshold_soft)
 
-/* Technique NAME is technique_NAME of its file. */
+/* Each NAME of the list is the variable technique_NAME, defined in technique/NAME.c. */
 #define TECHNIQUE_DECLARE(name) extern const struct technique technique_##name;
 TECHNIQUES(TECHNIQUE_DECLARE)
 
-/* TECHNIQUE_COUNT pointers and NULL. */
+/* TECHNIQUE_COUNT pointers, ended by NULL. */
 extern const struct technique *const techniques[];
 
 #define TECHNIQUE_ONE(name) +1
 enum { TECHNIQUE_COUNT = 0 TECHNIQUES(TECHNIQUE_ONE) };
 
-/* The first technique with a feature of enum technique_feature that one has. */
+/* Returns the first technique with a feature; at least one technique must have it. */
 const struct technique *technique_find(enum technique_feature feature);
 
 #endif

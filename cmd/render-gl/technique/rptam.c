@@ -78,7 +78,7 @@ static const struct frame_shading strokes = {
 /* Recursive procedural tonal art maps (Szécsi & Szirányi 2014, Algorithm 2). */
 const struct technique technique_rptam = {
     .name = "rptam",
-    .summary = "strokes at seeds that nest for ever: one width at every distance",
+    .summary = "strokes at seed points, without a map: the same size at every distance",
     .options = rptam_option_table,
     .params = params,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_PIECES,

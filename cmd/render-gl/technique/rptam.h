@@ -1,4 +1,5 @@
-/* Strokes at seed points: the technique's options, its model, its state. For its own files and for measurements. */
+/* The technique rptam (recursive procedural tonal art maps: strokes at nested seed points): its options, model and
+ * state. Included by its own files and by measurements. */
 #ifndef RENDER_TECHNIQUE_RPTAM_H
 #define RENDER_TECHNIQUE_RPTAM_H
 
@@ -7,58 +8,62 @@
 #include "render-gl/technique/shaded.h"
 #include "seed/layers.h"
 
-/* Values of its options, in their units. 0 where the drawing style decides; that is then filled in. */
+/* Values of the technique's options. Those that are 0 are set from the drawing style by rptam_make_model. */
 struct rptam_options {
-    const char *seeds;        /* file of the sets; NULL: sets are made */
-    const char *layers;       /* file of layers that differ; NULL: none */
-    const char *style;        /* the drawing style: brush, ink, directions, width and length where none is given */
-    double stroke_px[2];      /* length, width; 0: unset */
-    double ink;               /* 0: unset */
-    double turn_deg, tile_px; /* tile_px 0: chosen to suit the strokes */
-    int64_t layers_max;       /* no more sets than these are drawn */
-    int fade;                 /* enum hatch_fade_law */
-    int fade_by, loop;        /* 1: by size; 1: every seed at every place */
-    double overlap;
-    bool tile_given;
+    const char *seeds;   /* --seeds: file of seed sets; NULL: sets are made */
+    const char *layers;  /* --layers: file of layers; NULL: none */
+    const char *style;   /* --style: name or file of the drawing style */
+    double stroke_px[2]; /* --stroke: length and width; 0: the style's */
+    double ink;          /* --stroke-ink, 0.01 .. 1; 0: the style's */
+    double turn_deg;     /* --stroke-turn, of each stroke about its middle */
+    double tile_px;      /* --seed-tile: side of the tile at a nesting level; 0: chosen by the strokes' ink */
+    int64_t layers_max;  /* --seed-layers: number of seed sets drawn, at most */
+    int fade;            /* --fade: enum hatch_fade_law */
+    int fade_by;         /* --fade-by: 0: opacity, 1: size */
+    int loop;            /* --seed-loop: 0: coverage lists, 1: all seeds everywhere */
+    double overlap;      /* --overlap, 0 .. 1 */
+    bool tile_given;     /* --seed-tile was given */
 };
 
 extern struct rptam_options rptam_options;
 extern const struct cmd_option rptam_option_table[];
 
-/* A stroke's image. */
+/* The image of a stroke. */
 struct rptam_stroke {
-    struct hatch_image alpha, grain; /* grain: without pixels where there is none */
-    bool varied;
+    struct hatch_image alpha; /* one channel */
+    struct hatch_image grain; /* one channel; pixels NULL: no grain */
+    bool varied;              /* strokes are mirrored, and their grain shifted, at random */
 };
 
-/* What the model is made from. */
+/* Inputs of the model. */
 struct rptam_source {
-    struct hatch_seeds sets;
-    struct hatch_style drawing;
+    struct hatch_seeds sets;            /* one seed set per layer */
+    struct hatch_style drawing;         /* the drawing style */
     struct rptam_stroke stroke;         /* the drawing style's */
-    struct hatch_layers layers;         /* those that differ; count 0: none */
-    struct rptam_stroke *layer_strokes; /* of each of them that has its own */
-    struct hatch_arena arenas[2];       /* the model lies in one; the next is made in the other */
-    int arena;
+    struct hatch_layers layers;         /* lines of the file of layers; count 0: none */
+    struct rptam_stroke *layer_strokes; /* one per line, set for lines that name a stroke; NULL: no file */
+    struct hatch_arena arenas[2];       /* one holds the current model; the next model is made in the other */
+    int arena;                          /* index of the current one */
 };
 
 struct rptam_state {
     struct shaded_state shaded;
     struct rptam_source source;
     struct hatch_rptam own;          /* the model that the options describe */
-    const struct hatch_rptam *model; /* what is drawn: own, or a caller's; NULL: not read yet */
-    struct seeds seeds;              /* it on the GPU */
+    const struct hatch_rptam *model; /* the model to draw: own, or a caller's; NULL: not read yet */
+    struct seeds seeds;              /* the model on the GPU */
 };
 
-/* Reads the seeds, the layers and the drawing style that the options name, and makes the model; dies with one line on
- * what is wrong. */
+/* Reads the files that the options name and makes the model. Exits with a message on failure: struct technique's read.
+ */
 void rptam_read(struct technique_context *context, struct technique_instance *instance);
 
-/* Makes the model from what has been read and the options' values; the old one stays on failure. */
+/* Makes the model from the source and the options' values. On failure the old model stays. */
 enum hatch_status rptam_make_model(struct cmd_args *args, struct rptam_state *state,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* For measurements: coordinates among the seed points instead of colour. Its instance has a struct rptam_state. */
+/* For measurements: writes each fragment's coordinates in the pattern of seed points instead of a colour
+ * (shaders/rptam/places.frag). Its state is a struct rptam_state. */
 extern const struct technique technique_rptam_places;
 
 #endif

@@ -6,13 +6,13 @@
 #include "seed/spread.h"
 #include "shared/style.h"
 
-#define STYLE_TILE_PX 128 /* tile of which a drawing style's strokes are a share */
-#define DARKEST 0.65      /* tone that all layers make, unless the tile is given */
-#define LAYER_INK 0.35    /* most ink of one layer, for a chosen tile */
-#define LAYERS 4          /* sets that are made where none are given */
-#define LAYER_TURN 25     /* degrees between layers of strokes that have one direction */
+#define STYLE_TILE_PX 128 /* side of the tile that a drawing style's stroke lengths refer to */
+#define DARKEST 0.65      /* tone of all layers together, unless the tile's side is given */
+#define LAYER_INK 0.35    /* largest ink coverage of one layer, unless the tile's side is given */
+#define LAYERS 4          /* number of seed sets made if no file is given */
+#define LAYER_TURN 25     /* degrees between layers that share a direction of the style */
 
-/* Sets of 64, spread well. */
+/* Makes seed sets of 64 seed points each. */
 static void make_seeds(struct cmd_args *args, uint32_t layers, struct hatch_seeds *seeds)
 {
     const struct hatch_seeds_options how = {.cycle = {.count = 64, .seed = 1}, .layers = layers, .candidates = 100};
@@ -31,7 +31,7 @@ static void read_sets(struct cmd_args *args, struct rptam_source *source)
     else
         cmd_check(hatch_seeds_read(cmd_read(args, path), &args->keep, &source->sets, &err), name, &err);
     if (source->sets.layer_count < layers) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%u %s for the %u layers of %s", source->sets.layer_count,
+        hatch_fail(&err, HATCH_BAD_INPUT, "%u %s, but %u layers in %s", source->sets.layer_count,
                    cmd_plural(source->sets.layer_count, "seed set", "seed sets"), layers,
                    cmd_input_name(rptam_options.layers));
         cmd_die(name, &err);
@@ -55,7 +55,8 @@ static void take_brush(struct cmd_args *args, const struct hatch_brush *brush, s
     stroke->varied = brush->grain || brush->kind == HATCH_BRUSH_IMAGE;
 }
 
-/* name: of a brush, or of a picture beside the file of layers. */
+/* Reads the stroke of a layer.
+ *   name  a brush, or an image whose path is relative to the file of layers */
 static void read_stroke(struct cmd_args *args, const char *name, struct rptam_stroke *stroke)
 {
     struct hatch_brush brush;
@@ -107,8 +108,8 @@ static void set_stroke(const struct rptam_stroke *stroke, struct hatch_rptam_lay
     layer->varied = stroke->varied;
 }
 
-/* The tile in which as many layers of these strokes as there are, are together as dark as DARKEST, if strokes lie at
- * random; but no layer holds more than LAYER_INK of them. */
+/* Returns the side of the tile at which all layers together have the tone DARKEST, assuming that strokes overlap at
+ * random, and no layer has more ink than LAYER_INK. */
 static double tile_for(const struct rptam_source *source, const struct hatch_rptam_layer_style *strokes)
 {
     uint32_t layers = source->layers.count ? source->layers.count : source->sets.layer_count;
@@ -118,8 +119,8 @@ static double tile_for(const struct rptam_source *source, const struct hatch_rpt
     return fmin(fmax(tile_px, 8), 8192);
 }
 
-/* Fills in the options that the drawing style decides. */
-static void settle(const struct rptam_source *source, struct rptam_options *options)
+/* Sets the options that were not given from the drawing style. */
+static void fill_from_style(const struct rptam_source *source, struct rptam_options *options)
 {
     const struct hatch_style *drawing = &source->drawing;
     if (!(options->ink > 0))
@@ -136,8 +137,9 @@ static void settle(const struct rptam_source *source, struct rptam_options *opti
         options->tile_px = tile_for(source, &strokes);
 }
 
-/* Layers take the style's directions one after the other, and between them from the third time on; each begins at the
- * tone at which the one before it is complete. */
+/* Sets a layer to the style's values. Layers use the style's directions in turn; when all are used up, they start over
+ * with turns of LAYER_TURN degrees, to alternating sides. Each layer begins at the tone at which the previous one is
+ * complete. */
 static void set_layer(const struct rptam_source *source, uint32_t index, uint32_t count,
                       struct hatch_rptam_layer_style *layer)
 {
@@ -156,7 +158,7 @@ static void set_layer(const struct rptam_source *source, uint32_t index, uint32_
     set_stroke(&source->stroke, layer);
 }
 
-/* A line of the file of layers overrides all else. */
+/* Applies a line of the file of layers, which takes precedence over the options and the style. */
 static void change_layer(const struct rptam_source *source, uint32_t index, struct hatch_rptam_layer_style *layer)
 {
     const struct hatch_layer_line *line = &source->layers.lines[index];
@@ -191,8 +193,8 @@ enum hatch_status rptam_make_model(struct cmd_args *args, struct rptam_state *st
         options->layers_max = most;
     uint32_t count = (uint32_t)options->layers_max;
     if (count > HATCH_RPTAM_LAYERS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "%u layers of seeds: %u are the most", count, HATCH_RPTAM_LAYERS_MAX);
-    settle(source, options);
+        return hatch_fail(err, HATCH_LIMIT, "%u layers of seed points, more than %u", count, HATCH_RPTAM_LAYERS_MAX);
+    fill_from_style(source, options);
     struct hatch_rptam_style style = {.law = (enum hatch_fade_law)options->fade,
                                       .fade_size = options->fade_by == 1,
                                       .overlap = options->overlap,

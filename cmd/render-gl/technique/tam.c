@@ -12,7 +12,7 @@ static const struct frame_shading shading = {
 /* The paper's single-pass 6-way blend (§5). */
 const struct technique technique_tam = {
     .name = "tam",
-    .summary = "six columns at once, blended between tones and over faces",
+    .summary = "six tones of the map, blended over each face",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct shaded_state),

@@ -11,7 +11,7 @@ static const struct frame_shading shading = {
 /* The second of §5's approximations: flat shading, blended between two columns. */
 const struct technique technique_tam_face = {
     .name = "tam-face",
-    .summary = "two columns blended a face: smooth in time, shows the faces",
+    .summary = "two tones of the map blended per face: faces show, motion is smooth",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
     .state_size = sizeof(struct shaded_state),

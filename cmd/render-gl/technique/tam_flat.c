@@ -11,7 +11,7 @@ static const struct frame_shading shading = {
 /* The first of §5's approximations: flat shading with a palette of columns. */
 const struct technique technique_tam_flat = {
     .name = "tam-flat",
-    .summary = "one column a face: pops between tones and shows the faces",
+    .summary = "one tone of the map per face: faces show, and tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
     .state_size = sizeof(struct shaded_state),

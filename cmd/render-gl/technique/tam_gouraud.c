@@ -13,7 +13,7 @@ static const struct frame_shading shading = {
 /* The third of §5's approximations: Gouraud shading with a palette of columns. */
 const struct technique technique_tam_gouraud = {
     .name = "tam-gouraud",
-    .summary = "one column a vertex, blended over faces: pops between tones",
+    .summary = "one tone of the map per vertex, blended over faces: tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
     .state_size = sizeof(struct shaded_state),

@@ -12,7 +12,7 @@ static const struct frame_shading shading = {
 /* The 6-way blend through clamp(8t − 3.5) (§5, tone thresholding). */
 const struct technique technique_tam_threshold = {
     .name = "tam-threshold",
-    .summary = "the same, its blended tone made black or white: strokes grow in length",
+    .summary = "tam with strokes made black or white: they grow in length, not in darkness",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .samples = 16,

@@ -1,7 +1,7 @@
 #include "render-gl/technique/list.h"
 #include "render-gl/technique/shaded.h"
 
-/* The faces are drawn black first; then only what lies at the same depth receives the sum. */
+/* The first pass draws faces in black; the others add to what lies at the same depth. */
 static const struct frame_shading shading = {
     .stages = {.vertex = "corners/corner.vert", .geometry = "corners/corners.geom", .fragment = "corners/triple.frag"},
     .defines = "",
@@ -12,11 +12,11 @@ static const struct frame_shading shading = {
                {.name = "third", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL}},
 };
 
-/* The paper's triple-pass 2-way blend (§5): each pass adds the share of one of a face's vertices, so that two columns
- * at a time are enough for any number of tones and for coloured ones. */
+/* Triple-pass 2-way blend (Real-Time Hatching §5): each pass adds the share of one vertex of every face. A pass reads
+ * two columns only, so that maps may have any number of tones, and colours. */
 const struct technique technique_tam_triple = {
     .name = "tam-triple",
-    .summary = "one pass a vertex of a face: any number of tones, coloured columns",
+    .summary = "one pass per vertex of a face: maps with any number of tones, and colours",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_ALL_COLUMNS,
     .state_size = sizeof(struct shaded_state),

@@ -1,6 +1,7 @@
-/* A technique: how tone becomes strokes. One file technique/NAME.c, with more files technique/NAME_*.c and a folder of
- * shaders if it needs them, and one line in technique/list.h. What it says here feeds the command's options, --help,
- * --animate, completions, and the refusal of options that do not belong to it. HACKING.md walks through one. */
+/* A technique: a way to turn tone into strokes. It is one file technique/NAME.c, with more files technique/NAME_*.c and
+ * a folder of shaders if it needs them, and one line in technique/list.h. The command's options, --help, --animate,
+ * completions, and the refusal of options of other techniques follow from its members. HACKING.md explains how to add
+ * one. */
 #ifndef RENDER_TECHNIQUE_TECHNIQUE_H
 #define RENDER_TECHNIQUE_TECHNIQUE_H
 
@@ -9,86 +10,90 @@
 
 /* Features; bits. */
 enum technique_feature {
-    TECHNIQUE_STROKES = 1,     /* draws strokes along texture coordinates, not tone alone: feature lines belong to it */
+    TECHNIQUE_STROKES = 1,     /* draws strokes along texture coordinates; feature lines are drawn by default */
     TECHNIQUE_PIXEL_LIGHT = 2, /* can compute light per pixel */
-    TECHNIQUE_PIECES = 4,      /* draws near faces as pieces: true at any zoom */
-    TECHNIQUE_NO_COLOR = 8,    /* its output is numbers: no haloes are drawn over it */
-    TECHNIQUE_REFERENCE = 16,  /* the tone alone: --time compares with it */
+    TECHNIQUE_PIECES = 4,      /* can draw near faces as pieces, exact at any zoom */
+    TECHNIQUE_NO_COLOR = 8,    /* its output is numbers, not a colour: no haloes are drawn over it */
+    TECHNIQUE_REFERENCE = 16,  /* draws the tone without strokes: --time compares with it */
     TECHNIQUE_ALL_COLUMNS = 32 /* blends all columns of a map, coloured ones too */
 };
 
-/* One of a technique's options as a parameter of --animate and of the window's keys. */
+/* An option that --animate and the window's keys can change. */
 struct technique_param {
-    const char *option; /* its name; the last has none */
-    bool by_factor;     /* it changes by factors; else by differences */
-    double step;        /* of a key: factor or difference, in the option's unit */
+    const char *option; /* name of the option, without dashes; NULL ends a list */
+    bool by_factor;     /* changes by factors; false: by differences */
+    double step;        /* factor or difference per key press, in the option's unit */
 };
 
-/* What techniques draw with. */
+/* Everything that a technique may use to read files, prepare and draw. */
 struct technique_context {
     struct frame *frame;
     struct assets *assets;
     struct cmd_args *args;         /* arenas; for reading files */
-    const struct hatch_view *view; /* of the first picture, */
-    double height_px;              /* and its height */
+    const struct hatch_view *view; /* of the first picture */
+    double height_px;              /* of the first picture */
 };
 
 /* A technique in use. */
 struct technique_instance {
     const struct technique *technique;
-    void *state;                     /* its own, zeroed before `read` */
+    void *state;                     /* state_size bytes, zeroed before `read` */
     const struct asset_tones *tones; /* of its asset; NULL: it has none, or is not prepared */
 };
 
-/* Every function may be NULL but draw. */
+/* Functions other than draw may be NULL. */
 struct technique {
     const char *name;
-    const char *summary;                  /* one line */
-    const struct cmd_option *options;     /* its own, ended by one without a name; NULL: none */
-    const struct technique_param *params; /* those of its options that may change from frame to frame; NULL: none */
-    const struct asset_kind *asset;       /* NULL: it reads none */
+    const char *summary;                  /* one line, for the window's list of techniques */
+    const struct cmd_option *options;     /* its own options, ended by one without a name; NULL: none */
+    const struct technique_param *params; /* its options that may change from frame to frame; NULL: none */
+    const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
     uint32_t features;                    /* enum technique_feature, joined */
-    uint32_t reach_px;                    /* how far beyond a tile it looks */
-    uint32_t samples;                     /* a pixel, by default; 0: as the command's option says */
-    double tone_scale;                    /* factor for the darkness that is asked for; 0: 1 */
-    size_t state_size;                    /* bytes */
-    const struct frame_shading *shading;  /* of techniques that draw by shaded_draw (technique/shaded.h) */
+    uint32_t reach_px;                    /* distance beyond a tile's border that influences the tile */
+    uint32_t samples;                     /* default of --samples, a square number; 0: that of the option */
+    double tone_scale;                    /* factor for the darkest tone; 0: 1 */
+    size_t state_size;                    /* of its state, in bytes */
+    const struct frame_shading *shading;  /* used by shaded_draw (technique/shaded.h); NULL: it draws otherwise */
 
-    /* Fails with HATCH_BAD_INPUT where the scene lacks what it draws. patches: of each of the scene's meshes. */
+    /* Fails with HATCH_BAD_INPUT if the scene lacks something that it draws.
+     *   patches  one entry per mesh of the scene */
     enum hatch_status (*check)(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                struct hatch_err *err);
-    /* Reads the files that its options name; dies with one line on what is wrong with them. */
+    /* Reads the files that its options name. Exits with a message on failure. */
     void (*read)(struct technique_context *context, struct technique_instance *instance);
-    /* Uploads and compiles for the scene, which is posed; the asset is uploaded. Calling it again is cheap. */
+    /* Uploads and compiles what the posed scene needs, after its asset has been uploaded. Repeated calls return at
+     * once. */
     enum hatch_status (*prepare)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
     /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
-    /* Applies new values of its options; after a failure the old ones stay. */
+    /* Applies new values of its options. On failure the old state stays. */
     enum hatch_status (*changed)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
-    /* The darkest tone that it can draw, 0 .. 1, where that is not the asset's. */
+    /* Returns the darkest tone that it can draw, 0 .. 1; NULL: the asset's. */
     double (*darkest)(const struct technique_instance *instance);
-    /* Releases what the state holds on the GPU. */
+    /* Releases what the state owns outside args->keep. */
     void (*free)(struct technique_instance *instance);
 };
 
-/* Gives a technique its state, in args->keep. HATCH_LIMIT when memory does not suffice. */
+/* Makes an instance of a technique; its state is in args->keep. HATCH_LIMIT when memory does not suffice. */
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
                                  struct cmd_args *args, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes a technique ready to draw the scene. */
+/* Uploads the technique's asset and prepares it to draw the scene. Repeated calls return at once. */
 enum hatch_status technique_prepare(struct technique_context *context, struct technique_instance *instance,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws a tile of a frame into its canvas and averages the samples. The scene is posed. */
+/* Draws a tile of the posed scene into the request's canvas and averages the samples. */
 enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
                                  const struct frame_request *request, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Releases the instance; leaves *instance zeroed. */
 void technique_close(struct technique_instance *instance);
 
-/* How far beyond a tile a technique and its frame look, in pixels. line_px: as in struct frame_request. */
+/* Returns the distance beyond a tile's border that influences the tile, in pixels.
+ *   line_px  as in struct frame_request */
 uint32_t technique_reach_px(const struct technique_context *context, const struct technique_instance *instance,
                             double line_px);
 

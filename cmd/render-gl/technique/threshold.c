@@ -12,7 +12,7 @@ static const struct frame_shading shading = {
 /* Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.2. */
 const struct technique technique_threshold = {
     .name = "threshold",
-    .summary = "seven thresholds a texel: no grey strokes, soft edges",
+    .summary = "texels darken at thresholds of tone: black strokes with soft edges",
     .asset = &asset_thresholds,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct shaded_state),

@@ -9,10 +9,10 @@ static const struct frame_shading shading = {
     .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
 };
 
-/* One threshold and a steep ramp, Freudenberg's method, to compare with (Webb et al. 2002, §3.2). */
+/* One threshold and a steep ramp (Freudenberg's method, described in Webb et al. 2002, §3.2), for comparison. */
 const struct technique technique_threshold_soft = {
     .name = "threshold-soft",
-    .summary = "one threshold a texel and a steep ramp, as before there were seven",
+    .summary = "one threshold per texel with a steep ramp, for comparison",
     .asset = &asset_thresholds,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct shaded_state),

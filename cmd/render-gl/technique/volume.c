@@ -12,7 +12,7 @@ static const struct frame_shading shading = {
 /* Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.1. */
 const struct technique technique_volume = {
     .name = "volume",
-    .summary = "tone is the third coordinate of a volume: strokes come one after the other, in colour if need be",
+    .summary = "tone is the third coordinate of a 3D texture: strokes appear one by one",
     .asset = &asset_volume,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct shaded_state),

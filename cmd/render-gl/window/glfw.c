@@ -10,7 +10,8 @@ static void close_window(struct gpu_context *context)
 enum hatch_status window_open(struct gpu_context *context, uint32_t width, uint32_t height, struct hatch_err *err)
 {
     if (!glfwInit())
-        return hatch_fail(err, HATCH_IO, "there is no display for a window; without --window the picture goes to -o");
+        return hatch_fail(err, HATCH_IO,
+                          "there is no display for a window: without --window the picture is written to -o");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -1,22 +1,23 @@
-/* Keys and mouse: they change camera, light, technique and strokes. */
+/* Keys and mouse, which change camera, light, technique and strokes. */
 #include <math.h>
 
 #include "math/angle.h"
 #include "render-gl/mode/load.h"
 #include "render-gl/window/window.h"
 
-#define STEP_RAD 0.1
-#define HATCH_STEP_DEG 5
-#define HATCH_STEP 1.1
+#define STEP_RAD 0.1     /* turn of the camera per arrow key */
+#define HATCH_STEP_DEG 5 /* turn of the strokes per key */
+#define HATCH_STEP 1.1   /* factor for the size of strokes per key */
 
 static void say_keys(void)
 {
     cmd_say("drag: turn; shift+drag or right button: pan; ctrl+drag: move the light");
-    cmd_say("arrows: turn; wheel, + and -: nearer and further; f: the view of the start");
-    cmd_say("1 to 9, t: technique, the next; space: pause or play the animation");
-    cmd_say("p and P: choose a parameter, which the title shows; . and ,: more and less of it; d: as it was");
+    cmd_say("arrows: turn; wheel, + and -: move nearer and further; f: return to the first view");
+    cmd_say("1 to 9: choose a technique; t: the next technique; space: pause or play the animation");
+    cmd_say("p and P: choose the next or previous parameter, shown in the title; . and ,: increase and decrease it; "
+            "d: reset it");
     cmd_say("[ and ]: turn the strokes; < and >: make their pattern smaller and larger");
-    cmd_say("s: save a picture; l: lines; r: read --shader-dir again; ?: these lines; q, escape: close");
+    cmd_say("s: save a picture; l: show or hide lines; r: read --shader-dir again; ?: this list; q, escape: close");
     for (uint32_t i = 0; i < TECHNIQUE_COUNT; i++)
         cmd_say("%u %s: %s", i + 1, techniques[i]->name, techniques[i]->summary);
 }
@@ -55,7 +56,7 @@ static void reload(struct window *window)
         cmd_say("%s", err.text);
 }
 
-/* Strokes lie otherwise on their surfaces at once: nothing is computed anew. */
+/* Changes --hatch-turn or --hatch-scale; both are uniforms, so nothing is recomputed. */
 static void move_hatch(struct window *window, unsigned character)
 {
     struct options *options = window->job->options;
@@ -71,7 +72,7 @@ bool window_draws_lines(const struct window *window)
     return window->job->has_lines && !window->lines_off && (strokes || asked);
 }
 
-/* Lines that have not been made yet are made now. */
+/* Switches feature lines; makes them on first use. */
 static void toggle_lines(struct window *window)
 {
     struct hatch_err err;
@@ -83,8 +84,8 @@ static void toggle_lines(struct window *window)
     window->lines_on = true;
 }
 
-/* Nearer and further. Where the middle of the picture shows a surface close by, the camera turns about that from then
- * on: however often the user zooms, it stays before the eye. */
+/* Moves the camera nearer or further. If the surface in the middle of the picture is much nearer than the point about
+ * which the camera turns, that point moves to it, so that repeated zooming never passes through the surface. */
 static void zoom(struct window *window, double factor)
 {
     struct hatch_orbit *orbit = &window->orbit;

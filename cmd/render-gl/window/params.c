@@ -1,12 +1,12 @@
-/* Parameters in the window: one number is chosen, keys change it. */
+/* Parameters in the window: keys choose a value and change it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "render-gl/window/window.h"
 
-/* A parameter that changes by factors and is 0 is off, and stays so. */
-static bool is_there(const struct window *window, const struct param *param)
+/* Whether keys can change a parameter. One that is 0 and changes by factors is switched off and stays off. */
+static bool is_available(const struct window *window, const struct param *param)
 {
     double values[2];
     params_get(param, values);
@@ -23,7 +23,7 @@ static uint32_t count_all(void)
     return count;
 }
 
-/* Chooses the next number that the technique uses, or the one before; all parameters' numbers in a row. */
+/* Chooses the next or previous value among all values of the available parameters. */
 static void choose(struct window *window, bool back)
 {
     uint32_t count = 2 * count_all();
@@ -32,7 +32,7 @@ static void choose(struct window *window, bool back)
         struct param param;
         at = (at + (back ? count - 1 : 1)) % count;
         params_at(at / 2, &param);
-        if (is_there(window, &param) && at % 2 < params_count(&param)) {
+        if (is_available(window, &param) && at % 2 < params_count(&param)) {
             window->has_param = true;
             window->param = at / 2;
             window->component = at % 2;
@@ -41,12 +41,13 @@ static void choose(struct window *window, bool back)
     }
 }
 
-/* A key stops at the end of the range; a value that the mouse has put beyond it may come back. */
+/* Returns the value after a key press. It stops at the end of the range, but a value that the mouse has moved beyond
+ * the range may return. */
 static double stepped(double value, bool more, const struct param *param)
 {
     double change = more ? 1 : -1;
     double next = param->by_factor ? value * pow(param->step, change) : value + param->step * change;
-    if (fabs(next) < 1e-9) /* the remainder of steps of a tenth */
+    if (fabs(next) < 1e-9) /* rounding error of decimal steps */
         next = 0;
     return more ? fmin(next, fmax(param->option->maximum, value)) : fmax(next, fmin(param->option->minimum, value));
 }
@@ -75,7 +76,7 @@ bool window_param_key(struct window *window, unsigned character)
         return false;
     if (chooses)
         choose(window, character == 'P');
-    else if (window->has_param && params_at(window->param, &param) && is_there(window, &param))
+    else if (window->has_param && params_at(window->param, &param) && is_available(window, &param))
         change(window, &param, character);
     window->title_s = 0;
     return true;
@@ -86,7 +87,7 @@ void window_param_text(const struct window *window, char *text, size_t size)
     struct param param;
     double values[2];
     *text = '\0';
-    if (!window->has_param || !params_at(window->param, &param) || !is_there(window, &param))
+    if (!window->has_param || !params_at(window->param, &param) || !is_available(window, &param))
         return;
     params_get(&param, values);
     const char *name = param.option->name;

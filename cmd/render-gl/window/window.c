@@ -1,4 +1,4 @@
-/* The window: the loop over frames, saved pictures. */
+/* The window's loop over frames, and saving of pictures. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,8 +9,8 @@
 #include "render-gl/scene/pose.h"
 #include "render-gl/window/window.h"
 
-#define TITLE_EVERY_S 0.5
-#define MOVING_S 4 /* duration of --animate where the number of frames is not given */
+#define TITLE_EVERY_S 0.5 /* time between updates of the title */
+#define MOVING_S 4        /* duration of --animate without --frames */
 
 static void resize(struct window *window)
 {
@@ -35,7 +35,7 @@ static struct picture picture_of(struct window *window)
     return picture;
 }
 
-/* The window should not close because a folder is read-only: the user's view would be lost. */
+/* Checks the folder first: a failed write would end the command, and the user's view would be lost. */
 static bool can_save(const char *name)
 {
     char folder[4096] = ".";
@@ -46,11 +46,11 @@ static bool can_save(const char *name)
     }
     if (access(folder, W_OK) == 0)
         return true;
-    cmd_say("%s cannot be saved: its folder is not there, or cannot be written to", name);
+    cmd_say("%s cannot be saved: its folder does not exist or is read-only", name);
     return false;
 }
 
-/* Pictures are saved where -o says, else beside the user; the number grows with each. */
+/* Saves the picture under the name of -o, or in the current folder; the number in the name counts the pictures. */
 static void save(struct window *window, const struct hatch_view *view)
 {
     struct job *job = window->job;
@@ -75,7 +75,7 @@ static void save(struct window *window, const struct hatch_view *view)
     cmd_say("saved %s", name);
 }
 
-/* Plays the parameters of --animate forward, then backward. */
+/* Moves the parameters of --animate forward and backward in turns. */
 static void move_params(struct window *window)
 {
     struct job *job = window->job;

@@ -1,4 +1,4 @@
-/* The window: its state, which its files share. */
+/* The window of --window: its state, shared by the files of this folder. */
 #ifndef RENDER_WINDOW_WINDOW_H
 #define RENDER_WINDOW_WINDOW_H
 
@@ -19,41 +19,48 @@ struct window {
     struct canvas canvas;
     struct gpu_timer timer;
     struct hatch_orbit orbit;
-    struct technique_instance *instance; /* what is drawn with */
-    uint32_t saved;                      /* pictures */
-    bool has_param;                      /* a parameter has been chosen, for keys to change: */
-    uint32_t param, component;           /* its number, and which of its numbers */
-    double start[WINDOW_PARAMS_MAX][2];  /* of each parameter, before its first change */
-    bool has_start[WINDOW_PARAMS_MAX];
-    bool lines_off, lines_on; /* a key has switched feature lines off; on, for every technique */
-    enum window_drag drag;
-    double x, y;           /* of the pointer */
-    double time_s, last_s; /* of the animation; of the clock at the last frame */
-    double moving_s;       /* how long parameters of --animate have been moving */
-    double title_s;
-    bool paused, stale, save;
+    struct technique_instance *instance; /* draws the frames */
+    uint32_t saved;                      /* number of pictures saved */
+    bool has_param;                      /* a parameter is chosen, which keys change */
+    uint32_t param, component;           /* its index (params_at), and the index of its value, 0 or 1 */
+    double start[WINDOW_PARAMS_MAX][2];  /* of each parameter: its values before the first change */
+    bool has_start[WINDOW_PARAMS_MAX];   /* start is set */
+    bool lines_off;                      /* a key has switched feature lines off */
+    bool lines_on;                       /* a key has switched them on, for all techniques */
+    enum window_drag drag;               /* what moving the pointer does now */
+    double x, y;                         /* pointer, in screen units */
+    double time_s;                       /* of the animation */
+    double last_s;                       /* clock at the last frame, gpu_timer_now_s */
+    double moving_s;                     /* for how long the parameters of --animate have moved */
+    double title_s;                      /* clock at the last update of the title */
+    bool paused;
+    bool stale; /* the picture must be drawn again */
+    bool save;  /* the next picture is saved */
     bool moved; /* keys or mouse have moved the camera */
 };
 
-/* Opens a context behind a visible window. width, height: in screen units, at least 1. HATCH_IO when there is no
- * display. */
+/* Opens a visible window with an OpenGL context.
+ *   width, height  in screen units, at least 1
+ * HATCH_IO without a display or without OpenGL 4.5. */
 enum hatch_status window_open(struct gpu_context *context, uint32_t width, uint32_t height,
                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Shows the job until the window is closed. */
+/* Draws frames until the window is closed. */
 void window_run(struct job *job);
 
-/* Subscribes to keys, mouse and damage. */
+/* Installs the callbacks for keys, mouse and damage.
+ *   window  kept by reference */
 void window_listen(struct window *window);
 
-/* Whether feature lines are drawn over its technique. */
+/* Whether feature lines are drawn now. */
 bool window_draws_lines(const struct window *window);
 
-/* Keys that choose and change parameters; false for another character. */
+/* Handles the keys that choose and change parameters. Returns false for other characters. */
 bool window_param_key(struct window *window, unsigned character);
 
-/* Writes ", stroke [40]x2": the chosen parameter, with brackets around the number that keys change; empty where the
- * technique does not use it. */
+/* Writes the chosen parameter with brackets around the value that keys change: ", stroke [40]x2". Writes an empty text
+ * if there is none or the technique does not use it.
+ *   size  of text, in bytes */
 void window_param_text(const struct window *window, char *text, size_t size);
 
 #endif

@@ -64,7 +64,7 @@ is "fine-tone.mk draws the given shape" "$(meshgen cone | cmp - fine.glb && echo
 
 try render-gl ball.glb -t volume -T map.exr -o no.png
 is "a map instead of a volume" "$status $(cat .err)" \
-    "3 render-gl: map.exr: technique volume wants a volume (tamvol makes one), this is a tonal art map"
+    "3 render-gl: map.exr: technique volume needs a volume (tamvol makes one), this is a tonal art map"
 try render-gl ball.glb -t threshold -T volume.ktx2 -o no.png
 is "a volume instead of thresholds" "$status $(wc -l <.err)" "3 1"
 try render-gl ball.glb -t volume -T exact.ktx2 -o no.png

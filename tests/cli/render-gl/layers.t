@@ -42,7 +42,7 @@ refuses() {
 }
 refuses "an unknown key" 3 "bad.layers: line 2: no such key 'nib'" --layers "$(printf 'turn 3\nnib 3\n' >bad.layers && echo bad.layers)"
 refuses "a file without layers" 3 "the file has no layer" --layers /dev/null
-refuses "fewer seed sets than layers" 3 "two.seeds: 2 seed sets for the 4 layers of other.layers" --layers other.layers --seeds two.seeds
+refuses "fewer seed sets than layers" 3 "two.seeds: 2 seed sets, but 4 layers in other.layers" --layers other.layers --seeds two.seeds
 printf 'stroke gone.png\n' >gone.layers
 refuses "a missing image of a stroke" 4 "gone.png" --layers gone.layers
 printf 'length 900 tile 100\n' >long.layers

@@ -84,7 +84,7 @@ refuses "--animate of an option that cannot be animated" 2 2 "want one of stroke
 refuses "--animate out of the option's range" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
 refuses "--animate of a pair with a single number" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
 refuses "--animate of a factor from 0" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
-refuses "--animate of one option twice" 2 2 "one way only" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
+refuses "--animate of one option twice" 2 2 "given twice" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
 refuses "--animate overlap with a technique without seed points" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
 refuses "--animate hatch-turn with a technique without strokes" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
 refuses "--animate line-width without lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
@@ -108,7 +108,7 @@ try $draw torus.glb --tam map.exr --shader-dir shaders
 is "--shader-dir draws with the shaders of a folder" "$status $(cat .err)" "0 "
 rm -f picture.png
 sed -i 's/void main()/void main(/' shaders/tam/tam.frag
-refuses "a shader with an error is named" 3 1 tam.frag \
+refuses "a shader with an error is named" 3 1 tam/tam.frag \
     $draw torus.glb --tam map.exr --shader-dir shaders
 refuses "a missing folder of shaders" 4 1 nonesuch $draw torus.glb --tam map.exr --shader-dir nonesuch
 

@@ -1,4 +1,4 @@
-// The mean of a pixel's SAMPLES_SIDE by SAMPLES_SIDE samples. One filtered read between four samples is their mean.
+// Mean of a pixel's SAMPLES_SIDE by SAMPLES_SIDE samples. A filtered read between four samples returns their mean.
 layout(binding = UNIT_TONES) uniform sampler2D samples;
 out vec4 o_color;
 

@@ -1,4 +1,4 @@
-// Linear light, encoded for a screen (sRGB).
+// Copies the picture to the window, encoded as sRGB.
 layout(binding = UNIT_TONES) uniform sampler2D picture;
 out vec4 o_color;
 

@@ -1,4 +1,4 @@
-// For techniques whose geometry stage looks at a face's three vertices together.
+// Vertex stage of techniques whose geometry stage combines the three vertices of a face.
 #include "frame/vertex.glsl"
 
 out vec2 g_texcoord;

@@ -1,4 +1,4 @@
-// The places of a face's three vertices, and how near a fragment is to each.
+// Passes on the places of a face's three vertices among the columns, and the barycentric coordinates (v_share).
 #include "tones/targets.glsl"
 
 layout(triangles) in;

@@ -1,4 +1,4 @@
-// tam-flat draws the nearest column, tam-face the blend of two.
+// tam-flat draws the nearest column (NEAREST), tam-face a blend of two.
 #include "tones/layers.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

@@ -1,4 +1,4 @@
-// One place among the columns for a whole face: that of its vertices' mean tone.
+// Computes one place among the columns per face, from the mean tone of its vertices.
 #include "tones/targets.glsl"
 
 layout(triangles) in;
@@ -7,7 +7,7 @@ layout(triangle_strip, max_vertices = 3) out;
 in vec2 g_texcoord[3];
 in vec2 g_amounts[3];
 out vec2 v_texcoord;
-flat out vec2 v_place; // in the dark ink's columns, in the light ink's
+flat out vec2 v_place; // x: of the dark ink, y: of the light ink
 #ifdef BASE_TEXTURE
 in vec2 g_base_texcoord[3];
 out vec2 v_base_texcoord;

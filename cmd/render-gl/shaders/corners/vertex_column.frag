@@ -1,4 +1,4 @@
-// One column a vertex, blended over the face.
+// One column per vertex, blended over the face.
 #include "tones/layers.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

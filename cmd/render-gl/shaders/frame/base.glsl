@@ -1,5 +1,5 @@
-// The material's texture as tone (BASE_TONE), as holes (BASE_HOLES), or as the outline of patches (OUTLINE);
-// BASE_TEXTURE with any of them.
+// Reads the material's texture as tone (BASE_TONE), as holes (BASE_HOLES), or as the outline of patches (OUTLINE).
+// BASE_TEXTURE is defined with any of them.
 #ifdef BASE_TEXTURE
 in vec2 v_base_texcoord;
 #endif

@@ -1,4 +1,4 @@
-// Ink on paper. amounts are shares of the area, per colour channel.
+// Colour of inks on paper. dark, light: ink coverage per colour channel, 0 .. 1.
 vec3 ink_on_paper(vec3 dark, vec3 light)
 {
     return paper.rgb + dark * (ink.rgb - paper.rgb) + light * (light_ink.rgb - paper.rgb);

@@ -1,4 +1,4 @@
-// Bare paper, over what lies behind.
+// Bare paper; it covers surfaces behind.
 #include "frame/frame.glsl"
 
 out vec4 o_color;

@@ -1,17 +1,18 @@
-// PIECES: corners of pieces of faces that floats cannot place (near/near.h). What the face's own corners hold is
-// read from the buffers that faces are drawn from, one corner at a time, into the usual inputs' names.
+// PIECES: vertices of pieces, into which near faces are cut because floats cannot place them (near/near.h).
+// take_corner() reads the attributes of one corner of the whole face from its buffers into variables named like the
+// usual inputs.
 #ifdef PIECES
-layout(location = ATTRIBUTE_PLACE) in vec3 a_place;   // in the camera's coordinates
+layout(location = ATTRIBUTE_PLACE) in vec3 a_place;   // in camera space
 layout(location = ATTRIBUTE_FROM) in vec2 a_from;    // texture coordinates from the piece's origin
-layout(location = ATTRIBUTE_WEIGHT) in vec3 a_weight;  // of the face's corners
-layout(location = ATTRIBUTE_CORNER) in uvec3 a_corner;
-layout(location = ATTRIBUTE_ORIGIN_U) in uvec4 a_origin_u; // 64.64 bits
+layout(location = ATTRIBUTE_WEIGHT) in vec3 a_weight;  // barycentric coordinates in the face
+layout(location = ATTRIBUTE_CORNER) in uvec3 a_corner; // vertices of the face
+layout(location = ATTRIBUTE_ORIGIN_U) in uvec4 a_origin_u; // fixed point with 64.64 bits, lowest word first
 layout(location = ATTRIBUTE_ORIGIN_V) in uvec4 a_origin_v;
 layout(location = UNIFORM_CLIP_FROM_CAMERA) uniform mat4 clip_from_camera;
-layout(location = UNIFORM_PIECES) uniform vec4 has; // spans, repeats; the repeat where there are none
-layout(binding = UNIT_PIECES) uniform samplerBuffer corner_vertices; // ten floats each
-layout(binding = UNIT_PIECES + 1) uniform samplerBuffer corner_spans;    // six
-layout(binding = UNIT_PIECES + 2) uniform samplerBuffer corner_repeats;  // two
+layout(location = UNIFORM_PIECES) uniform vec4 has; // x, y: 1 with spans, repeats; zw: repeat without them
+layout(binding = UNIT_PIECES) uniform samplerBuffer corner_vertices; // 10 floats each: struct scene_vertex
+layout(binding = UNIT_PIECES + 1) uniform samplerBuffer corner_spans;    // 6 floats each: derivatives along u and v
+layout(binding = UNIT_PIECES + 2) uniform samplerBuffer corner_repeats;  // 2 floats each
 
 vec3 a_position, a_normal, a_along_u, a_along_v;
 vec2 a_texcoord, a_base_texcoord, a_repeat;

@@ -1,5 +1,5 @@
-// Passes faces on as they are. Drivers may divide and clip otherwise after a geometry stage than without
-// one, and depths have to be equal to those of techniques that have one.
+// Passes faces on unchanged. Drivers may compute depth differently with a geometry stage, and the depth here must equal
+// that of techniques that have one.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,4 +1,4 @@
-// Where a surface is, and nothing else.
+// Position only, for depth and bare paper.
 #include "frame/vertex.glsl"
 
 void main()

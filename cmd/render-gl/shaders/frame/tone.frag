@@ -1,3 +1,4 @@
+// Draws the tone without strokes.
 #include "frame/amounts.glsl"
 #include "frame/inks.glsl"
 

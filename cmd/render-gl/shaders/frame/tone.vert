@@ -1,4 +1,4 @@
-// The tone alone, or with where strokes lie.
+// Passes on the tone, and with STROKES the texture coordinates of strokes.
 #include "frame/vertex.glsl"
 
 #ifdef STROKES

@@ -1,4 +1,4 @@
-// What every vertex stage does: place the vertex, light it.
+// Inputs of vertex stages, and functions that place and light a vertex.
 #include "frame/light.glsl"
 
 #include "frame/pieces.glsl"
@@ -14,7 +14,7 @@ layout(location = ATTRIBUTE_REPEAT) in vec2 a_repeat; // tiles of the map per un
 #ifdef NORMAL_MAP
 layout(location = ATTRIBUTE_TANGENT) in vec4 a_tangent;
 layout(location = ATTRIBUTE_NORMAL_TEXCOORD) in vec2 a_normal_texcoord;
-out vec4 v_tangent; // w: which way v goes
+out vec4 v_tangent; // w: handedness, 1 or -1
 out vec2 v_normal_texcoord;
 #endif
 
@@ -35,7 +35,7 @@ vec3 place_point()
 #ifdef PIXEL_LIGHT
 out vec3 v_point, v_normal;
 
-// The same; sets what it takes to light each pixel.
+// Sets gl_Position and the outputs for light per pixel.
 void place_unlit()
 {
     v_point = place_point();
@@ -50,7 +50,7 @@ void place_unlit()
 }
 #endif
 
-// The same; returns the light that the vertex gets.
+// Sets gl_Position; returns the light at the vertex, times the lightness of the material.
 float place()
 {
     vec3 point = place_point();
@@ -60,7 +60,7 @@ float place()
     return light_at(point, normal, normal) * base.x;
 }
 
-// Where the vertex lies in the map, in tiles: turned and scaled as the user likes.
+// Place of the vertex in the map, in tiles, turned and scaled by --hatch-turn and --hatch-scale.
 vec2 hatch_texcoord()
 {
     vec2 tiles = a_texcoord * a_repeat;

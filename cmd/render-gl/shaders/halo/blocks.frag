@@ -1,4 +1,4 @@
-// The nearest edge's depth of a block of cells.
+// Depth of the nearest edge in a block of cells.
 #include "halo/halo.glsl"
 
 out float o_depth;

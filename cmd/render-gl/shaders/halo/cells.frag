@@ -1,9 +1,9 @@
-// The nearest edge within a cell: a sample beside which depth jumps back, by much more than surfaces slope there.
+// Nearest edge in a cell: a sample beside which depth jumps back by much more than the slope of the surfaces explains.
 #include "halo/halo.glsl"
 
 out vec4 o_edge;
 
-// Whether anything jumps between these and those beside them, four reads at a time.
+// Whether depth may jump anywhere in a range of samples or next to it, with four depths per read.
 bool jumps(ivec2 corner, ivec2 after)
 {
     vec2 size = vec2(textureSize(halo_depths, 0));
@@ -23,7 +23,7 @@ void main()
     ivec2 after = min(corner + int(halo_sizes.y), size);
     vec3 edge = vec3(0.0);
     if (!jumps(corner, after))
-        after = corner; // software renderers run both sides of an if, but no loop that no sample wants
+        after = corner; // instead of an `if`: software renderers execute both branches, but skip empty loops
     for (int y = corner.y; y < after.y; y++)
         for (int x = corner.x; x < after.x; x++) {
             ivec2 at = ivec2(x, y);

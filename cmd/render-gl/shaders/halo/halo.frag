@@ -1,4 +1,4 @@
-// Paper where the halo of something nearer is.
+// Draws paper where a nearer edge has its halo.
 #include "halo/halo.glsl"
 
 layout(location = UNIFORM_A) uniform vec3 paper;

@@ -1,30 +1,31 @@
-// How far the haloes of nearer edges cover what lies behind them. Places are in samples of the depth picture.
+// Computes how much the haloes of nearer edges cover a place. Places are in samples of the depth buffer, from its lower
+// left corner.
 #ifdef HALOES
 layout(std140, binding = BLOCK_HALOES) uniform Halo {
-    vec4 halo_sizes; // the reach, a cell's side, a pixel's side
-    vec4 halo_depth; // a jump's share of half the picture's height, by difference and by ratio; the least
+    vec4 halo_sizes; // width of haloes, a cell's side, a pixel's side
+    vec4 halo_depth; // factors from differences and ratios of depth to half heights of the picture; smallest jump
 };
-layout(binding = UNIT_HALO_BLOCKS) uniform sampler2D halo_blocks;  // the nearest depth of 8 by 8 cells
-layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 0 where nothing is
+layout(binding = UNIT_HALO_BLOCKS) uniform sampler2D halo_blocks;  // depth of the nearest edge in 8 by 8 cells
+layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 1 near .. 0 far; 0: no surface
 layout(binding = UNIT_HALO_CELLS) uniform sampler2D halo_cells;  // x, y, depth of the nearest edge; depth 0: none
 
-const int BLOCK = 8;
-const float BESIDE_PX = 1.5; // edges as near as this to a line are its own
+const int BLOCK = 8;         // cells along a block's side
+const float BESIDE_PX = 1.5; // an edge this near to a line belongs to the line's own surface
 
 float depth_of(ivec2 at)
 {
     return texelFetch(halo_depths, clamp(at, ivec2(0), textureSize(halo_depths, 0) - 1), 0).r;
 }
 
-// How much nearer, in shares of half the picture's height there.
+// Distance between two depths, in half heights of the picture at that distance.
 float jump_between(float nearer, float farther)
 {
     return halo_depth.x * (nearer - farther) + halo_depth.y * (nearer / max(farther, max(1e-3 * nearer, 1e-30)) - 1.0);
 }
 
-const float STEEP = 3.0; // jumps are so many times as high as what a slope makes of them; a ball's rim comes to 2.4
+const float STEEP = 3.0; // smallest ratio of a jump to the change by slope; at the rim of a ball the ratio is 2.4
 
-// Does depth jump back beside a sample, by much more than surfaces slope there?
+// Whether depth jumps back from a sample to its neighbour in direction `way`, by much more than by slope.
 bool is_edge(ivec2 at, float depth, ivec2 way)
 {
     ivec2 last = textureSize(halo_depths, 0) - 1;
@@ -33,10 +34,10 @@ bool is_edge(ivec2 at, float depth, ivec2 way)
     return known && behind < depth && depth - behind > STEEP * slope && jump_between(depth, behind) > halo_depth.z;
 }
 
-const float NO_DEPTH = 2.0; // nothing lies before it
+const float NO_DEPTH = 2.0; // nearer than any edge
 
-// The depth of the nearest sample around that lies on the same surface: the outermost of a rim lie far behind it.
-// Where nobody asks, none: software renderers go on with what is discarded, but run no loop that no sample wants.
+// Depth of the nearest sample around a place that lies on the same surface: samples on a rim lie far behind the rest.
+// NO_DEPTH if not asked for: software renderers continue after `discard`, and this keeps their later loops empty.
 float depth_around(ivec2 at, bool asked)
 {
     float nearest = asked ? depth_of(at) : NO_DEPTH;
@@ -49,7 +50,7 @@ float depth_around(ivec2 at, bool asked)
     return nearest;
 }
 
-// How depth goes on along x or y: the smaller of both sides, since one may lead over an edge.
+// Slope of depth along x or y: the smaller of the two differences, since the other may cross an edge.
 float slope_along(ivec2 at, ivec2 way)
 {
     float depth = depth_of(at), after = depth_of(at + way) - depth, before = depth - depth_of(at - way);
@@ -61,8 +62,9 @@ vec2 slope_of(ivec2 at)
     return vec2(slope_along(at, ivec2(1, 0)), slope_along(at, ivec2(0, 1)));
 }
 
-// The halo over a place of this depth, whose surface goes on with this slope: an edge counts by how far it lies
-// before that surface. along: of a line, whose own edges do not count; or 0.
+// Share, 0 .. 1, by which haloes cover a place, whose surface has this depth and slope. An edge counts by its
+// distance in front of the continued surface. along: unit direction of a line, whose own edges do not count; 0: no
+// line.
 float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
 {
     float share = 0.0, reach = halo_sizes.x, cell = halo_sizes.y;
@@ -79,7 +81,7 @@ float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
                     vec3 edge = texelFetch(halo_cells, ivec2(x, y), 0).xyz;
                     vec2 away = edge.xy - at;
                     float jump = jump_between(edge.z, max(depth, depth + dot(slope, away)));
-                    float cover = clamp(reach + 1.0 - length(away), 0.0, 1.0); // from half a sample beside its middle
+                    float cover = clamp(reach + 1.0 - length(away), 0.0, 1.0); // 0.5 at half a sample beyond the reach
                     bool own = along != vec2(0.0) &&
                                abs(along.x * away.y - along.y * away.x) < BESIDE_PX * halo_sizes.z;
                     cover *= own || edge.z <= depth ? 0.0 : clamp(jump / halo_depth.z - 1.0, 0.0, 1.0);
@@ -89,7 +91,7 @@ float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
     return share;
 }
 
-// The same over a point of a line, in pixels. The surface that it lies on is what is as far away around it.
+// Does the same for a point of a line, given in pixels. The line's surface is the one around it of most similar depth.
 float halo_over_line(vec2 at_px, float depth, vec2 along)
 {
     vec2 at = at_px * halo_sizes.z;

@@ -1,4 +1,4 @@
-// A square for each block of cells that an edge is near to.
+// Draws a square for each block of cells that the halo of an edge may reach; other squares are clipped.
 #include "halo/halo.glsl"
 
 flat out float v_nearest; // the nearest edge that may reach the block

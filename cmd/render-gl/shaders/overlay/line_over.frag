@@ -1,4 +1,4 @@
-// Lines over the picture.
+// Draws lines over the picture by their coverage.
 layout(binding = UNIT_TONES) uniform sampler2D coverage;
 layout(location = UNIFORM_A) uniform vec3 color;
 out vec4 o_color;

@@ -1,6 +1,5 @@
-// The share of a pixel that a line covers, from the distance to its middle. A pixel's square reaches
-// furthest along its diagonal, so the ramp is as wide as the square is seen from the line. A line
-// narrower than a pixel is as wide as one, and paler.
+// Share of a pixel that a line covers, from the distance between pixel centre and centre line. It falls off over the
+// width of the pixel's square across the line. A line narrower than a pixel is drawn one pixel wide, and paler.
 #include "halo/halo.glsl"
 
 layout(location = UNIFORM_B) uniform float width_px;
@@ -20,7 +19,7 @@ void main()
     o_coverage = clamp(inside / ramp + 0.5, 0.0, 1.0) * min(width_px, 1.0);
 #ifdef HALOES
     int asked = o_coverage > 0.0 && v_depth.z > 0.0 ? 1 : 0;
-    for (int i = 0; i < asked; i++) // an `if` that software renderers skip, too
+    for (int i = 0; i < asked; i++) // instead of an `if`, which software renderers would execute for all pixels
         o_coverage *= 1.0 - halo_over_line(v_ends.xy + share * along, mix(v_depth.x, v_depth.y, share), along);
 #endif
 }

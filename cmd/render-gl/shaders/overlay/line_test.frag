@@ -1,12 +1,12 @@
-// Is a point of a line hidden, and does a halo lie over it? One result per point. Depth around the point counts, not
-// only at it: a silhouette's own surface may rise before it on one side, never on both.
+// Tests a sample of a line: whether surfaces hide it, and whether a halo covers it. It is visible if any depth around
+// it lets it be seen, because a silhouette's own surface may be nearer on one side of it, but never on both.
 #include "halo/halo.glsl"
 
 layout(binding = UNIT_TONES) uniform sampler2D depths;
-layout(binding = UNIT_SOURCE) uniform sampler2D points; // pixels; the depth beyond which it is hidden; the angle
+layout(binding = UNIT_SOURCE) uniform sampler2D points; // x, y in pixels; depth limit; angle of the line
 layout(location = UNIFORM_A) uniform float samples_per_pixel;
 
-out uint o_seen; // 1: visible, 2: a halo lies over it, 4: over more than half of it
+out uint o_seen; // enum hatch_line_seen: 1: visible, 2: a halo covers it, 4: by more than half
 
 const float REACH_PX = 1.25;
 

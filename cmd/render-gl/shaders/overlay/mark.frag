@@ -1,3 +1,4 @@
+// The more confident the direction, the darker its mark.
 #include "frame/frame.glsl"
 #include "frame/inks.glsl"
 

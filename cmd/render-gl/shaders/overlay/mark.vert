@@ -1,7 +1,7 @@
-// A short line on a surface, as wide as a pen's and a little nearer than the surface.
+// A short line on a surface, of fixed width on the screen and slightly in front of the surface.
 #include "frame/frame.glsl"
 
-layout(location = UNIFORM_MARK_WIDTH) uniform vec2 half_width; // in clip coordinates
+layout(location = UNIFORM_MARK_WIDTH) uniform vec2 half_width; // in normalised device coordinates
 
 layout(location = ATTRIBUTE_MARK_MIDDLE) in vec3 a_middle;
 layout(location = ATTRIBUTE_MARK_HALF) in vec3 a_half; // from the middle to an end
@@ -20,6 +20,6 @@ void main()
     gl_Position = (gl_VertexID & 1) == 0 ? a : b;
     gl_Position.xy += ((gl_VertexID & 2) == 0 ? 1.0 : -1.0) * across * half_width * gl_Position.w;
     if (min(a.w, b.w) <= 0.0)
-        gl_Position = vec4(0.0, 0.0, -1.0, 1.0); // behind the camera: in no picture
+        gl_Position = vec4(0.0, 0.0, -1.0, 1.0); // behind the camera: clipped
     v_confidence = a_confidence;
 }

@@ -1,4 +1,4 @@
-// Amounts of both inks, level of detail, and 1 where something is drawn.
+// Writes the amounts of both inks, the mip level, and 1 where the scene is drawn.
 #include "tones/tones.glsl"
 #include "frame/base.glsl"
 

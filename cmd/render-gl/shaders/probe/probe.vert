@@ -1,4 +1,4 @@
-// What a picture asks of the map: for probe.frag.
+// Vertex stage of --probe: passes on the amounts of ink.
 #include "frame/vertex.glsl"
 
 out vec2 v_texcoord;

@@ -1,9 +1,9 @@
-// Where a fragment lies among the seeds, and how far the picture moves with it.
+// Place of a fragment in the pattern of seed points, and the derivatives of the screen position along the surface.
 in vec2 v_texcoord; // PIECES: from the piece's origin
 in vec3 v_along_u, v_along_v;
 
-// The place at a nesting depth: texture coordinates over 2^depth, less whole multiples of 4 where that keeps
-// digits. Strokes go by the fraction and by the last two bits of the whole number.
+// The place at a nesting depth: texture coordinates over 2^depth, in tiles. Only the fraction and the two lowest
+// integer bits matter, so that pieces leave out multiples of 4, to keep precision.
 #ifdef PIECES
 flat in uvec4 v_origin_u, v_origin_v;
 
@@ -14,7 +14,7 @@ uint word_of(uvec4 number, int word)
     return word < 4 ? number[word] : (number.w >> 31) * 0xffffffffu;
 }
 
-// Thirty-two bits of a number of 64.64 bits, over 2^depth: two before the point.
+// 32 bits of a fixed-point number of 64.64 bits, divided by 2^depth: two integer bits and thirty of the fraction.
 float bits_at(uvec4 number, int depth)
 {
     int low = depth + 34, word = low >> 5, shift = low & 31;
@@ -36,8 +36,8 @@ vec2 place_at(float depth)
 }
 #endif
 
-// How far the picture moves, in pixels, while the surface moves by a vector. Of the fragment's own place only
-// what the rasteriser knows counts: floats hold no place in the scene so well.
+// Movement on the screen, in pixels, for a movement by `vector` in the scene. Uses the fragment's position on the
+// screen, because floats do not hold its position in the scene precisely enough.
 vec2 pixels_along(vec3 vector)
 {
     vec2 at = gl_FragCoord.xy / (viewport.xy * sqrt(curve.w)) - 1.0;
@@ -45,7 +45,7 @@ vec2 pixels_along(vec3 vector)
     return viewport.xy * (move.xy - at * move.w) * gl_FragCoord.w;
 }
 
-// The same for a unit of u and of v, where the vertices say nothing: from the neighbouring fragments.
+// Movement on the screen for a unit of u and of v, from the differences between neighbouring fragments.
 mat2 pixels_by_derivative()
 {
     vec2 x = dFdx(v_texcoord), y = dFdy(v_texcoord);
@@ -53,16 +53,17 @@ mat2 pixels_by_derivative()
     return mat2(y.y, -x.y, -y.x, x.x) / (area * sqrt(curve.w));
 }
 
+// Movement on the screen for a unit of u and of v; by the vertices' surface derivatives if they have any.
 mat2 pixels_along_both()
 {
     mat2 derived = pixels_by_derivative();
-    if (v_along_u == vec3(0.0) || v_along_v == vec3(0.0)) // squares of small ones would be 0
+    if (v_along_u == vec3(0.0) || v_along_v == vec3(0.0)) // not by length: squares of small numbers are 0
         return derived;
     return mat2(pixels_along(v_along_u), pixels_along(v_along_v));
 }
 
-// How wide the picture shows a strip that is one unit wide and lies along the strokes. Its picture slants where the
-// surface is seen at an angle: the width is not that of the direction across the strokes.
+// Width on the screen, in pixels, of a strip that is one unit wide and runs along the strokes. On slanted surfaces this
+// differs from the length on the screen of the direction across the strokes.
 float width_across(mat2 pixels, vec2 turn)
 {
     vec2 along = pixels * turn;

@@ -1,5 +1,5 @@
-// Where fragments lie among the first layer's seeds: u and v over 4 less whole numbers, as two digits of 1024
-// each, which half floats hold. Nothing where no depth is right.
+// For tests: writes the place of fragments in the first layer's pattern. u and v, modulo 4 tiles and divided by 4, are
+// two digits of base 1024 each, which half floats can hold. Discards fragments without a nesting depth.
 #include "frame/light.glsl"
 #include "frame/base.glsl"
 #include "rptam/seeds.glsl"

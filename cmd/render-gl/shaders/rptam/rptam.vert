@@ -1,4 +1,4 @@
-// Tone, and where the surface goes with a unit of each texture coordinate.
+// Passes on tone, texture coordinates, and the derivatives of the surface along both texture coordinates.
 #include "frame/vertex.glsl"
 
 #ifdef PIECES
@@ -41,7 +41,7 @@ void show_vertex()
 }
 
 #ifdef PIECES
-// What a corner of the face shows, by its weight.
+// Outputs of one corner of the face, times its weight.
 struct Share {
     vec3 along_u, along_v, point, normal;
     vec2 tone, base_texcoord;

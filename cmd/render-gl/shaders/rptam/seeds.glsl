@@ -1,27 +1,28 @@
-// Recursive procedural tonal art maps: the ink of strokes that stand at seeds. The same as seed/rptam.c.
+// Recursive procedural tonal art maps: transmittance of a layer of strokes at seed points. The reference is
+// libhatch/seed/rptam.c; the arrays are those of seed/pack.h.
 struct SeedLayer {
-    vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink
-    vec4 tone;   // amount = x way + y; where on the way the layer begins; lists for smaller strokes
-    vec4 stroke; // texels of its image a pixel, along and across; its texels, without the last, along and across
-    ivec4 at;    // its first list, texels of lists along a side, its image's first texel; where strokes differ: how
-                 // many images times 2^16, and how many seeds
-    vec4 thin;   // the least share of its length and width to which a stroke shrinks
+    vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink of a stroke
+    vec4 tone;   // amount = x way + y; z: way at which the layer begins; w: number of further lists for smaller strokes
+    vec4 stroke; // texels per pixel of the stroke's image, along and across; its size in texels minus 1
+    ivec4 at;    // first coverage list; lists along a side of the tile; first texel of the image; if strokes differ:
+                 // number of images times 2^16 plus number of seeds
+    vec4 thin;   // x, y: smallest factors to which a stroke's length and width shrink
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
-    vec4 front;  // 2 p (1 - p), where it is linear: from, factor, term; p is the overlap
-    vec4 fade;   // weight = x front + y + z life (+ w in the next level), life in steps
-    vec4 law;    // the front is m itself; the share is 1 - m; 0; steps a unit of ink
-    ivec4 seed_layers; // their number
+    vec4 front;  // 2 p (1 - p), p: overlap; share at which the fading front becomes linear; its slope, its offset
+    vec4 fade;   // weight = x front + y + z life (+ w in the next level); life: 0 .. 255
+    vec4 law;    // x: 1: the front is m; y: 1: the share is 1 - m; z: 0; w: entries of `ways` per unit of ink
+    ivec4 seed_layers; // x: number of layers
     SeedLayer layers[64];
 };
-layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels; // alpha here, to the right, below, and both
-layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // u, v, lives in four tiles, in the next level
-layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists; // per texel: its first seed, the one after its last
-layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers; // of seeds in their set
-layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;   // progress at a tone; from it to the next
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels; // alpha here, right, below, right below
+layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // float bits of u, v; 4 lives; next level's
+layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists; // first seed, the one after the last
+layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers; // index of each seed in its set
+layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;   // per tone step: way, and difference to the next
 
-// How far along the way from paper to the darkest an amount of ink is.
+// Progress from paper, 0, to the darkest tone, 1, at an amount of ink.
 float way_to(float amount)
 {
     float at = clamp(amount * law.w, 0.0, 255.9999);
@@ -29,7 +30,7 @@ float way_to(float amount)
     return step.x + fract(at) * step.y;
 }
 
-// Where the front of fading stands at m, 0 .. 1; q = 4^-m.
+// Position of the fading front between two levels. q = 4^-m; m: 0 at this level .. 1 at the next.
 float fade_front(float q)
 {
     float m = -0.5 * log2(q);
@@ -41,7 +42,8 @@ float fade_front(float q)
 }
 
 #ifdef STROKES_VARY
-// Which look of 16 a seed's stroke has at a level: bit 3 mirrors it, the others choose its image.
+// Variant 0 .. 15 of a seed's stroke: bit 3 mirrors it, the others choose the image. It depends on the level so that a
+// stroke keeps its variant at every distance.
 uint look_of(int seed, int level, SeedLayer layer)
 {
     int count = layer.at.w & 0xffff;
@@ -49,8 +51,8 @@ uint look_of(int seed, int level, SeedLayer layer)
 }
 #endif
 
-// Alpha at a place in texels from the middle of a stroke's image, the first or the one at a row. Its border is
-// nothing, and goes on outside.
+// Alpha of a stroke's image. place: in texels from its middle; row_first: first row of the image. The border of images
+// is transparent, so that clamping makes everything outside transparent.
 float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
 {
     place = clamp(0.5 * layer.stroke.zw + place, vec2(0.0), layer.stroke.zw);
@@ -62,8 +64,8 @@ float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
     return mix(row.x, row.y, share.y);
 }
 
-// What one layer leaves of the paper. at: the place in the pattern, in tiles, right modulo 4; px: a tile's side
-// on the screen; q: 4^-m, m between the levels; level: of the seeds.
+// Transmittance of a layer, 0 .. 1. at: place in the pattern, in tiles, modulo 4; px: a tile's side in pixels;
+// q: 4^-m, m: 0 at this level .. 1 at the next; level: nesting level of the seeds.
 float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
 {
     float paper = 1.0, base = fade.x * fade_front(q) + fade.y;

@@ -1,4 +1,4 @@
-// Depth alone; holes let light through.
+// Draws depth only; holes let light through.
 #include "frame/frame.glsl"
 #include "frame/base.glsl"
 

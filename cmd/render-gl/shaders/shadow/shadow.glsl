@@ -1,5 +1,5 @@
-// What share of a light reaches a point: the mean of comparisons with its map, over a disk on the surface's own
-// plane, so that a plane casts no shadow on itself however it is tilted.
+// lit_share(): the share of a light that reaches a point. It is the mean of depth comparisons over a disk in the
+// plane of the surface, so that a plane casts no shadow on itself at any angle.
 #ifdef SHADOWS
 #include "shadow/block.glsl"
 
@@ -7,8 +7,8 @@ layout(binding = UNIT_SHADOWS) uniform sampler2DArrayShadow shadow_maps;
 
 layout(binding = UNIT_SHADOW_TEXELS) uniform sampler2DArrayShadow shadow_texels; // the same, unfiltered
 
-// Pairs of opposite reads, at golden angles and evenly over the unit disk: half of them lie on either side of any edge
-// through the middle. The outermost come first, so that few tell most places.
+// Reads are in pairs on opposite sides of the middle, at golden angles and evenly over the unit disk, so that an edge
+// through the middle separates half of them. The outermost come first: usually they decide whether more are needed.
 const int PAIRS = 8, FIRST_PAIRS = 4;
 const mat2 TURN = mat2(-0.36237, 0.93203, -0.93203, -0.36237); // by 111.25 degrees
 
@@ -17,11 +17,11 @@ vec2 tap(int i, vec2 way)
     return sqrt(1.0 - (float(i) + 0.5) / float(PAIRS)) * way;
 }
 
-// The surface's depth in a map, per unit of x and of y there.
+// Slope of the surface in a map: change of depth per unit of x and of y.
 #ifdef SUN
 vec2 depth_slope(mat4 map, vec4 at, vec3 face)
 {
-    mat3 rows = transpose(mat3(map)); // at right angles to one another, of different lengths
+    mat3 rows = transpose(mat3(map)); // orthogonal, of different lengths
     vec3 across = face * rows / vec3(dot(rows[0], rows[0]), dot(rows[1], rows[1]), dot(rows[2], rows[2]));
     return abs(across.z) > 1e-12 ? -across.xy / across.z : vec2(0.0);
 }
@@ -46,11 +46,11 @@ int cube_face(vec3 away)
 
 vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer)
 {
-    return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // where nothing is, maps hold 1
+    return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // maps hold 1 where there is no surface
 }
 
-// Where a few texels agree they are all; only edges are filtered. Software renderers run a loop as often as some pixel
-// of theirs goes on; a table of the disk's places would be copied for each of them.
+// If the first pairs agree, they are the result; otherwise the place is at an edge, and all pairs are read, filtered.
+// Both are loops, because software renderers skip empty loops; offsets are computed, because they copy constant tables.
 float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
 {
     float some = 0.0, sum = 0.0;
@@ -73,7 +73,7 @@ float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
     return is_edge ? sum / float(2 * PAIRS) : some / float(2 * FIRST_PAIRS);
 }
 
-// face: the surface's own normal, to_light: the direction to the light.
+// face: geometric normal of the surface; to_light: direction to the light; both unit.
 float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
 {
     vec4 how = maps[light];
@@ -89,7 +89,7 @@ float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
     float texel = shadow_edge.y * distance / min(how.z, how.w), radius = max(shadow_edge.x, texel);
     float facing = abs(dot(face, to_light));
     face = normalize((dot(face, to_light) < 0.0 ? -face : face) + max(0.02 - facing, 0.0) * to_light);
-    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // a texel holds one depth of a slanted plane
+    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth varies within a texel on slants
     vec4 at = map * vec4(point + lift * to_light, 1.0);
     vec2 slope = depth_slope(map, at, face), spread = radius * how.zw / at.w;
     return share_around(at.xyz / at.w, slope, spread, float(layer));

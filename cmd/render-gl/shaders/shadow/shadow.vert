@@ -1,4 +1,4 @@
-// A surface as a light sees it.
+// Places a surface in a shadow map.
 #include "shadow/block.glsl"
 #include "frame/vertex.glsl"
 

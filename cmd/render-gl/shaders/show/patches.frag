@@ -1,3 +1,4 @@
+// Draws patches in their tones.
 #include "frame/frame.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

@@ -1,4 +1,4 @@
-// Patches by their tones; a surface without any by its light.
+// Passes on light, and the tone of the patch (0 for surfaces without patches).
 #include "frame/vertex.glsl"
 
 #ifdef OUTLINE

@@ -1,4 +1,4 @@
-// The single-pass 6-way blend (section 5): the weights of six columns at each vertex.
+// Single-pass 6-way blend (Real-Time Hatching, section 5): computes the weights of six columns at each vertex.
 #include "frame/vertex.glsl"
 #include "tones/ramp.glsl"
 

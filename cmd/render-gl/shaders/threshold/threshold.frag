@@ -1,4 +1,4 @@
-// Thresholds: a texel's darkness is a stair over tone (Webb et al. 2002, section 3.2).
+// Threshold textures: each texel's ink is a step function of tone (Webb et al. 2002, section 3.2).
 #include "frame/amounts.glsl"
 #include "frame/inks.glsl"
 #include "tones/tones.glsl"
@@ -9,7 +9,7 @@ out vec4 o_color;
 #ifdef EXACT
 #include "tones/exact.glsl"
 
-// They have no channel for an outline.
+// Exact runs have no outline.
 float read_steps()
 {
     return 1.0;
@@ -20,11 +20,11 @@ float coverage(float amount)
     return exact_ink(amount);
 }
 #else
-// The stair's steps, once for both inks.
+// Tone and height of the texel's steps, read once for both inks.
 vec4 step_at[2], step_height[2];
 
 #ifdef SOFT
-// The tone at which the texel is more ink than paper.
+// Tone from which on the texel is more ink than paper.
 float half_way()
 {
     float sum = 0.0, at = 2.0;
@@ -50,7 +50,7 @@ float coverage(float amount)
 #endif
 }
 
-// Reads what coverage() needs; returns the outline's opacity.
+// Reads the steps for coverage(); returns the opacity of the outline.
 float read_steps()
 {
     for (int half_of = 0; half_of < 2; half_of++) {

@@ -1,15 +1,16 @@
-// Exact runs: each texel's whole stair over tone (tamthresh(5)). It is evaluated at the texels around, of two
-// levels, and then blended: no step is ever interpolated.
+// Exact runs: the complete step function of each texel over tone (tamthresh(5)). It is evaluated at the four texels
+// around a place, in two mip levels, and the results are blended; steps themselves are never interpolated.
 #include "tones/targets.glsl"
 #include "tones/tones.glsl"
 
-// The place among the columns at which a run's darkness is reached half-way.
+// Tone half-way between a column and the one before it.
 float half_before(uint column)
 {
     return 0.5 * (target(int(column)) + (column > 0u ? target(int(column) - 1) : 0.0));
 }
 
-// The darkness of the texel whose index stands at a word.
+// Ink of the texel whose index entry is at word `entry`. runs: word at which the runs begin; place: the amount among
+// the columns (place_of).
 float texel_ink(uint entry, uint runs, float amount, float place)
 {
     uint end = word(entry + 1u), above_column = uint(place);

@@ -1,4 +1,4 @@
-// Columns as layers, read in the fragment stage; aim first.
+// Reads columns that are layers of a texture, in the fragment stage. Call aim() first.
 #include "tones/targets.glsl"
 #include "tones/tones.glsl"
 

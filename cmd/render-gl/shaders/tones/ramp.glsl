@@ -1,12 +1,12 @@
 #include "frame/frame.glsl"
 
-// Tone becomes the weights of columns at vertices, where it is known there.
+// Weights of columns are computed at vertices if the tone is known there.
 #if !defined(PIXEL_LIGHT) && !defined(BASE_TONE)
 #define WEIGHTS_AT_VERTICES 1
 #endif
 
-// Weights of six columns, three to a texture, for an amount of ink: between two columns' tones both
-// have a share, below the first the rest is bare paper, above the last it alone counts.
+// Weights of six columns for an amount of ink. An amount between the tones of two columns blends these two, one below
+// the first column blends it with paper, and one above the last uses the last alone.
 void column_weights(float amount, out vec3 first, out vec3 second)
 {
     vec3 a = clamp((amount - ramp_low[0].xyz) * ramp_scale[0].xyz, 0.0, 1.0);

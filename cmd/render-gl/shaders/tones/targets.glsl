@@ -1,5 +1,5 @@
-// Columns as layers. A place among them is 0 for paper, 1 for the first column, n for the last; between
-// them the two neighbours blend.
+// Tones of the columns. A place among the columns is 0 for paper, 1 for the first column, n for the last; its fraction
+// blends two neighbours.
 #include "frame/frame.glsl"
 
 float target(int column)
@@ -7,7 +7,7 @@ float target(int column)
     return targets[column >> 2][column & 3];
 }
 
-// The place whose blend has the amount as its mean tone.
+// Place among the columns whose blend has a mean tone equal to the amount.
 float place_of(float amount)
 {
     int low = 0, high = counts.y;

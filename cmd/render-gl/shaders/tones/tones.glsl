@@ -1,4 +1,4 @@
-// Reading the columns of the tonal art map, in the fragment stage: aim once, then read.
+// Reads the columns of the tonal art map in the fragment stage: call aim() once, then read_columns().
 #include "frame/frame.glsl"
 
 #ifdef EXACT
@@ -34,8 +34,8 @@ float column_level;
 #ifdef ANISOTROPIC
 vec2 column_x, column_y;
 
-// Where a pixel covers more tiles than this, along any side of it, no stroke shows: only the mean of the
-// tile is left, the coarsest level. The driver's filter would take samples by the thousand there.
+// If a pixel covers more tiles than this in any direction, no stroke is visible, and the coarsest level is read. The
+// driver's anisotropic filter would read thousands of texels there.
 const float TILES_MAX = 8.0;
 
 void aim(vec2 texcoord)
@@ -56,13 +56,12 @@ vec4 read_columns(float layer)
     return textureGrad(columns, vec3(column_place, layer), ALONG_SURFACE(column_x), ALONG_SURFACE(column_y));
 }
 #else
-// Strokes keep their width in pixels whatever the number of samples a pixel: the level goes by the
-// pixel's footprint, not by the sample's. But where a pixel has several samples they see apart what lies
-// along the footprint's longer axis, so that half of it counts there: anisotropic filtering by the ratio
-// of two that costs nothing, and that is the same for every number of samples.
-// Two levels mix over the middle half of the way between them: strokes of a level nest in the next, so
-// that nothing pops, more of the picture shows strokes at their full strength, and software renderers
-// read one level where one is enough.
+// Chooses the mip level. It depends on the footprint of the pixel, not of the sample, so that strokes keep their
+// width in pixels for any number of samples. If a pixel has several samples, these resolve detail along the longer
+// axis of the footprint, which therefore counts half: anisotropic filtering with a ratio of 2 at no cost.
+// Neighbouring levels are mixed only in the middle half between them. Since strokes of a level nest in the next finer
+// one, nothing pops, more of the picture has strokes of full strength, and software renderers read one level more
+// often.
 void aim(vec2 texcoord)
 {
     vec2 size = columns_size();

@@ -1,4 +1,4 @@
-// Volumes: tone is a coordinate (Webb et al. 2002, section 3.1). Texels are reflectance.
+// Volumes: tone is the third coordinate (Webb et al. 2002, section 3.1). Texels hold reflectance.
 #include "frame/amounts.glsl"
 #include "frame/inks.glsl"
 #include "tones/tones.glsl"
@@ -6,8 +6,8 @@
 in vec2 v_texcoord;
 out vec4 o_color;
 
-// Texture units stop half a slice short of both ends: what is missing there fades to paper, and to ink
-// where the volume goes so far.
+// Texture filters clamp half a slice before both ends of tone. There coverage fades to paper, and to full ink if the
+// volume reaches it.
 vec3 coverage(float tone)
 {
     float slices = float(counts.y), half_slice = 0.5 / slices;
