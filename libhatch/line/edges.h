@@ -2,7 +2,7 @@
 #ifndef HATCH_LINE_EDGES_H
 #define HATCH_LINE_EDGES_H
 
-#include "mesh/creases.h"
+#include "mesh/edge_kinds.h"
 #include "line/chain.h"
 
 struct hatch_line_edges {

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "mesh/creases.h"
+#include "mesh/edge_kinds.h"
 #include "mesh/fans.h"
 #include "mesh/splits.h"
 

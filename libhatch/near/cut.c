@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "near/pieces.h"
+#include "near/subdivide.h"
 #include "near/parts.h"
 
 #define MARGIN 0.02 /* added on each side of the tile, in widths or heights of it */

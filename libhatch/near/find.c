@@ -4,7 +4,7 @@
 
 #include "math/box.h"
 #include "math/vector.h"
-#include "near/pieces.h"
+#include "near/subdivide.h"
 #include "near/parts.h"
 
 /* Computes the vector from the eye to a point, for an orthographic view from the view axis. */

@@ -1,6 +1,6 @@
 /* Faces so near the eye that floats cannot resolve their position. They are cut into pieces in double-double
- * arithmetic, and the vertices of a piece are floats relative to the piece (near/pieces.h). The faces around the near
- * ones are drawn both from the index buffer and as pieces, so that different rounding opens no gap. */
+ * arithmetic, and the vertices of a piece are floats relative to the piece (near/subdivide.h). The faces around the
+ * near ones are drawn both from the index buffer and as pieces, so that different rounding opens no gap. */
 #ifndef HATCH_NEAR_NEAR_H
 #define HATCH_NEAR_NEAR_H
 

@@ -1,7 +1,7 @@
 /* Features of a mesh: creases and boundaries. */
 #include "fail_alloc.h"
 #include "lines.h"
-#include "mesh/creases.h"
+#include "mesh/edge_kinds.h"
 
 #define CREASE_RAD 0.7
 

@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 #include "math/vector.h"
-#include "near/pieces.h"
+#include "near/subdivide.h"
 
 enum { MOST = 40000 };
 

@@ -1,6 +1,6 @@
 /* Classification of edges: boundaries, creases and smooth edges. */
-#ifndef HATCH_MESH_CREASES_H
-#define HATCH_MESH_CREASES_H
+#ifndef HATCH_MESH_EDGE_KINDS_H
+#define HATCH_MESH_EDGE_KINDS_H
 
 #include "mesh/edges.h"
 

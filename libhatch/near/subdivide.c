@@ -1,4 +1,4 @@
-#include "near/pieces.h"
+#include "near/subdivide.h"
 
 #include <math.h>
 #include <stddef.h>

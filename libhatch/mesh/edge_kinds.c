@@ -1,4 +1,4 @@
-#include "mesh/creases.h"
+#include "mesh/edge_kinds.h"
 
 #include <assert.h>
 

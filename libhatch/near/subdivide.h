@@ -1,8 +1,8 @@
 /* Subdivision of triangles, finer towards the eye, in double-double arithmetic: relative to a piece, floats resolve its
  * coordinates however near the eye is. New corners are midpoints, computed by sums and halves only, so that two faces
  * get the same corners on a shared edge, bit by bit. */
-#ifndef HATCH_NEAR_PIECES_H
-#define HATCH_NEAR_PIECES_H
+#ifndef HATCH_NEAR_SUBDIVIDE_H
+#define HATCH_NEAR_SUBDIVIDE_H
 
 #include <stdbool.h>
 #include <stdint.h>
