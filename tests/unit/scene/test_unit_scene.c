@@ -1,0 +1,77 @@
+/* Items of a posed scene: their matrices against positions computed in world coordinates. */
+#include "meshes.h"
+#include "scene/unit_scene.h"
+
+static struct hatch_scene scene;
+static struct hatch_unit_scene unit;
+
+/* A torus in a node that is rotated, translated and scaled by `scale` along x. */
+static struct hatch_mesh place_torus(float scale)
+{
+    const struct hatch_bounds bounds = {.center = {3, -2, 1}, .radius = 4};
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 100);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&torus, &keep, &scene, &err), &err);
+    struct hatch_node *node = &scene.nodes[0];
+    node->translation[1] = 2.5f;
+    node->rotation[2] = 0.6f;
+    node->rotation[3] = 0.8f;
+    node->scale[0] = scale;
+    HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    return torus;
+}
+
+START_TEST(the_matrix_leads_to_the_unit_scene)
+{
+    const struct hatch_mesh torus = place_torus(3);
+    const struct hatch_item *item = &unit.items[0];
+    double *world = HATCH_NEW(&keep, double, 3 * (size_t)torus.vertex_count, &err);
+    ck_assert_uint_eq(unit.item_count, 1);
+    hatch_pose_vertices(&unit.pose, 0, 0, world, NULL);
+    for (size_t v = 0; v < torus.vertex_count; v++) {
+        double want[3];
+        hatch_bounds_to_unit(&unit.bounds, world + 3 * v, want);
+        for (int k = 0; k < 3; k++) {
+            double at = (double)item->to_unit[12 + k];
+            for (int i = 0; i < 3; i++)
+                at += (double)item->to_unit[4 * i + k] *
+                      ((double)torus.attributes[0].data[3 * v + (size_t)i] - unit.meshes[0].origin[i]);
+            ck_assert_double_eq_tol(at, want[k], 1e-6);
+        }
+    }
+}
+END_TEST
+
+START_TEST(a_mirroring_node_mirrors_its_item)
+{
+    place_torus(3);
+    ck_assert(!unit.items[0].mirrored);
+    place_torus(-3);
+    ck_assert(unit.items[0].mirrored);
+}
+END_TEST
+
+START_TEST(posing_again_at_the_same_moment_is_no_change)
+{
+    place_torus(1);
+    ck_assert_uint_eq(unit.pose_number, 1);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    ck_assert_uint_eq(unit.pose_number, 1);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 1);
+    ck_assert_uint_eq(unit.pose_number, 2);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("unit scene");
+    TCase *tests = tcase_create("unit scene");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, the_matrix_leads_to_the_unit_scene);
+    tcase_add_test(tests, a_mirroring_node_mirrors_its_item);
+    tcase_add_test(tests, posing_again_at_the_same_moment_is_no_change);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)

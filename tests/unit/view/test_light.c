@@ -1,0 +1,137 @@
+/* Lights in the unit scene, and the exposure that makes them white. */
+#include "math/angle.h"
+#include "meshes.h"
+#include "view/exposure.h"
+#include "views.h"
+
+static struct hatch_scene scene;
+static struct hatch_unit_scene unit;
+static const struct hatch_bounds bounds = {.center = {10, 20, 30}, .radius = 5};
+
+/* A square plane that faces +z, with a light of one type at a node of its own. */
+static void light_plane(struct hatch_light light, const float translation[3])
+{
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 50);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&plane, &keep, &scene, &err), &err);
+    struct hatch_node *nodes = HATCH_NEW(&keep, struct hatch_node, 2, &err);
+    nodes[0] = nodes[1] = scene.nodes[0];
+    nodes[0].light = HATCH_NONE;
+    nodes[1].mesh_count = 0;
+    nodes[1].light = 0;
+    memcpy(nodes[1].translation, translation, sizeof nodes[1].translation);
+    scene.nodes = nodes;
+    scene.node_count = 2;
+    scene.lights = HATCH_NEW(&keep, struct hatch_light, 1, &err);
+    scene.lights[0] = light;
+    scene.light_count = 1;
+    HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+}
+
+static const float nowhere[3] = {0, 0, 0};
+static const struct hatch_light sun = {.type = HATCH_LIGHT_DIRECTIONAL, .color = {1, 1, 1}, .intensity = 8};
+
+START_TEST(the_key_light_turns_with_the_camera)
+{
+    static const struct {
+        double azimuth_deg, elevation_deg, to_light[3];
+    } cases[] = {{0, 0, {0, 0, 1}}, {90, 0, {1, 0, 0}}, {0, 90, {0, 1, 0}}, {180, 0, {0, 0, -1}}};
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    light_plane(sun, nowhere);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct hatch_key_light key = {true, cases[i].azimuth_deg * HATCH_RADIANS,
+                                            cases[i].elevation_deg * HATCH_RADIANS};
+        ck_assert(hatch_lights_are_key_alone(&scene, &key));
+        ck_assert_uint_eq(hatch_lights_fill(&unit.pose, &bounds, &view_facing, &key, 3, lights), 1);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol((double)lights[0].direction[k], cases[i].to_light[k], 1e-6);
+        ck_assert_float_eq(lights[0].direction[3], 1);
+        ck_assert_float_eq(lights[0].position[3], 0);
+    }
+}
+END_TEST
+
+START_TEST(a_point_light_is_scaled_with_the_scene)
+{
+    static const struct hatch_key_light key = {.replaces = false};
+    const struct hatch_light lamp = {.type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 50, .range = 10};
+    const float at[3] = {15, 20, 40};
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    light_plane(lamp, at);
+    ck_assert(!hatch_lights_are_key_alone(&scene, &key));
+    ck_assert_uint_eq(hatch_lights_fill(&unit.pose, &bounds, &view_facing, &key, 3, lights), 1);
+    ck_assert_float_eq_tol(lights[0].position[0], 1, 1e-6f);
+    ck_assert_float_eq_tol(lights[0].position[1], 0, 1e-6f);
+    ck_assert_float_eq_tol(lights[0].position[2], 2, 1e-6f);
+    ck_assert_float_eq(lights[0].position[3], 1);
+    /* The light at a distance stays: lengths shrink by the radius, 5, strengths by its square. */
+    ck_assert_float_eq_tol(lights[0].direction[3], 3 * 50 / 25.0f, 1e-5f);
+    ck_assert_float_eq_tol(lights[0].cone[2], 1 / (2 * 2.0f), 1e-6f);
+    ck_assert_double_eq_tol(hatch_lights_strongest(&unit.pose, &bounds), 50 / 25.0, 1e-6);
+}
+END_TEST
+
+START_TEST(lights_beyond_the_limit_are_counted)
+{
+    static const struct hatch_key_light key = {.replaces = false};
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    light_plane(sun, nowhere);
+    struct hatch_node *nodes = HATCH_NEW(&keep, struct hatch_node, HATCH_LIGHTS_MAX + 3, &err);
+    for (uint32_t i = 0; i < HATCH_LIGHTS_MAX + 3; i++)
+        nodes[i] = scene.nodes[1];
+    scene.nodes = nodes;
+    scene.node_count = HATCH_LIGHTS_MAX + 3;
+    ck_assert_uint_eq(hatch_lights_left_out(&scene), 3);
+    HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    ck_assert_uint_eq(hatch_lights_fill(&unit.pose, &bounds, &view_facing, &key, 1, lights), HATCH_LIGHTS_MAX);
+}
+END_TEST
+
+/* Every vertex of the plane has the light's strength, or half of it where the light leans by 60 degrees. Bins of the
+ * histogram are a sixteenth of an octave wide. */
+START_TEST(the_exposure_makes_a_lit_plane_white)
+{
+    const double bin = exp2(1.0 / 16);
+    for (int leans = 0; leans <= 1; leans++) {
+        double exposure;
+        light_plane(sun, nowhere);
+        if (leans) {
+            scene.nodes[1].rotation[0] = 0.5f;
+            scene.nodes[1].rotation[3] = sqrtf(0.75f);
+            hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+        }
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, &view_facing, &scratch, &exposure, &err), &err);
+        double want = leans ? 1 / 4.0 : 1 / 8.0;
+        ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
+    }
+}
+END_TEST
+
+START_TEST(the_exposure_of_a_plane_lit_from_behind_is_one)
+{
+    double exposure;
+    light_plane(sun, nowhere);
+    scene.nodes[1].rotation[0] = 1;
+    scene.nodes[1].rotation[3] = 0;
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    HATCH_TEST_OK(hatch_auto_exposure(&unit, &view_facing, &scratch, &exposure, &err), &err);
+    ck_assert_double_eq(exposure, 1);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("light");
+    TCase *tests = tcase_create("light");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, the_key_light_turns_with_the_camera);
+    tcase_add_test(tests, a_point_light_is_scaled_with_the_scene);
+    tcase_add_test(tests, lights_beyond_the_limit_are_counted);
+    tcase_add_test(tests, the_exposure_makes_a_lit_plane_white);
+    tcase_add_test(tests, the_exposure_of_a_plane_lit_from_behind_is_one);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
