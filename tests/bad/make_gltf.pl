@@ -189,7 +189,7 @@ sub texts {
         ['position-vec2', '"type":"VEC3"', '"type":"VEC2"', 'POSITION'],
         ['position-u16', '"componentType":5126', '"componentType":5123', '-'],
         ['mode-99', '"indices":1', '"indices":1,"mode":99', 'mode 99'],
-        ['mode-lines', '"indices":1', '"indices":1,"mode":1', 'no faces'],
+        ['mode-lines', '"indices":1', '"indices":1,"mode":1', 'no (visible )?faces'],
         ['mesh-number', '"nodes":[{"mesh":0}]', '"nodes":[{"mesh":9}]', 'mesh 9'],
         ['node-number', '"scenes":[{"nodes":[0]}]', '"scenes":[{"nodes":[3]}]', 'node 3'],
         ['scene-number', '"scene":0', '"scene":4', 'scene.* 4'],
