@@ -17,11 +17,12 @@ static bool bins_given, exact;
 static const struct cmd_option options[] = {
     {'b', "bins", CMD_TEXT, 0, 0, "BINS", "number of bins, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
      &bins, NULL, &bins_given},
-    {'x', "exact", CMD_FLAG, 0, 0, NULL, "exact runs instead: all changes of every texel, in a buffer", &exact, NULL,
-     NULL},
+    {'x', "exact", CMD_FLAG, 0, 0, NULL,
+     "write exact runs instead of thresholds: all changes of every texel, in a buffer", &exact, NULL, NULL},
     {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image as the modulation, a factor of light", &modulation_path,
      NULL, NULL},
-    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, an opacity", &mask_path, NULL, NULL},
+    {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, the opacity of a lapped patch", &mask_path,
+     NULL, NULL},
     {0},
 };
 

@@ -18,7 +18,7 @@ static const struct cmd_option options[] = {
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
      layouts, &layout_given},
     {'c', "compress", CMD_FLAG, 0, 0, NULL,
-     "compress in blocks: BC4 (grey) or BC1 (colour) for an array, BC7 for a volume", &compress, NULL, NULL},
+     "compress in blocks, as an array (BC4, BC1) unless --layout volume is given (BC7)", &compress, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 instead of RGB8", &alpha, NULL, NULL},
     {0},
 };

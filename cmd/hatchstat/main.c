@@ -21,11 +21,11 @@ static const struct cmd_option options[] = {
      NULL},
     {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with, 1 .. 1000 (default 8)",
      &values.throws, NULL, NULL},
-    {'c', "check", CMD_FLAG, 0, 0, NULL, "tam, lapped, seeds: exit 1 when a limit is missed, see the manual",
-     &values.check, NULL, NULL},
+    {'c', "check", CMD_FLAG, 0, 0, NULL,
+     "tam, lapped, seeds: exit 1 when a figure is outside its limit; see the manual", &values.check, NULL, NULL},
     {'R', "reference", CMD_TEXT, 0, 0, "FILE",
-     "field: mesh with the true field; ink: picture to compare with; tones: the map of FILE", &values.reference, NULL,
-     NULL},
+     "field: mesh with the true field; ink: picture to compare with; tones: the map from which FILE was made",
+     &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X", "field: share of the points, most confident first, 0.001 .. 1 (default 1)",
      &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: number of sampled places, 1 .. 1e9 (default 100000)",
@@ -63,7 +63,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "hatchstat",
     .operands = "SUBJECT [FILE ...]",
-    .summary = "measure files; SUBJECT and FILE are one of:\n"
+    .summary = "measure files; SUBJECT and its files are one of:\n"
                "  diff A B, frames A B ..., ink FILE ...      pictures\n"
                "  mesh FILE ..., field FILE ...               meshes and their direction fields\n"
                "  lapped FILE                                 lapped textures\n"

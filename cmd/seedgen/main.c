@@ -16,7 +16,7 @@ static const struct cmd_option options[] = {
     {'l', "layers", CMD_INT, 1, HATCH_SEED_LAYERS_MAX, "N", "sets to make, one per layer (default 1)", &layers, NULL,
      NULL},
     {'c', "candidates", CMD_INT, 0, 1000000, "N",
-     "random sets per layer, the best of which is kept (default 0: from --count)", &candidates, NULL, NULL},
+     "random sets per layer, the best of which is kept (default 0: chosen by --count)", &candidates, NULL, NULL},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD",
      "any (default), euler or backtrack; the last two need a power of four seed points", &method, methods, NULL},
     {0, "max-nodes", CMD_INT, 1, 1e15, "N", "backtrack: digits to try before giving up (default 200000000)", &nodes_max,

@@ -26,7 +26,7 @@ struct cmd_output {
 /* The hidden files that exist; read by a signal handler. */
 static char *volatile unfinished[CMD_OUTPUTS_MAX];
 
-/* Their targets, identified independently of how the path is spelled. */
+/* Target of each hidden file, in a form that is the same for all spellings of its path. */
 static struct location {
     dev_t device;
     ino_t folder;

@@ -95,7 +95,7 @@ static enum hatch_status record_covered(struct work *w, const struct hatch_suppo
     return HATCH_OK;
 }
 
-/* Chooses open nodes, in their order, that are further from all those chosen before than the spacing. */
+/* Goes through the open nodes in order and chooses each whose distance to all chosen ones exceeds the spacing. */
 static enum hatch_status choose_centers(struct work *w, uint32_t *count, struct hatch_arena *scratch,
                                         struct hatch_err *err)
 {

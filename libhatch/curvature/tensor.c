@@ -5,7 +5,7 @@
 
 #define PI 3.14159265358979323846
 
-/* Two positions side by side. Sums have the same order on every processor. */
+/* Two positions side by side; the fixed width gives sums the same order on every processor. */
 typedef double lanes __attribute__((vector_size(2 * sizeof(double))));
 
 /* First and second derivatives of a polynomial at two positions, in units of the frame's radius. */
@@ -86,7 +86,7 @@ void hatch_curvature_tensor_principal(const struct hatch_curvature_tensor *tenso
     double mean = (a + c) / 2, spread = sqrt((a - c) * (a - c) / 4 + b * b), sign = mean < 0 ? -1 : 1;
     principal->value[0] = mean + sign * spread;
     principal->value[1] = mean - sign * spread;
-    /* The eigenvector of value[0], by the longer of its two formulas. */
+    /* The eigenvector of value[0]: of its two formulas the one with the longer result, to avoid cancellation. */
     double half = sign * (a - c) / 2, off_diagonal = sign * b;
     double u = half >= 0 ? spread + half : off_diagonal, v = half >= 0 ? off_diagonal : spread - half;
     double length = sqrt(u * u + v * v);

@@ -1,4 +1,4 @@
-/* Apart from the solvers, so that programs that only measure a field do not link CHOLMOD. */
+/* This file is apart from the solvers, so that programs that only measure a field do not link CHOLMOD. */
 #include <math.h>
 
 #include "field/system.h"

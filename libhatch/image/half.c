@@ -1,5 +1,5 @@
-/* IEEE 754 binary16. Selects with masks and loops over blocks of a fixed length, because gcc at -O2 vectorises only
- * this. */
+/* IEEE 754 binary16. The code selects with masks and loops over blocks of a fixed length, because gcc at -O2 vectorises
+ * only this. */
 #include "image/image.h"
 
 #include <string.h>

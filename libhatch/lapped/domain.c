@@ -162,7 +162,7 @@ static void match_slice(void *context, uint32_t slice)
 
 /* Replaces each value by the mean, over the face's points, of the area-weighted means around them.
  *   value  per face
- *   sum    room for 2 a point */
+ *   sum    room for 2 values per point */
 static void blur(const struct hatch_surface *surface, const double *area, double *value, double *sum)
 {
     memset(sum, 0, (size_t)surface->point_count * 2 * sizeof *sum);

@@ -6,7 +6,7 @@
 
 #include "image/color.h"
 
-/* Limits of the darkness: of inked pixels, edges (INKED .. EDGE_MAX), grey (GREY_MIN .. INK_MIN), ink. */
+/* Classes of pixels by darkness: inked over INKED, edge to EDGE_MAX, grey from GREY_MIN, ink from INK_MIN. */
 #define INKED 0.1f
 #define EDGE_MAX 0.9f
 #define GREY_MIN 0.25f

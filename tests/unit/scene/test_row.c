@@ -33,7 +33,7 @@ START_TEST(scenes_stand_in_a_row)
     ck_assert_uint_eq(joined.meshes[CAPS].material, 2);
     ck_assert_uint_eq(joined.materials[2].base.texture, 1);
     hatch_scene_pose(&joined, HATCH_NONE, 0, world);
-    /* Scaled by 1/5; the distance of the centres is two half widths and a gap. */
+    /* The second scene is scaled by 1/5; the centres are half of each width and the gap apart. */
     const float *place = world + 16 * 5;
     ck_assert_double_eq_tol((double)place[0], 0.2, 0.01);
     ck_assert_double_eq_tol((double)(place[0] * 7 + place[12]), 2 + 0.2 * sqrt(3), 0.05);

@@ -47,7 +47,7 @@ static float one_stroke(float u, float v, uint32_t level, float tone, uint32_t c
     return tone > 0.499f && u > 0.25f && u < 0.5f ? 0 : 1;
 }
 
-/* §3.1: the tones are odd multiples of half the slice spacing, and each is on one level only. */
+/* Webb et al. 2002, §3.1: the tones are odd multiples of half the slice spacing, and each is on one level only. */
 START_TEST(tones_are_those_of_the_paper)
 {
     struct hatch_tam tam = made_map(256, 128, 1, "Y", by_level);
