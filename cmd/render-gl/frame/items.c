@@ -32,6 +32,14 @@ static uint32_t variant_of(const struct frame *frame, const struct frame_shading
     return variant;
 }
 
+static uint32_t count_passes(const struct frame_shading *shading)
+{
+    uint32_t count = 0;
+    while (count < FRAME_PASSES_MAX && shading->passes[count].name)
+        count++;
+    return count;
+}
+
 static struct drawing drawing_of(const struct frame *frame, const struct frame_shading *shading,
                                  const struct frame_shader *shader, uint32_t index)
 {
@@ -55,7 +63,7 @@ static enum hatch_status compile(struct frame *frame, const struct frame_shading
     char all[512];
     if (*program)
         return HATCH_OK;
-    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines, defines,
+    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines ? shading->defines : "", defines,
              pixel_light ? "#define PIXEL_LIGHT 1\n" : "", style->shadows ? "#define SHADOWS 1\n" : "",
              hatch_lights_are_key_alone(frame->scene->unit.scene, &style->light) ? "#define SUN 1\n" : "",
              style->curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "", style->inks.two ? "#define TWO_INKS 1\n" : "",
@@ -168,7 +176,7 @@ static void draw_patches_in_passes(const struct drawing *drawing)
         uint32_t end = patches->layer_end[layer];
         const struct frame_part part = {
             .vertex_array = drawing->item->vertex_array, .first = begin, .count = end - begin};
-        for (uint32_t pass = 0; pass < drawing->shading->pass_count; pass++) {
+        for (uint32_t pass = 0; pass < count_passes(drawing->shading); pass++) {
             frame_pass_blend(pass == 0   ? FRAME_BLEND_SET_ALPHA
                              : pass == 1 ? FRAME_BLEND_UNDER_ALPHA
                                          : FRAME_BLEND_ADD_UNDER_ALPHA);
@@ -181,7 +189,7 @@ static void draw_patches_in_passes(const struct drawing *drawing)
 static void draw_patches(const struct drawing *drawing)
 {
     use(drawing, drawing->shader->programs[drawing->variant]);
-    if (drawing->shading->pass_count == 1)
+    if (count_passes(drawing->shading) == 1)
         draw_patches_at_once(drawing);
     else
         draw_patches_in_passes(drawing);
@@ -237,7 +245,7 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     uint32_t lapped = count_lapped(frame, shading);
     bool ordinary = lapped < frame->scene->unit.item_count;
     HATCH_TRY(prepare_pieces(frame, shading, defines, shader, err));
-    for (uint32_t i = 0; i < shading->pass_count && ordinary; i++) {
+    for (uint32_t i = 0; i < count_passes(shading) && ordinary; i++) {
         const struct frame_item_pass *from = &shading->passes[i];
         const struct frame_pass pass = {
             .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .cull = FRAME_CULL_BACK};

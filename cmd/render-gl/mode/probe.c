@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "render-gl/mode/modes.h"
-#include "render-gl/technique/shaded.h"
 #include "shared/report.h"
 
 #define LEVELS_MAX 32
@@ -50,9 +49,7 @@ static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct
 
 static const struct frame_shading shading = {
     .stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
-    .defines = "",
     .patches = FRAME_PATCHES_COVER,
-    .pass_count = 1,
     .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}},
 };
 
@@ -61,10 +58,7 @@ static const struct technique probe_technique = {
     .name = "probe",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_NO_COLOR,
-    .state_size = sizeof(struct shaded_state),
     .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
 };
 
 static void measure(struct job *job, struct probe *probe)

@@ -2,7 +2,6 @@
 
 #include "render-gl/overlay/marks.h"
 #include "render-gl/scene/attributes.h"
-#include "render-gl/technique/shaded.h"
 
 #define FIELD_SHADE 0.2 /* factor for the tone of the surface, so that marks stand out */
 
@@ -25,19 +24,15 @@ static enum hatch_status prepare_patches(struct technique_context *context, stru
 
 static const struct frame_shading patches_shading = {
     .stages = {.vertex = "show/patches.vert", .fragment = "show/patches.frag"},
-    .defines = "",
-    .pass_count = 1,
     .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
 };
 
 /* Draws each patch in its own tone (Real-Time Hatching §6). */
 static const struct technique show_patches = {
     .name = "patches",
-    .state_size = sizeof(struct shaded_state),
     .shading = &patches_shading,
     .check = check_patches,
     .prepare = prepare_patches,
-    .draw = shaded_draw,
 };
 
 /* Draws direction marks over the tone. */
@@ -83,9 +78,7 @@ static void free_field(struct technique_instance *instance)
 
 static const struct frame_shading field_shading = {
     .stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
-    .defines = "",
     .patches = FRAME_PATCHES_UNSEEN,
-    .pass_count = 1,
     .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
 };
 

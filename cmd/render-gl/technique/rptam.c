@@ -68,10 +68,8 @@ static void free_state(struct technique_instance *instance)
 
 static const struct frame_shading strokes = {
     .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/rptam.frag"},
-    .defines = "",
     .pixel_light = true,
     .pieces = true,
-    .pass_count = 1,
     .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
 };
 
@@ -94,10 +92,8 @@ const struct technique technique_rptam = {
 
 static const struct frame_shading places = {
     .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/places.frag"},
-    .defines = "",
     .pieces = true,
     .patches = FRAME_PATCHES_COVER,
-    .pass_count = 1,
     .passes = {{.name = "places", .depth = FRAME_DEPTH_NEARER}},
 };
 

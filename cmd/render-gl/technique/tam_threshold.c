@@ -1,11 +1,9 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
 
 static const struct frame_shading shading = {
     .stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
     .defines = "#define THRESHOLD 1\n",
     .pixel_light = true,
-    .pass_count = 1,
     .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
 };
 
@@ -16,8 +14,5 @@ const struct technique technique_tam_threshold = {
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .samples = 16,
-    .state_size = sizeof(struct shaded_state),
     .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
 };

@@ -1,11 +1,8 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
 
 /* The first pass draws faces in black; the others add to what lies at the same depth. */
 static const struct frame_shading shading = {
     .stages = {.vertex = "corners/corner.vert", .geometry = "corners/corners.geom", .fragment = "corners/triple.frag"},
-    .defines = "",
-    .pass_count = 4,
     .passes = {{.name = "black", .depth = FRAME_DEPTH_NEARER},
                {.name = "first", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
                {.name = "second", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
@@ -19,8 +16,5 @@ const struct technique technique_tam_triple = {
     .summary = "one pass per vertex of a face: maps with any number of tones, and colours",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_ALL_COLUMNS,
-    .state_size = sizeof(struct shaded_state),
     .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
 };

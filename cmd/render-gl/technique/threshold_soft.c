@@ -1,11 +1,9 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
 
 static const struct frame_shading shading = {
     .stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
     .defines = "#define STROKES 1\n#define SOFT 1\n",
     .pixel_light = true,
-    .pass_count = 1,
     .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
 };
 
@@ -15,8 +13,5 @@ const struct technique technique_threshold_soft = {
     .summary = "one threshold per texel with a steep ramp, for comparison",
     .asset = &asset_thresholds,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
-    .state_size = sizeof(struct shaded_state),
     .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
 };

@@ -1,11 +1,9 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
 
 static const struct frame_shading shading = {
     .stages = {.vertex = "frame/tone.vert", .fragment = "volume/volume.frag"},
     .defines = "#define VOLUME 1\n#define STROKES 1\n",
     .pixel_light = true,
-    .pass_count = 1,
     .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
 };
 
@@ -15,8 +13,5 @@ const struct technique technique_volume = {
     .summary = "tone is the third coordinate of a 3D texture: strokes appear one by one",
     .asset = &asset_volume,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
-    .state_size = sizeof(struct shaded_state),
     .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
 };
