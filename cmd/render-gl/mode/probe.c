@@ -47,18 +47,14 @@ static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct
     probe->magnified += rgba[2] < -0.5f;
 }
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
-    .patches = FRAME_PATCHES_COVER,
-    .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* A technique that writes tones and mip levels instead of colours. */
 static const struct technique probe_technique = {
     .name = "probe",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_NO_COLOR,
-    .shading = &shading,
+    .shading = {.stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
+                .patches = FRAME_PATCHES_COVER,
+                .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}}},
 };
 
 static void measure(struct job *job, struct probe *probe)

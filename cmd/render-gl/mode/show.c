@@ -22,15 +22,11 @@ static enum hatch_status prepare_patches(struct technique_context *context, stru
     return shaded_prepare(context, instance, err);
 }
 
-static const struct frame_shading patches_shading = {
-    .stages = {.vertex = "show/patches.vert", .fragment = "show/patches.frag"},
-    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* Draws each patch in its own tone (Real-Time Hatching §6). */
 static const struct technique show_patches = {
     .name = "patches",
-    .shading = &patches_shading,
+    .shading = {.stages = {.vertex = "show/patches.vert", .fragment = "show/patches.frag"},
+                .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}}},
     .check = check_patches,
     .prepare = prepare_patches,
 };
@@ -76,17 +72,13 @@ static void free_field(struct technique_instance *instance)
     mark_overlay_free(&state->marks);
 }
 
-static const struct frame_shading field_shading = {
-    .stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
-    .patches = FRAME_PATCHES_UNSEEN,
-    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
-};
-
 static const struct technique show_field = {
     .name = "field",
     .state_size = sizeof(struct field_state),
     .tone_scale = FIELD_SHADE,
-    .shading = &field_shading,
+    .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}}},
     .check = check_field,
     .prepare = prepare_field,
     .draw = draw_field,

@@ -1,16 +1,12 @@
 #include "render-gl/technique/list.h"
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
-    .pixel_light = true,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* The paper's single-pass 6-way blend (§5). */
 const struct technique technique_tam = {
     .name = "tam",
     .summary = "six tones of the map, blended over each face",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
-    .shading = &shading,
+    .shading = {.stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
+                .pixel_light = true,
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

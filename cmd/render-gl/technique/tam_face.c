@@ -1,15 +1,13 @@
 #include "render-gl/technique/list.h"
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert", .geometry = "corners/face.geom", .fragment = "corners/face.frag"},
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* The second of §5's approximations: flat shading, blended between two columns. */
 const struct technique technique_tam_face = {
     .name = "tam-face",
     .summary = "two tones of the map blended per face: faces show, motion is smooth",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
-    .shading = &shading,
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/face.geom",
+                           .fragment = "corners/face.frag"},
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

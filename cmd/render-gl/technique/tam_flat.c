@@ -1,16 +1,14 @@
 #include "render-gl/technique/list.h"
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert", .geometry = "corners/face.geom", .fragment = "corners/face.frag"},
-    .defines = "#define NEAREST 1\n",
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* The first of §5's approximations: flat shading with a palette of columns. */
 const struct technique technique_tam_flat = {
     .name = "tam-flat",
     .summary = "one tone of the map per face: faces show, and tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
-    .shading = &shading,
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/face.geom",
+                           .fragment = "corners/face.frag"},
+                .defines = "#define NEAREST 1\n",
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

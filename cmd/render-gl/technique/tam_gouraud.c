@@ -1,17 +1,13 @@
 #include "render-gl/technique/list.h"
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert",
-               .geometry = "corners/corners.geom",
-               .fragment = "corners/vertex_column.frag"},
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* The third of §5's approximations: Gouraud shading with a palette of columns. */
 const struct technique technique_tam_gouraud = {
     .name = "tam-gouraud",
     .summary = "one tone of the map per vertex, blended over faces: tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
-    .shading = &shading,
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/corners.geom",
+                           .fragment = "corners/vertex_column.frag"},
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

@@ -67,7 +67,7 @@ enum hatch_status shaded_prepare_with(struct technique_context *context, struct 
         memset(&state->shader, 0, sizeof state->shader);
         memcpy(state->defines, all, sizeof all);
     }
-    return frame_shader_prepare(context->frame, instance->technique->shading, state->defines, &state->shader, err);
+    return frame_shader_prepare(context->frame, &instance->technique->shading, state->defines, &state->shader, err);
 }
 
 enum hatch_status shaded_prepare(struct technique_context *context, struct technique_instance *instance,
@@ -80,6 +80,6 @@ enum hatch_status shaded_draw(struct technique_context *context, struct techniqu
                               struct hatch_err *err)
 {
     struct shaded_state *state = instance->state;
-    return frame_draw_items(context->frame, &context->frame->request.canvas->samples, instance->technique->shading,
+    return frame_draw_items(context->frame, &context->frame->request.canvas->samples, &instance->technique->shading,
                             state->defines, &state->shader, err);
 }

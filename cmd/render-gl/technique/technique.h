@@ -55,7 +55,7 @@ struct technique {
     uint32_t samples;                     /* default of --samples, a square number; 0: that of the option */
     double tone_scale;                    /* factor for the darkest tone; 0: 1 */
     size_t state_size;                    /* of its state, in bytes; 0: a struct shaded_state */
-    const struct frame_shading *shading;  /* of shaded_prepare and shaded_draw; NULL: it draws otherwise */
+    struct frame_shading shading;         /* of shaded_prepare and shaded_draw; zeroed: it draws otherwise */
 
     /* Fails with HATCH_BAD_INPUT if the scene lacks something that it draws.
      *   patches  one entry per mesh of the scene */
