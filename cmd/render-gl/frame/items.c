@@ -87,30 +87,25 @@ static enum hatch_status compile_below(struct frame *frame, const struct frame_s
     return gpu_program_get(&frame->programs, &stages, pieces ? "#define PIECES 1\n" : "", program, err);
 }
 
-enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
-                                       struct frame_shader *shader, struct hatch_err *err)
+/* Compiles the programs that the items need, or those for the pieces of their near faces. */
+static enum hatch_status compile_all(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                     bool pieces, struct frame_shader *shader, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
-        uint32_t variant = variant_of(frame, shading, i);
+        uint32_t variant = variant_of(frame, shading, i) | (pieces ? FRAME_PIECES : 0u);
+        if (pieces && !hatch_near_item_at(&frame->near.found, i))
+            continue;
         HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
         if (variant & FRAME_OUTLINE)
-            HATCH_TRY(compile_below(frame, shading, false, &shader->below[0], err));
+            HATCH_TRY(compile_below(frame, shading, pieces, &shader->below[pieces], err));
     }
     return HATCH_OK;
 }
 
-static enum hatch_status prepare_pieces(struct frame *frame, const struct frame_shading *shading, const char *defines,
-                                        struct frame_shader *shader, struct hatch_err *err)
+enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                       struct frame_shader *shader, struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
-        uint32_t variant = variant_of(frame, shading, i) | FRAME_PIECES;
-        if (!hatch_near_item_at(&frame->near.found, i))
-            continue;
-        HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
-        if (variant & FRAME_OUTLINE)
-            HATCH_TRY(compile_below(frame, shading, true, &shader->below[1], err));
-    }
-    return HATCH_OK;
+    return compile_all(frame, shading, defines, false, shader, err);
 }
 
 static void use(const struct drawing *drawing, const struct gpu_program *program)
@@ -244,11 +239,11 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     const struct drawing all = {.frame = frame, .shading = shading, .shader = shader};
     uint32_t lapped = count_lapped(frame, shading);
     bool ordinary = lapped < frame->scene->unit.item_count;
-    HATCH_TRY(prepare_pieces(frame, shading, defines, shader, err));
+    HATCH_TRY(compile_all(frame, shading, defines, true, shader, err));
     for (uint32_t i = 0; i < count_passes(shading) && ordinary; i++) {
         const struct frame_item_pass *from = &shading->passes[i];
         const struct frame_pass pass = {
-            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .cull = FRAME_CULL_BACK};
+            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .culls = true};
         frame_pass_begin(&pass);
         draw_all(&all, false, i, false);
         frame_pass_end(&pass, frame->timer);
@@ -256,13 +251,9 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     if (!lapped)
         return HATCH_OK;
     /* Without ordinary items the canvas still shows paper everywhere, so only depth is written. */
-    const struct frame_pass below = {.name = "surface",
-                                     .target = target,
-                                     .depth = FRAME_DEPTH_NEARER,
-                                     .cull = FRAME_CULL_BACK,
-                                     .masks_color = !ordinary};
-    const struct frame_pass patches = {
-        .name = "patches", .target = target, .depth = FRAME_DEPTH_EQUAL, .cull = FRAME_CULL_BACK};
+    const struct frame_pass below = {
+        .name = "surface", .target = target, .depth = FRAME_DEPTH_NEARER, .culls = true, .masks_color = !ordinary};
+    const struct frame_pass patches = {.name = "patches", .target = target, .depth = FRAME_DEPTH_EQUAL, .culls = true};
     frame_pass_begin(&below);
     draw_all(&all, true, 0, true);
     frame_pass_end(&below, frame->timer);

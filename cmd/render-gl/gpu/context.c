@@ -106,6 +106,7 @@ enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct ha
         epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &context->anisotropy_max);
     context->device = (const char *)glGetString(GL_RENDERER);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return HATCH_OK;
 }
 

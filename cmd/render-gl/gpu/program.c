@@ -183,12 +183,10 @@ enum hatch_status gpu_program_get(struct gpu_programs *programs, const struct gp
     while (found && !is_made_of(found, stages, defines))
         found = found->next;
     if (!found) {
-        size_t size = strlen(defines) + 1;
-        char *kept = HATCH_NEW(&programs->keep, char, size, err);
+        char *kept = hatch_arena_text(&programs->keep, defines, strlen(defines), err);
         found = kept ? HATCH_NEW(&programs->keep, struct gpu_program, 1, err) : NULL;
         if (!found)
             return HATCH_LIMIT;
-        memcpy(kept, defines, size);
         if (!programs->no_attributes)
             glCreateVertexArrays(1, &programs->no_attributes);
         *found = (struct gpu_program){

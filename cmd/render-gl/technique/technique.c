@@ -33,7 +33,7 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
     if (instance->tones)
         asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
     else
-        frame_block_set_tones(&frame->block, &(struct frame_tones){.count = 0});
+        frame_block_set_tones(&frame->block, NULL, 0, false);
     enum hatch_status status = frame_begin(frame, request, technique->features & TECHNIQUE_PIECES, err);
     frame->style.curve.high = high;
     HATCH_TRY(status);
