@@ -63,8 +63,7 @@ static void measure(struct job *job, struct probe *probe)
     struct hatch_err err;
     struct canvas canvas;
     struct hatch_view view;
-    struct technique_instance *instance = job_open(job, &probe_technique, &err);
-    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
+    struct technique_instance *instance = job_use(job, &probe_technique);
     job_make_canvas(job, &canvas);
     size_t count = (size_t)canvas.side * canvas.side * canvas.width * canvas.height;
     float *rgba = HATCH_NEW(&job->args.scratch, float, 4 * count, &err);
@@ -141,11 +140,9 @@ void probe_report(struct job *job)
 {
     static const char *const columns[] = {"thing", "index", "value", "unit", NULL};
     struct cmd_report report;
-    struct hatch_err err;
-    struct probe *probe = HATCH_NEW(&job->args.keep, struct probe, 1, &err);
-    cmd_check(probe ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    measure(job, probe);
+    struct probe probe = {.pixels = 0};
+    measure(job, &probe);
     cmd_report_begin(&report, &job->args, columns);
-    report_all(&report, job, probe);
+    report_all(&report, job, &probe);
     cmd_report_write(&report, job->outputs[0]);
 }

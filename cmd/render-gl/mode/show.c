@@ -85,4 +85,4 @@ static const struct technique show_field = {
     .free = free_field,
 };
 
-const struct options_shown show_choices[] = {{"patches", &show_patches}, {"field", &show_field}, {NULL, NULL}};
+const struct technique *const show_techniques[] = {&show_patches, &show_field, NULL};

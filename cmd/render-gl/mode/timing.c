@@ -102,14 +102,6 @@ static void make_series(struct job *job, struct series series[SERIES_MAX])
     }
 }
 
-static struct picture prepare(struct job *job, const struct technique *technique)
-{
-    struct hatch_err err;
-    struct technique_instance *instance = job_open(job, technique, &err);
-    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
-    return job_picture(job, instance);
-}
-
 void timing_report(struct job *job)
 {
     static const char *const columns[] = {"technique",    "span",        "frames",  "gpu_ms",
@@ -119,11 +111,11 @@ void timing_report(struct job *job)
     struct cmd_report report;
     struct gpu_timer timer;
     struct canvas canvas;
-    struct turn turns[3] = {{prepare(job, job->options->technique), false},
-                            {prepare(job, job->options->technique), true},
-                            {prepare(job, technique_find(TECHNIQUE_REFERENCE)), false}};
+    const struct picture picture = job_picture(job, job_use(job, job->options->technique));
+    const struct picture reference = job_picture(job, job_use(job, technique_find(TECHNIQUE_REFERENCE)));
+    struct turn turns[3] = {{picture, false}, {picture, true}, {reference, false}};
     /* The reference has the same feature lines: it differs from the technique in the strokes only. */
-    turns[2].picture.draws_lines = turns[0].picture.draws_lines;
+    turns[2].picture.draws_lines = picture.draws_lines;
     make_series(job, series);
     job_make_canvas(job, &canvas);
     if (canvas.width < job->options->width || canvas.height < job->options->height)

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "math/angle.h"
-#include "render-gl/mode/load.h"
 #include "render-gl/window/window.h"
 
 #define STEP_RAD 0.1     /* turn of the camera per arrow key */
