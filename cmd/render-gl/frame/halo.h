@@ -8,8 +8,6 @@
 #include "render-gl/frame/targets.h"
 #include "view/view.h"
 
-#define HALO_REACH_MAX_PX 64.0
-
 /* Zeroed before the first call. */
 struct halo {
     GLuint buffer;      /* uniform block */
@@ -17,7 +15,7 @@ struct halo {
 };
 
 /* Finds the edges in the canvas's depth, and draws haloes beside them over the canvas's samples. The edges stay bound
- * for shaders until the frame ends. reach_px  width of haloes from an edge, 0.5 .. HALO_REACH_MAX_PX rgb       their
+ * for shaders until the frame ends. reach_px  width of haloes from an edge, 0.5 .. 64 rgb       their
  * colour, linear light targets   supplies the transient targets that hold the edges HATCH_LIMIT when the GPU has no
  * memory for them. */
 enum hatch_status halo_draw(struct halo *halo, const struct canvas *canvas, const struct hatch_view *view,

@@ -200,26 +200,15 @@ enum hatch_status gpu_program_get(struct gpu_programs *programs, const struct gp
 
 enum hatch_status gpu_programs_reload(struct gpu_programs *programs, struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(programs->scratch);
     enum hatch_status status = HATCH_OK;
-    size_t count = 0, made = 0;
-    for (const struct gpu_program *program = programs->first; program; program = program->next)
-        count++;
-    GLuint *fresh = HATCH_NEW(programs->scratch, GLuint, count, err);
-    if (!fresh)
-        return HATCH_LIMIT;
-    for (struct gpu_program *program = programs->first; program && status == HATCH_OK; program = program->next) {
-        status = make(programs, &program->stages, program->defines, &fresh[made], err);
-        made += status == HATCH_OK;
-    }
-    count = 0;
-    for (struct gpu_program *program = programs->first; program && count < made; program = program->next) {
-        GLuint spare = status == HATCH_OK ? program->name : fresh[count];
-        program->name = status == HATCH_OK ? fresh[count] : program->name;
+    for (struct gpu_program *program = programs->first; program && status == HATCH_OK; program = program->next)
+        status = make(programs, &program->stages, program->defines, &program->fresh, err);
+    for (struct gpu_program *program = programs->first; program; program = program->next) {
+        GLuint spare = status == HATCH_OK ? program->name : program->fresh;
+        program->name = status == HATCH_OK ? program->fresh : program->name;
+        program->fresh = 0;
         glDeleteProgram(spare);
-        count++;
     }
-    hatch_arena_rewind(programs->scratch, mark);
     return status;
 }
 

@@ -2,7 +2,6 @@
 #ifndef RENDER_MODE_OPTIONS_H
 #define RENDER_MODE_OPTIONS_H
 
-#include "line/mesh.h"
 #include "render-gl/technique/list.h"
 
 #define OPTIONS_CHANGES_MAX 24u

@@ -1,7 +1,6 @@
 #include "render-gl/scene/material.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "shared/picture.h"
 #include "filter/pyramid.h"
