@@ -1,7 +1,6 @@
 /* render-gl: draws a 3D scene with strokes. */
 #include "render-gl/mode/modes.h"
 #include "render-gl/mode/parse_args.h"
-#include "render-gl/mode/show.h"
 #include "render-gl/window/window.h"
 
 /* Opens the output files before any work, so that a missing or read-only folder is reported at once. */
@@ -27,7 +26,7 @@ static void open_outputs(struct job *job)
 int main(int argc, char **argv)
 {
     static struct job job;
-    job.options = options_read(argc, argv, show_choices, &job.args);
+    job.options = options_read(argc, argv, &job.args);
     params_read(job.options);
     job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);

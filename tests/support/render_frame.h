@@ -45,9 +45,9 @@ static inline const struct technique *frame_technique(const char *name)
     for (uint32_t i = 0; techniques[i]; i++)
         if (strcmp(techniques[i]->name, name) == 0)
             return techniques[i];
-    for (uint32_t i = 0; show_choices[i].name; i++)
-        if (strcmp(show_choices[i].name, name) == 0)
-            return show_choices[i].technique;
+    for (uint32_t i = 0; show_techniques[i]; i++)
+        if (strcmp(show_techniques[i]->name, name) == 0)
+            return show_techniques[i];
     ck_abort_msg("no technique %s", name);
     return NULL;
 }

@@ -45,43 +45,8 @@ bool assets_have(const struct assets *assets, const struct asset_kind *kind)
     return !kind || (assets->asset && kind->is(assets->asset));
 }
 
-enum hatch_status assets_upload(struct assets *assets, const struct asset_kind *kind, struct hatch_arena *scratch,
-                                const struct asset_tones **tones, struct hatch_err *err)
-{
-    size_t i = 0;
-    while (assets->uploaded[i].kind && assets->uploaded[i].kind != kind)
-        i++;
-    assert(i < sizeof assets->uploaded / sizeof *assets->uploaded);
-    if (!assets->uploaded[i].kind)
-        HATCH_TRY(kind->upload(assets->asset, &assets->limits, scratch, &assets->uploaded[i].tones, err));
-    assets->uploaded[i].kind = kind;
-    *tones = &assets->uploaded[i].tones;
-    return HATCH_OK;
-}
-
-void assets_free(struct assets *assets)
-{
-    for (size_t i = 0; i < sizeof assets->uploaded / sizeof *assets->uploaded; i++) {
-        asset_tones_free(&assets->uploaded[i].tones);
-        assets->uploaded[i].kind = NULL;
-    }
-}
-
-void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size)
-{
-    snprintf(text, size, "%s%s%s", tones->layered ? "#define LAYERED 1\n" : "", tones->exact ? "#define EXACT 1\n" : "",
-             anisotropy > 1 && !tones->exact ? "#define ANISOTROPIC 1\n" : "");
-}
-
-void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block)
-{
-    frame_block_set_tones(block, &(struct frame_tones){tones->count, tones->targets, tones->reaches_ink});
-    gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
-    if (anisotropy > 1) /* a bias in the shader would cost software renderers time at every read */
-        glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));
-}
-
-void asset_tones_make_sampler(struct asset_tones *tones, float anisotropy)
+/* Makes the sampler, which repeats along the surface and clamps along tone. */
+static void make_sampler(struct asset_tones *tones, float anisotropy)
 {
     GLint filter = tones->exact ? GL_NEAREST : GL_LINEAR;
     glCreateSamplers(1, &tones->sampler);
@@ -94,9 +59,53 @@ void asset_tones_make_sampler(struct asset_tones *tones, float anisotropy)
         glSamplerParameterf(tones->sampler, GL_TEXTURE_MAX_ANISOTROPY, anisotropy);
 }
 
-void asset_tones_free(struct asset_tones *tones)
+static void free_tones(struct asset_tones *tones)
 {
     glDeleteTextures(1, &tones->texture);
     glDeleteSamplers(1, &tones->sampler);
     *tones = (struct asset_tones){.count = 0};
+}
+
+enum hatch_status assets_upload(struct assets *assets, const struct asset_kind *kind, struct hatch_arena *scratch,
+                                const struct asset_tones **tones, struct hatch_err *err)
+{
+    size_t i = 0;
+    while (assets->uploaded[i].kind && assets->uploaded[i].kind != kind)
+        i++;
+    assert(i < sizeof assets->uploaded / sizeof *assets->uploaded);
+    if (!assets->uploaded[i].kind) {
+        struct asset_tones made = {.count = 0};
+        enum hatch_status status = kind->upload(assets->asset, assets->limits.size_max_px, scratch, &made, err);
+        if (status != HATCH_OK) {
+            free_tones(&made);
+            return status;
+        }
+        make_sampler(&made, assets->limits.anisotropy);
+        assets->uploaded[i].tones = made;
+        assets->uploaded[i].kind = kind;
+    }
+    *tones = &assets->uploaded[i].tones;
+    return HATCH_OK;
+}
+
+void assets_free(struct assets *assets)
+{
+    for (size_t i = 0; i < sizeof assets->uploaded / sizeof *assets->uploaded; i++) {
+        free_tones(&assets->uploaded[i].tones);
+        assets->uploaded[i].kind = NULL;
+    }
+}
+
+void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size)
+{
+    snprintf(text, size, "%s%s%s", tones->layered ? "#define LAYERED 1\n" : "", tones->exact ? "#define EXACT 1\n" : "",
+             anisotropy > 1 && !tones->exact ? "#define ANISOTROPIC 1\n" : "");
+}
+
+void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block)
+{
+    frame_block_set_tones(block, tones->targets, tones->count, tones->reaches_ink);
+    gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
+    if (anisotropy > 1) /* a bias in the shader would cost software renderers time at every read */
+        glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));
 }

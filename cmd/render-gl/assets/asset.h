@@ -37,10 +37,11 @@ struct asset_kind {
     const char *name;                      /* for messages: "a tonal art map (tamgen makes one)" */
     bool (*is)(const struct asset *asset); /* whether the asset is of this kind */
     /* Uploads an asset of this kind.
-     *   tones  out: owned by the caller
+     *   size_max_px  largest side of a texture
+     *   tones        in, out: zeroed before; all but the sampler is set, on failure what has been made
      * HATCH_LIMIT when the GPU's textures or memory are too small. */
-    enum hatch_status (*upload)(const struct asset *asset, const struct asset_limits *limits,
-                                struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err);
+    enum hatch_status (*upload)(const struct asset *asset, uint32_t size_max_px, struct hatch_arena *scratch,
+                                struct asset_tones *tones, struct hatch_err *err);
 };
 
 extern const struct asset_kind asset_six_columns; /* a map as up to six grey columns, in two layers of four channels */
@@ -94,12 +95,5 @@ void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char
  *   side        samples along a pixel's side; the mip level is that of the whole pixel, so that strokes keep their
  *               width whatever the number of samples */
 void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block);
-
-/* Makes the sampler, which repeats along the surface and clamps along tone. For upload functions.
- *   tones  exact is set */
-void asset_tones_make_sampler(struct asset_tones *tones, float anisotropy);
-
-/* Releases texture and sampler; leaves *tones zeroed. */
-void asset_tones_free(struct asset_tones *tones);
 
 #endif

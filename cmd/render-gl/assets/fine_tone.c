@@ -61,7 +61,6 @@ static enum hatch_status upload_runs(const struct asset *asset, struct asset_ton
     for (uint32_t i = 0; i < exact->columns; i++)
         tones->targets[i] = hatch_exact_tone(exact, i);
     tones->texture = gpu_texture_2d(GL_R32UI, texels->width, texels->height);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(tones->texture, 0, 0, 0, (GLsizei)texels->width, (GLsizei)texels->height, GL_RED_INTEGER,
                         GL_UNSIGNED_INT, texels->texels[0]);
     return gpu_check_memory(err, "%u rows of exact runs", texels->height);
@@ -78,25 +77,19 @@ static enum hatch_status upload_texels(const struct asset *asset, struct asset_t
                                       format_of(texels), texels->width, texels->height, slices);
     if (texels->channels == 1)
         gpu_texture_read_grey(tones->texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (uint32_t level = 0; level < texels->level_count; level++)
         upload_level(texels, level, tones->texture);
     return gpu_check_memory(err, "a texture %u texels wide and %u deep", texels->width, slices);
 }
 
-static enum hatch_status upload(const struct asset *asset, const struct asset_limits *limits,
-                                struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+static enum hatch_status upload(const struct asset *asset, uint32_t size_max_px, struct hatch_arena *scratch,
+                                struct asset_tones *tones, struct hatch_err *err)
 {
-    struct asset_tones made = {.reaches_ink = asset->texture.darkest >= 1};
+    (void)size_max_px;
     (void)scratch;
-    enum hatch_status status =
-        asset->texture.holds == TONE_TEXTURE_RUNS ? upload_runs(asset, &made, err) : upload_texels(asset, &made, err);
-    asset_tones_make_sampler(&made, limits->anisotropy);
-    if (status == HATCH_OK)
-        *tones = made;
-    else
-        asset_tones_free(&made);
-    return status;
+    tones->reaches_ink = asset->texture.darkest >= 1;
+    return asset->texture.holds == TONE_TEXTURE_RUNS ? upload_runs(asset, tones, err)
+                                                     : upload_texels(asset, tones, err);
 }
 
 static bool is_volume(const struct asset *asset)

@@ -61,7 +61,6 @@ struct form {
 static enum hatch_status fill_layers(const struct hatch_tam *map, const struct form *form, GLuint texture,
                                      struct hatch_arena *scratch, struct hatch_err *err)
 {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (uint32_t layer = 0; layer < form->layers; layer++)
         for (uint32_t level = 0; level < map->columns[0].level_count; level++) {
             struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -78,43 +77,37 @@ static enum hatch_status fill_layers(const struct hatch_tam *map, const struct f
     return HATCH_OK;
 }
 
-static enum hatch_status upload(const struct hatch_tam *map, const struct form *form, const struct asset_limits *limits,
+static enum hatch_status upload(const struct hatch_tam *map, const struct form *form, uint32_t size_max_px,
                                 struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
 {
-    struct asset_tones made = {.layered = true, .count = form->count};
-    if (map->size_px > limits->size_max_px)
+    tones->layered = true;
+    tones->count = form->count;
+    if (map->size_px > size_max_px)
         return hatch_fail(err, HATCH_LIMIT, "the map is %u texels wide, the GPU's limit is %u", map->size_px,
-                          limits->size_max_px);
+                          size_max_px);
     for (uint32_t i = 0; i < form->count; i++)
-        made.targets[i] = map->target[chosen_column(map, form->count, i)];
-    made.texture = gpu_texture_make(GL_TEXTURE_2D_ARRAY, (GLsizei)map->columns[0].level_count,
-                                    form->channels == 1 ? GL_R8 : GL_RGBA8, map->size_px, map->size_px, form->layers);
+        tones->targets[i] = map->target[chosen_column(map, form->count, i)];
+    tones->texture = gpu_texture_make(GL_TEXTURE_2D_ARRAY, (GLsizei)map->columns[0].level_count,
+                                      form->channels == 1 ? GL_R8 : GL_RGBA8, map->size_px, map->size_px, form->layers);
     if (form->channels == 1)
-        gpu_texture_read_grey(made.texture);
-    asset_tones_make_sampler(&made, limits->anisotropy);
-    enum hatch_status status = fill_layers(map, form, made.texture, scratch, err);
-    if (status == HATCH_OK)
-        status = gpu_check_memory(err, "%u columns of %u texels", form->count, map->size_px);
-    if (status == HATCH_OK)
-        *tones = made;
-    else
-        asset_tones_free(&made);
-    return status;
+        gpu_texture_read_grey(tones->texture);
+    HATCH_TRY(fill_layers(map, form, tones->texture, scratch, err));
+    return gpu_check_memory(err, "%u columns of %u texels", form->count, map->size_px);
 }
 
-static enum hatch_status upload_six(const struct asset *asset, const struct asset_limits *limits,
-                                    struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+static enum hatch_status upload_six(const struct asset *asset, uint32_t size_max_px, struct hatch_arena *scratch,
+                                    struct asset_tones *tones, struct hatch_err *err)
 {
     uint32_t count = asset->map.tones < ASSET_SIX_COLUMNS_MAX ? asset->map.tones : ASSET_SIX_COLUMNS_MAX;
-    return upload(&asset->map, &(struct form){count, 2, 4, fill_six}, limits, scratch, tones, err);
+    return upload(&asset->map, &(struct form){count, 2, 4, fill_six}, size_max_px, scratch, tones, err);
 }
 
-static enum hatch_status upload_columns(const struct asset *asset, const struct asset_limits *limits,
-                                        struct hatch_arena *scratch, struct asset_tones *tones, struct hatch_err *err)
+static enum hatch_status upload_columns(const struct asset *asset, uint32_t size_max_px, struct hatch_arena *scratch,
+                                        struct asset_tones *tones, struct hatch_err *err)
 {
     const struct hatch_tam *map = &asset->map;
-    return upload(map, &(struct form){map->tones, map->tones, map->color ? 4 : 1, fill_column}, limits, scratch, tones,
-                  err);
+    return upload(map, &(struct form){map->tones, map->tones, map->color ? 4 : 1, fill_column}, size_max_px, scratch,
+                  tones, err);
 }
 
 #define MAP_NAME "a tonal art map (tamgen makes one)"

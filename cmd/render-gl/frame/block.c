@@ -24,17 +24,17 @@ void frame_block_set_curve(struct frame_block *block, const struct frame_curve *
     block->shade[3] = (float)curve->shininess;
 }
 
-void frame_block_set_tones(struct frame_block *block, const struct frame_tones *tones)
+void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, bool reaches_ink)
 {
-    block->counts[1] = (int32_t)tones->count;
-    block->counts[3] = tones->reaches_ink;
-    for (uint32_t i = 0; i < tones->count; i++) {
-        float begin = i ? tones->targets[i - 1] : 0.0f;
-        block->targets[i / 4][i % 4] = tones->targets[i];
+    block->counts[1] = (int32_t)count;
+    block->counts[3] = reaches_ink;
+    for (uint32_t i = 0; i < count; i++) {
+        float begin = i ? targets[i - 1] : 0.0f;
+        block->targets[i / 4][i % 4] = targets[i];
         if (i >= 6)
             continue;
         block->ramp_low[i / 3][i % 3] = begin;
-        block->ramp_scale[i / 3][i % 3] = 1.0f / fmaxf(tones->targets[i] - begin, 1e-6f);
+        block->ramp_scale[i / 3][i % 3] = 1.0f / fmaxf(targets[i] - begin, 1e-6f);
     }
 }
 

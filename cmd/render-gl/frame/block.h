@@ -23,13 +23,6 @@ struct frame_curve {
     double exposure;  /* factor for the scene's lights, over 0 */
 };
 
-/* Tones of the asset that strokes are read from. Zeroed: none. */
-struct frame_tones {
-    uint32_t count;       /* at most FRAME_TONES_MAX */
-    const float *targets; /* tone of each, rising; count entries */
-    bool reaches_ink;     /* the darkest tone is all ink */
-};
-
 /* std140 layout; the same as block Frame of shaders/frame/frame.glsl. */
 struct frame_block {
     float clip_from_unit[16]; /* from the unit scene to clip space; column-major */
@@ -51,10 +44,15 @@ enum frame_ink_mode {
     FRAME_INK_BOTH = 2      /* two inks */
 };
 
-/* Write the values into the block's members; tones also into ramp_low and ramp_scale. */
+/* Write the values into the block's members. */
 void frame_block_set_inks(struct frame_block *block, const struct frame_inks *inks);
 void frame_block_set_curve(struct frame_block *block, const struct frame_curve *curve);
-void frame_block_set_tones(struct frame_block *block, const struct frame_tones *tones);
+
+/* Sets the tones of the asset that strokes are read from.
+ *   targets      tone of each, rising
+ *   count        at most FRAME_TONES_MAX; 0: none
+ *   reaches_ink  the darkest tone is all ink */
+void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, bool reaches_ink);
 
 /* Sets how strokes lie on surfaces.
  *   turn_rad  counter-clockwise, seen from outside

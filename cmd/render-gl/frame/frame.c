@@ -2,24 +2,8 @@
 
 #include <math.h>
 
-#include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
-
-static enum hatch_status draw_shadows(struct frame *frame, struct hatch_err *err)
-{
-    struct shadow *shadow = &frame->shadow;
-    HATCH_TRY(shadow_prepare(shadow, &frame->programs, err));
-    HATCH_TRY(shadow_begin(shadow, &frame->block, frame->scene, frame->style.shadow_edge, err));
-    for (uint32_t layer = 0; layer < shadow->layers && !shadow->drawn; layer++) {
-        shadow_begin_layer(shadow, layer);
-        frame_draw_depths(frame->scene, shadow->draw);
-    }
-    shadow->drawn = true;
-    shadow_use(shadow);
-    gpu_timer_end_pass(frame->timer, "shadows");
-    return HATCH_OK;
-}
 
 static void clear(const struct frame *frame)
 {
@@ -54,8 +38,10 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
     block->counts[0] = (int32_t)hatch_lights_fill(&unit->pose, &unit->bounds, &frame->view, &style->light,
                                                   style->curve.exposure, block->lights);
     gpu_block_update(&frame->block_buffer, BLOCK_FRAME, block, sizeof *block);
-    if (style->shadows)
-        HATCH_TRY(draw_shadows(frame, err));
+    if (style->shadows) {
+        HATCH_TRY(shadow_draw(&frame->shadow, block, frame->scene, style->shadow_edge, &frame->programs, err));
+        gpu_timer_end_pass(frame->timer, "shadows");
+    }
     clear(frame);
     return HATCH_OK;
 }
@@ -77,9 +63,8 @@ enum hatch_status frame_end(struct frame *frame, bool haloes, struct hatch_err *
     const struct canvas *canvas = frame->request.canvas;
     if (frame->style.halo_px > 0 && haloes) {
         double reach_px = halo_reach_px(frame, frame->request.line_px);
-        HATCH_TRY(halo_prepare(&frame->halo, &frame->programs, err));
-        HATCH_TRY(halo_find(&frame->halo, canvas, &frame->view, reach_px, &frame->targets, err));
-        halo_draw(&frame->halo, canvas, frame->request.background);
+        HATCH_TRY(halo_draw(&frame->halo, canvas, &frame->view, reach_px, frame->request.background, &frame->programs,
+                            &frame->targets, err));
         gpu_timer_end_pass(frame->timer, "haloes");
     }
     canvas_resolve(canvas);

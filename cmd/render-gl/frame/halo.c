@@ -20,29 +20,21 @@ struct halo_block {
         depth[4]; /* factors that turn differences and ratios of depth into half heights of the picture; JUMP_MIN; 0 */
 };
 
-enum hatch_status halo_prepare(struct halo *halo, struct gpu_programs *programs, struct hatch_err *err)
-{
-    static const struct gpu_stages cells = {.vertex = "canvas/screen.vert", .fragment = "halo/cells.frag"};
-    static const struct gpu_stages blocks = {.vertex = "canvas/screen.vert", .fragment = "halo/blocks.frag"};
-    static const struct gpu_stages cover = {.vertex = "halo/halo.vert", .fragment = "halo/halo.frag"};
-    static const char defines[] = "#define HALOES 1\n";
-    if (!halo->framebuffer)
-        glCreateFramebuffers(1, &halo->framebuffer);
-    HATCH_TRY(gpu_program_get(programs, &cells, defines, &halo->find_cells, err));
-    HATCH_TRY(gpu_program_get(programs, &blocks, defines, &halo->find_blocks, err));
-    return gpu_program_get(programs, &cover, defines, &halo->cover, err);
-}
+static const char defines[] = "#define HALOES 1\n";
 
 static uint32_t divide_rounding_up(uint32_t whole, uint32_t part)
 {
     return (whole + part - 1) / part;
 }
 
-/* Draws a transient target from the textures that are bound, and binds it to a unit. */
-static enum hatch_status reduce(const struct gpu_program *program, const struct gpu_target_form *form, GLuint unit,
-                                struct frame_targets *targets, struct hatch_err *err)
+/* Draws a transient target from the textures that are bound, by a shader that finds edges, and binds it to a unit. */
+static enum hatch_status reduce(const char *fragment, const struct gpu_target_form *form, GLuint unit,
+                                struct gpu_programs *programs, struct frame_targets *targets, struct hatch_err *err)
 {
+    const struct gpu_stages stages = {.vertex = "canvas/screen.vert", .fragment = fragment};
+    const struct gpu_program *program;
     const struct gpu_target *target;
+    HATCH_TRY(gpu_program_get(programs, &stages, defines, &program, err));
     HATCH_TRY(frame_target(targets, form, &target, err));
     frame_pass_begin(&(struct frame_pass){.target = target});
     frame_pass_screen(program);
@@ -50,9 +42,25 @@ static enum hatch_status reduce(const struct gpu_program *program, const struct 
     return HATCH_OK;
 }
 
-enum hatch_status halo_find(struct halo *halo, const struct canvas *canvas, const struct hatch_view *view,
-                            double reach_px, struct frame_targets *targets, struct hatch_err *err)
+/* Covers the canvas within the width of the edges found, without its depth, which shaders read. */
+static void cover(struct halo *halo, const struct canvas *canvas, const struct gpu_program *program, const float rgb[3],
+                  uint32_t blocks)
 {
+    struct gpu_target colors = canvas->samples;
+    if (!halo->framebuffer)
+        glCreateFramebuffers(1, &halo->framebuffer);
+    colors.framebuffer = halo->framebuffer;
+    glNamedFramebufferTexture(colors.framebuffer, GL_COLOR_ATTACHMENT0, colors.outputs[0], 0);
+    frame_pass_begin(&(struct frame_pass){.target = &colors, .blend = FRAME_BLEND_OVER_COLOR});
+    glProgramUniform3fv(program->name, UNIFORM_A, 1, rgb);
+    frame_pass_quads(program, 0, (GLsizei)blocks);
+}
+
+enum hatch_status halo_draw(struct halo *halo, const struct canvas *canvas, const struct hatch_view *view,
+                            double reach_px, const float rgb[3], struct gpu_programs *programs,
+                            struct frame_targets *targets, struct hatch_err *err)
+{
+    static const struct gpu_stages stages = {.vertex = "halo/halo.vert", .fragment = "halo/halo.frag"};
     double reach = reach_px * canvas->side, half = 1 / view->half_height;
     uint32_t cell = (uint32_t)fmax(canvas->side, ceil(reach / REACH_MAX_CELLS));
     const struct gpu_target_form cells = {.width = divide_rounding_up(canvas->samples.form.width, cell),
@@ -64,21 +72,14 @@ enum hatch_status halo_find(struct halo *halo, const struct canvas *canvas, cons
     const struct halo_block block = {.sizes = {(float)reach, (float)cell, (float)canvas->side, 0},
                                      .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
                                                view->orthographic ? 0.0f : (float)half, (float)JUMP_MIN, 0}};
+    const struct gpu_program *program;
+    HATCH_TRY(gpu_program_get(programs, &stages, defines, &program, err));
     gpu_block_update(&halo->buffer, BLOCK_HALOES, &block, sizeof block);
     gpu_texture_bind(UNIT_HALO_DEPTHS, canvas->samples.depth, 0);
-    HATCH_TRY(reduce(halo->find_cells, &cells, UNIT_HALO_CELLS, targets, err));
-    halo->block_count = blocks.width * blocks.height;
-    return reduce(halo->find_blocks, &blocks, UNIT_HALO_BLOCKS, targets, err);
-}
-
-void halo_draw(const struct halo *halo, const struct canvas *canvas, const float rgb[3])
-{
-    struct gpu_target colors = canvas->samples;
-    colors.framebuffer = halo->framebuffer;
-    glNamedFramebufferTexture(colors.framebuffer, GL_COLOR_ATTACHMENT0, colors.outputs[0], 0);
-    frame_pass_begin(&(struct frame_pass){.target = &colors, .blend = FRAME_BLEND_OVER_COLOR});
-    glProgramUniform3fv(halo->cover->name, UNIFORM_A, 1, rgb);
-    frame_pass_quads(halo->cover, 0, (GLsizei)halo->block_count);
+    HATCH_TRY(reduce("halo/cells.frag", &cells, UNIT_HALO_CELLS, programs, targets, err));
+    HATCH_TRY(reduce("halo/blocks.frag", &blocks, UNIT_HALO_BLOCKS, programs, targets, err));
+    cover(halo, canvas, program, rgb, blocks.width * blocks.height);
+    return HATCH_OK;
 }
 
 void halo_free(struct halo *halo)

@@ -32,6 +32,14 @@ static uint32_t variant_of(const struct frame *frame, const struct frame_shading
     return variant;
 }
 
+static uint32_t count_passes(const struct frame_shading *shading)
+{
+    uint32_t count = 0;
+    while (count < FRAME_PASSES_MAX && shading->passes[count].name)
+        count++;
+    return count;
+}
+
 static struct drawing drawing_of(const struct frame *frame, const struct frame_shading *shading,
                                  const struct frame_shader *shader, uint32_t index)
 {
@@ -55,7 +63,7 @@ static enum hatch_status compile(struct frame *frame, const struct frame_shading
     char all[512];
     if (*program)
         return HATCH_OK;
-    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines, defines,
+    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines ? shading->defines : "", defines,
              pixel_light ? "#define PIXEL_LIGHT 1\n" : "", style->shadows ? "#define SHADOWS 1\n" : "",
              hatch_lights_are_key_alone(frame->scene->unit.scene, &style->light) ? "#define SUN 1\n" : "",
              style->curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "", style->inks.two ? "#define TWO_INKS 1\n" : "",
@@ -79,30 +87,25 @@ static enum hatch_status compile_below(struct frame *frame, const struct frame_s
     return gpu_program_get(&frame->programs, &stages, pieces ? "#define PIECES 1\n" : "", program, err);
 }
 
-enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
-                                       struct frame_shader *shader, struct hatch_err *err)
+/* Compiles the programs that the items need, or those for the pieces of their near faces. */
+static enum hatch_status compile_all(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                     bool pieces, struct frame_shader *shader, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
-        uint32_t variant = variant_of(frame, shading, i);
+        uint32_t variant = variant_of(frame, shading, i) | (pieces ? FRAME_PIECES : 0u);
+        if (pieces && !hatch_near_item_at(&frame->near.found, i))
+            continue;
         HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
         if (variant & FRAME_OUTLINE)
-            HATCH_TRY(compile_below(frame, shading, false, &shader->below[0], err));
+            HATCH_TRY(compile_below(frame, shading, pieces, &shader->below[pieces], err));
     }
     return HATCH_OK;
 }
 
-static enum hatch_status prepare_pieces(struct frame *frame, const struct frame_shading *shading, const char *defines,
-                                        struct frame_shader *shader, struct hatch_err *err)
+enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_shading *shading, const char *defines,
+                                       struct frame_shader *shader, struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
-        uint32_t variant = variant_of(frame, shading, i) | FRAME_PIECES;
-        if (!hatch_near_item_at(&frame->near.found, i))
-            continue;
-        HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
-        if (variant & FRAME_OUTLINE)
-            HATCH_TRY(compile_below(frame, shading, true, &shader->below[1], err));
-    }
-    return HATCH_OK;
+    return compile_all(frame, shading, defines, false, shader, err);
 }
 
 static void use(const struct drawing *drawing, const struct gpu_program *program)
@@ -168,7 +171,7 @@ static void draw_patches_in_passes(const struct drawing *drawing)
         uint32_t end = patches->layer_end[layer];
         const struct frame_part part = {
             .vertex_array = drawing->item->vertex_array, .first = begin, .count = end - begin};
-        for (uint32_t pass = 0; pass < drawing->shading->pass_count; pass++) {
+        for (uint32_t pass = 0; pass < count_passes(drawing->shading); pass++) {
             frame_pass_blend(pass == 0   ? FRAME_BLEND_SET_ALPHA
                              : pass == 1 ? FRAME_BLEND_UNDER_ALPHA
                                          : FRAME_BLEND_ADD_UNDER_ALPHA);
@@ -181,7 +184,7 @@ static void draw_patches_in_passes(const struct drawing *drawing)
 static void draw_patches(const struct drawing *drawing)
 {
     use(drawing, drawing->shader->programs[drawing->variant]);
-    if (drawing->shading->pass_count == 1)
+    if (count_passes(drawing->shading) == 1)
         draw_patches_at_once(drawing);
     else
         draw_patches_in_passes(drawing);
@@ -236,11 +239,11 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     const struct drawing all = {.frame = frame, .shading = shading, .shader = shader};
     uint32_t lapped = count_lapped(frame, shading);
     bool ordinary = lapped < frame->scene->unit.item_count;
-    HATCH_TRY(prepare_pieces(frame, shading, defines, shader, err));
-    for (uint32_t i = 0; i < shading->pass_count && ordinary; i++) {
+    HATCH_TRY(compile_all(frame, shading, defines, true, shader, err));
+    for (uint32_t i = 0; i < count_passes(shading) && ordinary; i++) {
         const struct frame_item_pass *from = &shading->passes[i];
         const struct frame_pass pass = {
-            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .cull = FRAME_CULL_BACK};
+            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .culls = true};
         frame_pass_begin(&pass);
         draw_all(&all, false, i, false);
         frame_pass_end(&pass, frame->timer);
@@ -248,13 +251,9 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     if (!lapped)
         return HATCH_OK;
     /* Without ordinary items the canvas still shows paper everywhere, so only depth is written. */
-    const struct frame_pass below = {.name = "surface",
-                                     .target = target,
-                                     .depth = FRAME_DEPTH_NEARER,
-                                     .cull = FRAME_CULL_BACK,
-                                     .masks_color = !ordinary};
-    const struct frame_pass patches = {
-        .name = "patches", .target = target, .depth = FRAME_DEPTH_EQUAL, .cull = FRAME_CULL_BACK};
+    const struct frame_pass below = {
+        .name = "surface", .target = target, .depth = FRAME_DEPTH_NEARER, .culls = true, .masks_color = !ordinary};
+    const struct frame_pass patches = {.name = "patches", .target = target, .depth = FRAME_DEPTH_EQUAL, .culls = true};
     frame_pass_begin(&below);
     draw_all(&all, true, 0, true);
     frame_pass_end(&below, frame->timer);

@@ -28,12 +28,11 @@ struct frame_item_pass {
  * PIECES that the style and the item require. */
 struct frame_shading {
     struct gpu_stages stages;
-    const char *defines; /* lines before each stage, "" for none */
+    const char *defines; /* lines before each stage, NULL: none */
     bool pixel_light;    /* the shaders support PIXEL_LIGHT */
     bool pieces;         /* the shaders support PIECES: near faces are drawn as pieces, and normal maps are not used */
     enum frame_patches patches;
-    uint32_t pass_count; /* 1 .. FRAME_PASSES_MAX */
-    struct frame_item_pass passes[FRAME_PASSES_MAX];
+    struct frame_item_pass passes[FRAME_PASSES_MAX]; /* ended by one without a name, if fewer */
 };
 
 /* Features of an item that need a program of their own; bits. FRAME_OUTLINE excludes FRAME_TONE and FRAME_HOLES;

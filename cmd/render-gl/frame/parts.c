@@ -40,14 +40,3 @@ struct frame_part frame_part_of_surface(const struct scene *scene, uint32_t inde
                                .count = 3 * mesh->surface->face_count,
                                .cut = near ? &near->surface : NULL};
 }
-
-void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2])
-{
-    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
-        const struct hatch_item *unit = &scene->unit.items[i];
-        const struct scene_item *item = &scene->items[i];
-        bool holes = !scene->unit.meshes[unit->mesh].patches && item->base_texture && unit->alpha_cutoff > 0;
-        frame_use_item(scene, i, item->base_lightness, programs[holes]);
-        frame_part_draw(frame_part_of_surface(scene, i, NULL));
-    }
-}

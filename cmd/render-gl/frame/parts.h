@@ -27,8 +27,4 @@ struct frame_part frame_part_of_surface(const struct scene *scene, uint32_t inde
 /* Draws a part with the program in use. */
 void frame_part_draw(struct frame_part part);
 
-/* Draws the surfaces of all items into the depth of the current pass.
- *   programs  for items without holes, for items with holes */
-void frame_draw_depths(const struct scene *scene, const struct gpu_program *const programs[2]);
-
 #endif

@@ -1,10 +1,19 @@
 #include "render-gl/frame/pass.h"
 
+static void enable(GLenum capability, bool enabled)
+{
+    if (enabled)
+        glEnable(capability);
+    else
+        glDisable(capability);
+}
+
 void frame_pass_blend(enum frame_blend blend)
 {
     static const struct {
         GLenum equation, color_from, color_to, alpha_from, alpha_to;
     } ways[] = {
+        [FRAME_BLEND_REPLACE] = {GL_FUNC_ADD, GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
         [FRAME_BLEND_OVER] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
         [FRAME_BLEND_OVER_COLOR] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
         [FRAME_BLEND_ADD] = {GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
@@ -12,11 +21,7 @@ void frame_pass_blend(enum frame_blend blend)
         [FRAME_BLEND_SET_ALPHA] = {GL_FUNC_ADD, GL_ZERO, GL_ONE, GL_ONE, GL_ZERO},
         [FRAME_BLEND_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_ONE},
         [FRAME_BLEND_ADD_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE}};
-    if (blend == FRAME_BLEND_REPLACE) {
-        glDisable(GL_BLEND);
-        return;
-    }
-    glEnable(GL_BLEND);
+    enable(GL_BLEND, blend != FRAME_BLEND_REPLACE);
     glBlendEquation(ways[blend].equation);
     glBlendFuncSeparate(ways[blend].color_from, ways[blend].color_to, ways[blend].alpha_from, ways[blend].alpha_to);
 }
@@ -24,23 +29,9 @@ void frame_pass_blend(enum frame_blend blend)
 static void set_depth(enum frame_depth depth)
 {
     static const GLenum ways[] = {GL_ALWAYS, GL_GREATER, GL_EQUAL, GL_GREATER, GL_LESS};
-    if (depth == FRAME_DEPTH_NONE) {
-        glDisable(GL_DEPTH_TEST);
-        return;
-    }
-    glEnable(GL_DEPTH_TEST);
+    enable(GL_DEPTH_TEST, depth != FRAME_DEPTH_NONE);
     glDepthFunc(ways[depth]);
     glDepthMask(depth == FRAME_DEPTH_NEARER || depth == FRAME_DEPTH_LOWER ? GL_TRUE : GL_FALSE);
-}
-
-static void set_cull(enum frame_cull cull)
-{
-    if (cull == FRAME_CULL_NONE) {
-        glDisable(GL_CULL_FACE);
-        return;
-    }
-    glEnable(GL_CULL_FACE);
-    glCullFace(cull == FRAME_CULL_FRONT ? GL_FRONT : GL_BACK);
 }
 
 void frame_pass_begin(const struct frame_pass *pass)
@@ -59,7 +50,8 @@ void frame_pass_begin(const struct frame_pass *pass)
     glColorMask(colors, colors, colors, colors);
     frame_pass_blend(pass->blend);
     set_depth(pass->depth);
-    set_cull(pass->cull);
+    enable(GL_CULL_FACE, pass->culls);
+    glCullFace(GL_BACK);
 }
 
 void frame_pass_screen(const struct gpu_program *program)
@@ -83,6 +75,8 @@ void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)
 
 void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer)
 {
-    gpu_dispatch(dispatch->program, dispatch->groups, dispatch->barrier);
+    glUseProgram(dispatch->program->name);
+    glDispatchCompute(dispatch->groups[0], dispatch->groups[1], dispatch->groups[2]);
+    glMemoryBarrier(dispatch->barrier);
     gpu_timer_end_pass(timer, dispatch->name);
 }

@@ -3,7 +3,7 @@
 #ifndef RENDER_FRAME_PASS_H
 #define RENDER_FRAME_PASS_H
 
-#include "render-gl/gpu/compute.h"
+#include "render-gl/gpu/program.h"
 #include "render-gl/gpu/target.h"
 #include "render-gl/gpu/timer.h"
 
@@ -28,14 +28,12 @@ enum frame_depth {
     FRAME_DEPTH_LOWER   /* draws where depth is lower, and writes it: for shadow maps, where 0 is near */
 };
 
-enum frame_cull { FRAME_CULL_NONE, FRAME_CULL_BACK, FRAME_CULL_FRONT };
-
 struct frame_pass {
     const char *name;                /* in the report of --time */
     const struct gpu_target *target; /* kept by reference until the pass ends */
     enum frame_blend blend;
     enum frame_depth depth;
-    enum frame_cull cull;
+    bool culls;               /* back faces are not drawn */
     bool masks_color;         /* colour and alpha are not written */
     const float *clear;       /* 4 numbers to which output 0 is cleared first; NULL: not cleared */
     const float *clear_depth; /* depth is cleared to this first; NULL: not cleared */

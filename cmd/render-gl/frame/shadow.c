@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "math/vector.h"
+#include "render-gl/frame/parts.h"
+#include "render-gl/frame/pass.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
@@ -19,15 +21,6 @@
 #define EDGE_PX 13.0 /* smallest width of soft edges in texels of a map: fewer would leave gaps between the reads */
 
 static const GLuint units[2] = {UNIT_SHADOWS, UNIT_SHADOW_TEXELS};
-
-enum hatch_status shadow_prepare(struct shadow *shadow, struct gpu_programs *programs, struct hatch_err *err)
-{
-    static const struct gpu_stages stages = {.vertex = "shadow/shadow.vert", .fragment = "shadow/shadow.frag"};
-    static const char *const defines[2] = {"", "#define BASE_TEXTURE 1\n#define BASE_HOLES 1\n"};
-    for (int holes = 0; holes < 2; holes++)
-        HATCH_TRY(gpu_program_get(programs, &stages, defines[holes], &shadow->draw[holes], err));
-    return HATCH_OK;
-}
 
 /* Projection of a map. A lamp is a point light or spot; other lights are directional. */
 struct lens {
@@ -187,7 +180,9 @@ static void make_state(struct shadow *shadow)
     glNamedFramebufferDrawBuffer(shadow->framebuffer, GL_NONE);
 }
 
-enum hatch_status shadow_begin(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
+/* Assigns layers to a frame's lights and updates the uniform block. Clears `drawn` if lights or pose differ from those
+ * of the last call. */
+static enum hatch_status begin(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
                                double width, struct hatch_err *err)
 {
     uint32_t size_px = SIZE_MIN_PX, layers = shadow->layers, pose_number = scene->unit.pose_number;
@@ -214,21 +209,40 @@ enum hatch_status shadow_begin(struct shadow *shadow, const struct frame_block *
     return HATCH_OK;
 }
 
-void shadow_begin_layer(const struct shadow *shadow, uint32_t layer)
+/* Draws the surfaces of all items into a layer. */
+static void draw_layer(const struct shadow *shadow, const struct scene *scene,
+                       const struct gpu_program *const programs[2], uint32_t layer)
 {
     static const float far = 1.0f;
     const struct gpu_target target = {.form = {.width = shadow->size_px, .height = shadow->size_px},
                                       .framebuffer = shadow->framebuffer};
     glNamedFramebufferTextureLayer(shadow->framebuffer, GL_DEPTH_ATTACHMENT, shadow->maps, 0, (GLint)layer);
     frame_pass_begin(&(struct frame_pass){.target = &target, .depth = FRAME_DEPTH_LOWER, .clear_depth = &far});
-    for (int holes = 0; holes < 2; holes++)
-        glProgramUniform1i(shadow->draw[holes]->name, UNIFORM_LAYER, (GLint)layer);
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const struct hatch_item *unit = &scene->unit.items[i];
+        const struct scene_item *item = &scene->items[i];
+        bool holes = !scene->unit.meshes[unit->mesh].patches && item->base_texture && unit->alpha_cutoff > 0;
+        frame_use_item(scene, i, item->base_lightness, programs[holes]);
+        glUniform1i(UNIFORM_LAYER, (GLint)layer);
+        frame_part_draw(frame_part_of_surface(scene, i, NULL));
+    }
 }
 
-void shadow_use(const struct shadow *shadow)
+enum hatch_status shadow_draw(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
+                              double width, struct gpu_programs *programs, struct hatch_err *err)
 {
+    static const struct gpu_stages stages = {.vertex = "shadow/shadow.vert", .fragment = "shadow/shadow.frag"};
+    static const char *const defines[2] = {"", "#define BASE_TEXTURE 1\n#define BASE_HOLES 1\n"};
+    const struct gpu_program *draw[2]; /* for items without and with holes */
+    for (int holes = 0; holes < 2; holes++)
+        HATCH_TRY(gpu_program_get(programs, &stages, defines[holes], &draw[holes], err));
+    HATCH_TRY(begin(shadow, frame, scene, width, err));
+    for (uint32_t layer = 0; layer < shadow->layers && !shadow->drawn; layer++)
+        draw_layer(shadow, scene, draw, layer);
+    shadow->drawn = true;
     for (int i = 0; i < 2; i++)
         gpu_texture_bind(units[i], shadow->maps, shadow->samplers[i]);
+    return HATCH_OK;
 }
 
 void shadow_free(struct shadow *shadow)

@@ -4,7 +4,7 @@
 #define RENDER_FRAME_SHADOW_H
 
 #include "render-gl/frame/block.h"
-#include "render-gl/frame/pass.h"
+#include "render-gl/gpu/program.h"
 #include "render-gl/scene/scene.h"
 
 #define SHADOW_LAYERS_MAX 24u /* a directional light or narrow spot uses one layer, any other light six */
@@ -19,34 +19,23 @@ struct shadow_block {
 
 /* Zeroed before the first call. */
 struct shadow {
-    const struct gpu_program *draw[2]; /* for items without and with holes; NULL until shadow_prepare */
-    GLuint maps;                       /* depth texture, 2D array */
-    GLuint framebuffer, buffer;        /* buffer: the uniform block */
-    GLuint samplers[2];                /* both compare depth; the first filters, the second reads single texels */
-    uint32_t size_px;                  /* side of a map */
-    uint32_t layers;                   /* layers in use */
-    uint32_t pose_number;              /* pose of the scene that the maps show */
-    bool drawn;                        /* the maps are up to date */
+    GLuint maps;                /* depth texture, 2D array */
+    GLuint framebuffer, buffer; /* buffer: the uniform block */
+    GLuint samplers[2];         /* both compare depth; the first filters, the second reads single texels */
+    uint32_t size_px;           /* side of a map */
+    uint32_t layers;            /* layers in use */
+    uint32_t pose_number;       /* pose of the scene that the maps show */
+    bool drawn;                 /* the maps are up to date */
     struct shadow_block block;
 };
 
-/* Compiles the programs. Repeated calls return at once. */
-enum hatch_status shadow_prepare(struct shadow *shadow, struct gpu_programs *programs,
-                                 struct hatch_err *err) HATCH_MUST_USE;
-
-/* Assigns layers to a frame's lights, in their order until SHADOW_LAYERS_MAX are used, and updates the uniform block.
- * Clears `drawn` if lights or pose differ from those of the last call; the caller then draws every layer.
+/* Draws the shadow maps of a frame's lights, in their order until SHADOW_LAYERS_MAX layers are used, unless lights and
+ * pose are those of the last call. Updates the uniform block and binds the maps for shaders.
  *   frame  its lights are set
  *   width  of the soft edges of shadows, in the unit scene
  * HATCH_LIMIT when the GPU has no memory for the maps. */
-enum hatch_status shadow_begin(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
-                               double width, struct hatch_err *err) HATCH_MUST_USE;
-
-/* Begins the pass that draws a layer, which uses the programs of `draw`. */
-void shadow_begin_layer(const struct shadow *shadow, uint32_t layer);
-
-/* Binds the maps for shaders. */
-void shadow_use(const struct shadow *shadow);
+enum hatch_status shadow_draw(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
+                              double width, struct gpu_programs *programs, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Releases everything; leaves *shadow zeroed. */
 void shadow_free(struct shadow *shadow);

@@ -8,7 +8,6 @@
 #define BLOCK_TECHNIQUE 1 /* free for the technique in use */
 #define BLOCK_SHADOWS 2
 #define BLOCK_HALOES 3
-#define BLOCK_COUNT 4
 
 /* Texture units */
 #define UNIT_TONES 0 /* the asset that strokes are read from; in full-screen passes the source texture */
@@ -25,7 +24,6 @@
 
 /* Images that compute stages write */
 #define IMAGE_OUTPUT 0
-#define IMAGE_SECOND 1
 
 /* Uniforms of a drawn item */
 #define UNIFORM_UNIT_FROM_MESH 0
@@ -41,8 +39,6 @@
 /* Uniforms of a pass that draws no items */
 #define UNIFORM_A 0
 #define UNIFORM_B 1
-#define UNIFORM_C 2
-#define UNIFORM_D 3
 #define UNIFORM_MARK_WIDTH 8
 
 /* Vertex attributes of an item */

@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #ifdef __SANITIZE_ADDRESS__
 /* Drivers keep memory until the process ends but are unloaded before the leak check, so that a suppression list cannot
@@ -27,15 +26,6 @@ static bool library_exists(const char *name)
     if (handle)
         dlclose(handle);
     return handle != NULL;
-}
-
-static bool has_word(const char *words, const char *word)
-{
-    size_t length = strlen(word);
-    for (const char *at = words; at && (at = strstr(at, word)); at += length)
-        if ((at == words || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
-            return true;
-    return false;
 }
 
 static void close_headless(struct gpu_context *context)
@@ -72,12 +62,13 @@ static bool open_hardware(struct gpu_context *context, const char *extensions)
 {
     EGLDeviceEXT devices[DEVICES_MAX];
     EGLint count = 0;
-    if (!has_word(extensions, "EGL_EXT_platform_device") || !has_word(extensions, "EGL_EXT_device_enumeration") ||
+    if (!epoxy_extension_in_string(extensions, "EGL_EXT_platform_device") ||
+        !epoxy_extension_in_string(extensions, "EGL_EXT_device_enumeration") ||
         !eglQueryDevicesEXT(DEVICES_MAX, devices, &count))
         return false;
     for (EGLint i = 0; i < count; i++) {
         const char *kind = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
-        if (!kind || has_word(kind, "EGL_MESA_device_software"))
+        if (!kind || epoxy_extension_in_string(kind, "EGL_MESA_device_software"))
             continue;
         if (make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL)))
             return true;
@@ -87,7 +78,7 @@ static bool open_hardware(struct gpu_context *context, const char *extensions)
 
 static bool open_surfaceless(struct gpu_context *context, const char *extensions)
 {
-    return has_word(extensions, "EGL_MESA_platform_surfaceless") &&
+    return epoxy_extension_in_string(extensions, "EGL_MESA_platform_surfaceless") &&
            make_current(context, eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL));
 }
 
@@ -106,6 +97,7 @@ enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct ha
         epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &context->anisotropy_max);
     context->device = (const char *)glGetString(GL_RENDERER);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return HATCH_OK;
 }
 

@@ -23,7 +23,8 @@ struct gpu_context {
 enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_t threads,
                                             struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fills in device and limits of the current context. For functions that open contexts. HATCH_IO below OpenGL 4.5. */
+/* Fills in device and limits of the current context, and lets it read rows of texels without padding. For functions
+ * that open contexts. HATCH_IO below OpenGL 4.5. */
 enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Releases the context; leaves *context zeroed. */

@@ -183,12 +183,10 @@ enum hatch_status gpu_program_get(struct gpu_programs *programs, const struct gp
     while (found && !is_made_of(found, stages, defines))
         found = found->next;
     if (!found) {
-        size_t size = strlen(defines) + 1;
-        char *kept = HATCH_NEW(&programs->keep, char, size, err);
+        char *kept = hatch_arena_text(&programs->keep, defines, strlen(defines), err);
         found = kept ? HATCH_NEW(&programs->keep, struct gpu_program, 1, err) : NULL;
         if (!found)
             return HATCH_LIMIT;
-        memcpy(kept, defines, size);
         if (!programs->no_attributes)
             glCreateVertexArrays(1, &programs->no_attributes);
         *found = (struct gpu_program){
@@ -202,26 +200,15 @@ enum hatch_status gpu_program_get(struct gpu_programs *programs, const struct gp
 
 enum hatch_status gpu_programs_reload(struct gpu_programs *programs, struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(programs->scratch);
     enum hatch_status status = HATCH_OK;
-    size_t count = 0, made = 0;
-    for (const struct gpu_program *program = programs->first; program; program = program->next)
-        count++;
-    GLuint *fresh = HATCH_NEW(programs->scratch, GLuint, count, err);
-    if (!fresh)
-        return HATCH_LIMIT;
-    for (struct gpu_program *program = programs->first; program && status == HATCH_OK; program = program->next) {
-        status = make(programs, &program->stages, program->defines, &fresh[made], err);
-        made += status == HATCH_OK;
-    }
-    count = 0;
-    for (struct gpu_program *program = programs->first; program && count < made; program = program->next) {
-        GLuint spare = status == HATCH_OK ? program->name : fresh[count];
-        program->name = status == HATCH_OK ? fresh[count] : program->name;
+    for (struct gpu_program *program = programs->first; program && status == HATCH_OK; program = program->next)
+        status = make(programs, &program->stages, program->defines, &program->fresh, err);
+    for (struct gpu_program *program = programs->first; program; program = program->next) {
+        GLuint spare = status == HATCH_OK ? program->name : program->fresh;
+        program->name = status == HATCH_OK ? program->fresh : program->name;
+        program->fresh = 0;
         glDeleteProgram(spare);
-        count++;
     }
-    hatch_arena_rewind(programs->scratch, mark);
     return status;
 }
 

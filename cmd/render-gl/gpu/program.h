@@ -20,6 +20,7 @@ struct gpu_program {
     GLuint no_attributes;     /* empty vertex array, for draws without attributes: core profiles require a bound one */
     struct gpu_stages stages; /* with defines the key by which gpu_program_get finds it */
     const char *defines;
+    GLuint fresh;             /* while programs are compiled again: the new one; else 0 */
     struct gpu_program *next; /* NULL: the last */
 };
 

@@ -36,7 +36,6 @@ void gpu_target_read(const struct gpu_target *target, uint32_t output, struct gp
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
     glReadBuffer(GL_COLOR_ATTACHMENT0 + output);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)row_length);
     glReadPixels((GLint)from.x, (GLint)from.y, (GLsizei)from.width, (GLsizei)from.height, layout, type, texels);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);

@@ -3,7 +3,6 @@
 #define RENDER_GPU_TARGET_H
 
 #include <epoxy/gl.h>
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "base/status.h"

@@ -35,3 +35,8 @@ void gpu_texture_bind(GLuint unit, GLuint texture, GLuint sampler)
     glBindTextureUnit(unit, texture);
     glBindSampler(unit, sampler);
 }
+
+void gpu_image_bind(GLuint unit, GLuint texture, GLenum format)
+{
+    glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, format);
+}

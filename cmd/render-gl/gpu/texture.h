@@ -28,4 +28,9 @@ void gpu_texture_read_grey(GLuint texture);
  *   sampler  0: the texture's own filters */
 void gpu_texture_bind(GLuint unit, GLuint texture, GLuint sampler);
 
+/* Binds the finest level of a texture as an image that a compute program reads and writes.
+ *   unit    IMAGE_... of gpu/bindings.h
+ *   format  the texture's internal format */
+void gpu_image_bind(GLuint unit, GLuint texture, GLenum format);
+
 #endif

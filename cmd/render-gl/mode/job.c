@@ -1,11 +1,12 @@
 #include "render-gl/mode/job.h"
 
 #include "math/angle.h"
-#include "render-gl/mode/load.h"
 #include "render-gl/scene/attributes.h"
 #include "render-gl/scene/material.h"
 #include "render-gl/scene/normals.h"
 #include "render-gl/scene/pose.h"
+#include "scene/ground.h"
+#include "scene/row.h"
 #include "view/exposure.h"
 #include "shared/map.h"
 #include "shared/scene.h"
@@ -18,11 +19,23 @@ static const char *scene_name(const struct job *job)
     return cmd_input_name(job->options->scene_path);
 }
 
+/* Strokes follow texture coordinates. */
+static enum hatch_status check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "mesh %u has no texture coordinates, which strokes follow: "
+                              "dirfield FILE | lapped-param -o NEW.glb makes some",
+                              i);
+    return HATCH_OK;
+}
+
 enum hatch_status job_check(const struct job *job, const struct technique *technique, struct hatch_err *err)
 {
     if (technique->check)
         HATCH_TRY(technique->check(&job->values, job->patches, err));
-    return technique->features & TECHNIQUE_STROKES ? load_check_texcoords(&job->values, err) : HATCH_OK;
+    return technique->features & TECHNIQUE_STROKES ? check_texcoords(&job->values, err) : HATCH_OK;
 }
 
 static void check_animation(const struct job *job)
@@ -95,6 +108,14 @@ struct technique_instance *job_open(struct job *job, const struct technique *tec
     return instance;
 }
 
+struct technique_instance *job_use(struct job *job, const struct technique *technique)
+{
+    struct hatch_err err;
+    struct technique_instance *instance = job_open(job, technique, &err);
+    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
+    return instance;
+}
+
 /* Opens the chosen technique, and those whose options were given: a window may switch to them, and errors in their
  * files should show at the start. */
 static void open_techniques(struct job *job)
@@ -107,6 +128,52 @@ static void open_techniques(struct job *job)
                 cmd_check(job_open(job, techniques[i], &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
 }
 
+static void load_row(struct cmd_args *args, uint32_t count, bool stand, struct hatch_scene *scene,
+                     struct hatch_mesh_notes *notes)
+{
+    struct hatch_err err;
+    struct hatch_scene *scenes = HATCH_NEW(&args->keep, struct hatch_scene, count, &err);
+    cmd_check(scenes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    for (uint32_t i = 0; i < count; i++)
+        cmd_read_scene_silently(args, args->operands[i], CMD_SCENE_CLEANED, &scenes[i], notes);
+    cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
+}
+
+/* Removes the faces of meshes whose base colour alone is below the alpha cutoff: no part of them is visible. */
+static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct hatch_scene_mesh *mesh = &scene->meshes[i];
+        const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
+        if (!material || !(material->base_color[3] < (material->outline ? 0.5f : material->alpha_cutoff)))
+            continue;
+        mesh->mesh.face_count = 0;
+        notes->transparent_dropped++;
+    }
+}
+
+/* Reads the scenes of the operands as one; several are put in a row. Adds normals, patches and --ground. */
+static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
+{
+    struct cmd_args *args = &job->args;
+    struct hatch_scene *scene = &job->values;
+    const char *name = scene_name(job);
+    uint32_t count = (uint32_t)args->operand_count;
+    double ground = job->options->ground;
+    struct hatch_err err;
+    if (count > 1)
+        load_row(args, count, ground > 0, scene, notes);
+    else
+        cmd_read_scene_silently(args, job->options->scene_path, CMD_SCENE_CLEANED, scene, notes);
+    drop_transparent(scene, notes);
+    if (ground > 0)
+        cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), name, &err);
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, CMD_CREASE_RAD, &err),
+                  name, &err);
+    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, &job->patches, &err), name, &err);
+}
+
 void job_read(struct job *job)
 {
     const struct options *options = job->options;
@@ -117,8 +184,7 @@ void job_read(struct job *job)
                                               .args = &job->args,
                                               .view = &job->first_view,
                                               .height_px = options->height};
-    load_scene(&job->args, job->args.operands, (uint32_t)job->args.operand_count, options->ground, &job->values,
-               &job->patches, &notes);
+    load_scene(job, &notes);
     open_techniques(job);
     if (options->map_path)
         read_asset(job);
@@ -145,6 +211,15 @@ static void set_span(struct job *job)
         job->span.end_s = (double)job->values.animations[options->animation].duration_s;
     moves = moves && job->span.end_s > job->span.begin_s;
     job->span.moments = moves ? SPAN_MOMENTS : 1;
+}
+
+/* Makes the view that the options describe, with the aspect of fixed_view. */
+static enum hatch_status make_view(struct job *job, struct hatch_pose *pose, const struct hatch_bounds *bounds,
+                                   struct hatch_view *view, struct hatch_err *err)
+{
+    const struct hatch_view_choice choice = options_view(job->options);
+    const struct hatch_framing framing = {&job->span, bounds, job->fixed_view.aspect};
+    return hatch_view_make(&choice, pose, &framing, &job->args.scratch, view, err);
 }
 
 static void open_context(struct job *job)
@@ -176,9 +251,8 @@ static void upload_scene(struct job *job)
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)
         cmd_warn(name, "%u lights are left out: at most %u are used", left_out, HATCH_LIGHTS_MAX);
-    const struct hatch_view_choice choice = options_view(options);
-    const struct hatch_framing framing = {&job->span, &source.bounds, (double)options->width / options->height};
-    cmd_check(hatch_view_make(&choice, &pose, &framing, scratch, &job->fixed_view, &err), name, &err);
+    job->fixed_view.aspect = (double)options->width / options->height;
+    cmd_check(make_view(job, &pose, &source.bounds, &job->fixed_view, &err), name, &err);
     open_context(job);
     cmd_check(scene_upload(&source, keep, scratch, &job->scene, &err), name, &err);
     material_upload(&job->args, name, options->base_tone && !options->modulate_path, job->gpu.size_max_px, &job->scene);
@@ -254,7 +328,7 @@ void job_prepare(struct job *job)
     options_style(options, &job->frame.style);
     if (options->map_path)
         cmd_check(set_repeats(job, &err), scene_name(job), &err);
-    cmd_check(technique_prepare(&job->context, job_open(job, options->technique, &err), &err), NULL, &err);
+    job_use(job, options->technique);
 }
 
 void job_view(struct job *job, double time_s, struct hatch_view *view)
@@ -262,12 +336,10 @@ void job_view(struct job *job, double time_s, struct hatch_view *view)
     const struct hatch_view_choice choice = options_view(job->options);
     const struct hatch_pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
     struct hatch_unit_scene *unit = &job->scene.unit;
-    const struct hatch_framing framing = {&job->span, &unit->bounds, job->fixed_view.aspect};
     struct hatch_err err;
     *view = job->fixed_view;
     if (!hatch_view_is_fixed(&choice, &job->values))
-        cmd_check(hatch_view_make(&choice, &unit->pose, &framing, &job->args.scratch, view, &err), scene_name(job),
-                  &err);
+        cmd_check(make_view(job, &unit->pose, &unit->bounds, view, &err), scene_name(job), &err);
     if (job->options->zoom < 1 || job->options->zoom > 1)
         cmd_check(hatch_view_zoom(&unit->pose, &now, &unit->bounds, job->options->zoom, &job->args.scratch, view, &err),
                   scene_name(job), &err);
@@ -277,7 +349,7 @@ enum hatch_status job_refresh(struct job *job, struct technique_instance *instan
                               struct hatch_err *err)
 {
     const struct hatch_view_choice choice = options_view(job->options);
-    const struct hatch_framing framing = {&job->span, &job->scene.unit.bounds, job->fixed_view.aspect};
+    struct hatch_unit_scene *unit = &job->scene.unit;
     if (subjects & 1u << PARAM_TECHNIQUE && instance->technique->changed) {
         double begin_ms = cmd_elapsed_ms();
         HATCH_TRY(instance->technique->changed(&job->context, instance, err));
@@ -288,7 +360,7 @@ enum hatch_status job_refresh(struct job *job, struct technique_instance *instan
     options_style(job->options, &job->frame.style);
     job->lines.lines.style.width_px = job->options->line_px;
     if (subjects & 1u << PARAM_CAMERA && hatch_view_is_fixed(&choice, &job->values))
-        HATCH_TRY(hatch_view_make(&choice, &job->scene.unit.pose, &framing, &job->args.scratch, &job->fixed_view, err));
+        HATCH_TRY(make_view(job, &unit->pose, &unit->bounds, &job->fixed_view, err));
     return HATCH_OK;
 }
 

@@ -41,6 +41,9 @@ void job_prepare(struct job *job);
  * are wrong. NULL, with err set, when memory does not suffice. */
 struct technique_instance *job_open(struct job *job, const struct technique *technique, struct hatch_err *err);
 
+/* Returns the instance of a technique, opened and prepared to draw. Exits with a message on failure. */
+struct technique_instance *job_use(struct job *job, const struct technique *technique);
+
 /* Returns a struct picture that draws with a prepared instance, for picture_draw. */
 struct picture job_picture(struct job *job, struct technique_instance *instance);
 

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "math/angle.h"
 #include "render-gl/mode/parse_args.h"
+#include "render-gl/mode/show.h"
 
 #define AMBIENT 0.05 /* light from all directions, so that unlit parts are not all of one tone */
 #define ROWS_MAX 80  /* of the option table */
@@ -173,19 +174,19 @@ static size_t add_rows(const struct cmd_option *rows, size_t count)
 }
 
 /* Joins the rows of the command and of all techniques into one table. */
-static void make_table(const struct options_shown *shown)
+static void make_table(void)
 {
-    static const char *names[TECHNIQUE_COUNT + 1], *shown_names[8];
+    static const char *names[TECHNIQUE_COUNT + 1], *shown[8];
     size_t count = add_rows(first, 0);
     for (size_t i = 0; techniques[i]; i++) {
         names[i] = techniques[i]->name;
         count = add_rows(techniques[i]->options, count);
     }
     add_rows(rest, count);
-    for (size_t i = 0; shown[i].name; i++)
-        shown_names[i] = shown[i].name;
+    for (size_t i = 0; show_techniques[i]; i++)
+        shown[i] = show_techniques[i]->name;
     ((struct cmd_option *)options_find("technique"))->choices = names;
-    ((struct cmd_option *)options_find("show"))->choices = shown_names;
+    ((struct cmd_option *)options_find("show"))->choices = shown;
 }
 
 static void read_view(struct hatch_view_choice *view)
@@ -318,11 +319,11 @@ static void read_size(void)
     chosen.height = (uint32_t)size[1];
 }
 
-struct options *options_read(int argc, char **argv, const struct options_shown *shown, struct cmd_args *args)
+struct options *options_read(int argc, char **argv, struct cmd_args *args)
 {
-    make_table(shown);
+    make_table();
     cmd_begin(&program, argc, argv, args);
-    chosen.technique = show >= 0 ? shown[show].technique : techniques[technique];
+    chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();
     check_technique();
     check_frames(args);

@@ -2,22 +2,32 @@
 #ifndef RENDER_MODE_OPTIONS_H
 #define RENDER_MODE_OPTIONS_H
 
-#include "line/mesh.h"
 #include "render-gl/technique/list.h"
 
 #define OPTIONS_CHANGES_MAX 24u
 
-/* A parameter of --animate: it goes from `from` at the first frame to `to` at the last. */
-struct option_change {
-    const struct cmd_option *option;
-    bool by_factor;        /* changes by equal factors; false: by equal differences */
-    double from[2], to[2]; /* in the option's unit; the second entry is used by pairs only */
+/* The part of a picture that a parameter influences. */
+enum param_subject {
+    PARAM_STYLE,    /* every picture */
+    PARAM_CAMERA,   /* the view; keys do not change it, the mouse does */
+    PARAM_LINES,    /* feature lines */
+    PARAM_STROKES,  /* every technique with TECHNIQUE_STROKES */
+    PARAM_TECHNIQUE /* its owner, whose `changed` applies the value */
 };
 
-/* A choice of --show and the technique that it draws with. */
-struct options_shown {
-    const char *name; /* NULL ends a list */
-    const struct technique *technique;
+/* An option whose value may change from frame to frame. */
+struct param {
+    const struct cmd_option *option;
+    enum param_subject subject;
+    const struct technique *owner; /* of PARAM_TECHNIQUE; else NULL */
+    bool by_factor;                /* changes by factors; false: by differences */
+    double step;                   /* factor or difference per key press, in the option's unit */
+};
+
+/* A parameter of --animate: it goes from `from` at the first frame to `to` at the last. */
+struct option_change {
+    struct param param;
+    double from[2], to[2]; /* in the option's unit; the second entry is used by pairs only */
 };
 
 struct options {
@@ -67,9 +77,8 @@ struct options {
 };
 
 /* Parses and checks the command line; prints help like cmd_begin. Exits with a message of two lines on wrong usage.
- *   shown  the choices of --show, ended by one whose name is NULL
  * Returns the options, which are static. */
-struct options *options_read(int argc, char **argv, const struct options_shown *shown, struct cmd_args *args);
+struct options *options_read(int argc, char **argv, struct cmd_args *args);
 
 /* Returns the row of an option in the command's table.
  *   name  without dashes; the option must exist */

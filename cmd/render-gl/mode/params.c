@@ -115,15 +115,15 @@ static void parse_value(const struct param *param, const char *text, size_t leng
     params_get(param, values);
 }
 
-static void read_one(const char *text, struct param *param, struct option_change *change)
+static void read_one(const char *text, struct option_change *change)
 {
+    struct param *param = &change->param;
     size_t length = strcspn(text, "=");
     const char *from = text + length + 1, *gap = text[length] ? strstr(from, "..") : NULL;
     if (!gap)
         cmd_usage("--animate %s: want PARAM=FROM..TO, like stroke=20x1.5..80x3", text);
     if (!find_param(text, length, param))
         refuse_name(text, length);
-    *change = (struct option_change){.option = param->option, .by_factor = param->by_factor};
     parse_value(param, gap + 2, strlen(gap + 2), change->to);
     parse_value(param, from, (size_t)(gap - from), change->from);
     for (uint32_t k = 0; param->by_factor && k < params_count(param); k++)
@@ -136,16 +136,16 @@ void params_read(struct options *options)
     const struct technique *technique = options->technique;
     for (int i = 0; i < options->animate.count; i++) {
         struct option_change *change = &options->changes[options->change_count];
-        struct param param;
+        const struct param *param = &change->param;
         if (options->change_count == OPTIONS_CHANGES_MAX)
             cmd_usage("--animate %s: more than %u parameters", options->animate.at[i], OPTIONS_CHANGES_MAX);
-        read_one(options->animate.at[i], &param, change);
+        read_one(options->animate.at[i], change);
         for (uint32_t k = 0; k < options->change_count; k++)
-            if (options->changes[k].option == change->option)
-                cmd_usage("--animate %s: given twice", change->option->name);
-        if (!params_are_used(&param, technique, options_draw_lines(options, technique)))
-            cmd_usage("--animate %s: technique %s does not use it%s", change->option->name, technique->name,
-                      param.subject == PARAM_LINES ? " without --lines" : "");
+            if (options->changes[k].param.option == param->option)
+                cmd_usage("--animate %s: given twice", param->option->name);
+        if (!params_are_used(param, technique, options_draw_lines(options, technique)))
+            cmd_usage("--animate %s: technique %s does not use it%s", param->option->name, technique->name,
+                      param->subject == PARAM_LINES ? " without --lines" : "");
         options->change_count++;
     }
 }
@@ -155,15 +155,14 @@ uint32_t params_move(const struct options *options, double share)
     uint32_t subjects = 0;
     for (uint32_t i = 0; i < options->change_count; i++) {
         const struct option_change *change = &options->changes[i];
-        struct param param;
+        const struct param *param = &change->param;
         double values[2] = {0};
-        find_param(change->option->name, strlen(change->option->name), &param);
-        for (uint32_t k = 0; k < params_count(&param); k++) {
+        for (uint32_t k = 0; k < params_count(param); k++) {
             double from = change->from[k], to = change->to[k];
-            values[k] = change->by_factor ? from * pow(to / from, share) : from + share * (to - from);
+            values[k] = param->by_factor ? from * pow(to / from, share) : from + share * (to - from);
         }
-        if (params_set(&param, share < 1 ? values : change->to))
-            subjects |= 1u << param.subject;
+        if (params_set(param, share < 1 ? values : change->to))
+            subjects |= 1u << param->subject;
     }
     return subjects;
 }

@@ -5,23 +5,6 @@
 
 #include "render-gl/mode/options.h"
 
-/* The part of a picture that a parameter influences. */
-enum param_subject {
-    PARAM_STYLE,    /* every picture */
-    PARAM_CAMERA,   /* the view; keys do not change it, the mouse does */
-    PARAM_LINES,    /* feature lines */
-    PARAM_STROKES,  /* every technique with TECHNIQUE_STROKES */
-    PARAM_TECHNIQUE /* its owner, whose `changed` applies the value */
-};
-
-struct param {
-    const struct cmd_option *option;
-    enum param_subject subject;
-    const struct technique *owner; /* of PARAM_TECHNIQUE; else NULL */
-    bool by_factor;                /* changes by factors; false: by differences */
-    double step;                   /* factor or difference per key press, in the option's unit */
-};
-
 /* Returns the parameter at an index, from 0; false beyond the last. */
 bool params_at(uint32_t index, struct param *param);
 

@@ -11,20 +11,15 @@ static bool wants_exr(const char *path)
     return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
 }
 
-static enum hatch_status encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
-                                struct hatch_buffer *file, struct hatch_err *err)
-{
-    struct hatch_image level = *image;
-    const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
-    return wants_exr(path) ? hatch_exr_write(&part, scratch, file, err)
-                           : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, err);
-}
-
 void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
                      struct hatch_buffer *file)
 {
+    struct hatch_image level = *image;
+    const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
     struct hatch_err err;
-    cmd_check(encode(path, image, scratch, file, &err), path, &err);
+    cmd_check(wants_exr(path) ? hatch_exr_write(&part, scratch, file, &err)
+                              : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, &err),
+              path, &err);
 }
 
 void pictures_write(struct job *job)

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "render-gl/mode/modes.h"
-#include "render-gl/technique/shaded.h"
 #include "shared/report.h"
 
 #define LEVELS_MAX 32
@@ -48,23 +47,14 @@ static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct
     probe->magnified += rgba[2] < -0.5f;
 }
 
-static const struct frame_shading shading = {
-    .stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
-    .defines = "",
-    .patches = FRAME_PATCHES_COVER,
-    .pass_count = 1,
-    .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* A technique that writes tones and mip levels instead of colours. */
 static const struct technique probe_technique = {
     .name = "probe",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_NO_COLOR,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "probe/probe.vert", .fragment = "probe/probe.frag"},
+                .patches = FRAME_PATCHES_COVER,
+                .passes = {{.name = "probe", .depth = FRAME_DEPTH_NEARER}}},
 };
 
 static void measure(struct job *job, struct probe *probe)
@@ -73,8 +63,7 @@ static void measure(struct job *job, struct probe *probe)
     struct hatch_err err;
     struct canvas canvas;
     struct hatch_view view;
-    struct technique_instance *instance = job_open(job, &probe_technique, &err);
-    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
+    struct technique_instance *instance = job_use(job, &probe_technique);
     job_make_canvas(job, &canvas);
     size_t count = (size_t)canvas.side * canvas.side * canvas.width * canvas.height;
     float *rgba = HATCH_NEW(&job->args.scratch, float, 4 * count, &err);
@@ -151,11 +140,9 @@ void probe_report(struct job *job)
 {
     static const char *const columns[] = {"thing", "index", "value", "unit", NULL};
     struct cmd_report report;
-    struct hatch_err err;
-    struct probe *probe = HATCH_NEW(&job->args.keep, struct probe, 1, &err);
-    cmd_check(probe ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    measure(job, probe);
+    struct probe probe = {.pixels = 0};
+    measure(job, &probe);
     cmd_report_begin(&report, &job->args, columns);
-    report_all(&report, job, probe);
+    report_all(&report, job, &probe);
     cmd_report_write(&report, job->outputs[0]);
 }

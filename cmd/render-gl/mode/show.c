@@ -2,7 +2,6 @@
 
 #include "render-gl/overlay/marks.h"
 #include "render-gl/scene/attributes.h"
-#include "render-gl/technique/shaded.h"
 
 #define FIELD_SHADE 0.2 /* factor for the tone of the surface, so that marks stand out */
 
@@ -23,21 +22,13 @@ static enum hatch_status prepare_patches(struct technique_context *context, stru
     return shaded_prepare(context, instance, err);
 }
 
-static const struct frame_shading patches_shading = {
-    .stages = {.vertex = "show/patches.vert", .fragment = "show/patches.frag"},
-    .defines = "",
-    .pass_count = 1,
-    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* Draws each patch in its own tone (Real-Time Hatching §6). */
 static const struct technique show_patches = {
     .name = "patches",
-    .state_size = sizeof(struct shaded_state),
-    .shading = &patches_shading,
+    .shading = {.stages = {.vertex = "show/patches.vert", .fragment = "show/patches.frag"},
+                .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}}},
     .check = check_patches,
     .prepare = prepare_patches,
-    .draw = shaded_draw,
 };
 
 /* Draws direction marks over the tone. */
@@ -81,23 +72,17 @@ static void free_field(struct technique_instance *instance)
     mark_overlay_free(&state->marks);
 }
 
-static const struct frame_shading field_shading = {
-    .stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
-    .defines = "",
-    .patches = FRAME_PATCHES_UNSEEN,
-    .pass_count = 1,
-    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
-};
-
 static const struct technique show_field = {
     .name = "field",
     .state_size = sizeof(struct field_state),
     .tone_scale = FIELD_SHADE,
-    .shading = &field_shading,
+    .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}}},
     .check = check_field,
     .prepare = prepare_field,
     .draw = draw_field,
     .free = free_field,
 };
 
-const struct options_shown show_choices[] = {{"patches", &show_patches}, {"field", &show_field}, {NULL, NULL}};
+const struct technique *const show_techniques[] = {&show_patches, &show_field, NULL};

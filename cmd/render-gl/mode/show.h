@@ -2,9 +2,9 @@
 #ifndef RENDER_MODE_SHOW_H
 #define RENDER_MODE_SHOW_H
 
-#include "render-gl/mode/options.h"
+#include "render-gl/technique/technique.h"
 
-/* The choices of --show, ended by one whose name is NULL. */
-extern const struct options_shown show_choices[];
+/* In the order of its choices, ended by NULL. */
+extern const struct technique *const show_techniques[];
 
 #endif

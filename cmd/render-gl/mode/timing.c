@@ -1,5 +1,4 @@
 /* --time: how long frames and their passes take, as TSV or JSON. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,37 +29,27 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-/* A kind of frame to time: the whole frame, its single passes, or the reference. */
-struct turn {
-    struct picture picture;
-    bool every_pass; /* times the passes */
-};
-
-static void draw(struct job *job, const struct turn *turn, const struct hatch_view *view, const struct canvas *canvas)
+/* Draws frames and records their times. The kinds of frame (whole, its single passes, the reference) alternate, so that
+ * the load of the machine affects all of them alike. Passes are timed in frames of their own, because the GPU must
+ * finish after each pass, which is slower. Returns the number of series. */
+static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
+                        struct series *series)
 {
     const struct options *options = job->options;
     const struct hatch_tile tile = {0, 0, canvas->width, canvas->height, options->width, options->height};
-    struct hatch_err err;
-    job->frame.timer->every_pass = turn->every_pass;
-    cmd_check(picture_draw_tile(&turn->picture, view, &tile, canvas, &err), NULL, &err);
-}
-
-/* Draws frames and records their times. The kinds of frame alternate, so that the load of the machine affects all of
- * them alike. Passes are timed in frames of their own, because the GPU must finish after each pass, which is slower.
- * Returns the number of series. */
-static uint32_t measure(struct job *job, const struct turn turns[3], const struct canvas *canvas, struct series *series)
-{
-    const struct gpu_timer *timer = job->frame.timer;
+    struct gpu_timer *timer = job->frame.timer;
     struct hatch_view view;
+    struct hatch_err err;
     job_set_frame(job, 0, &view);
     uint32_t last = 0;
-    for (uint32_t run = 0; run < WARM_UP + job->options->timed_frames; run++)
+    for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)
         for (uint32_t turn = 0; turn < 3; turn++) {
-            draw(job, &turns[turn], &view, canvas);
+            timer->every_pass = turn == 1;
+            cmd_check(picture_draw_tile(&turns[turn], &view, &tile, canvas, &err), NULL, &err);
             uint32_t first = turn == 0 ? 0 : turn == 1 ? 1 : last;
             for (uint32_t i = 0; i < timer->count; i++) {
                 struct series *span = &series[first + i];
-                span->technique = turns[turn].picture.instance->technique;
+                span->technique = turns[turn].instance->technique;
                 span->name = timer->names[i];
                 if (run < WARM_UP)
                     continue;
@@ -102,14 +91,6 @@ static void make_series(struct job *job, struct series series[SERIES_MAX])
     }
 }
 
-static struct picture prepare(struct job *job, const struct technique *technique)
-{
-    struct hatch_err err;
-    struct technique_instance *instance = job_open(job, technique, &err);
-    cmd_check(instance ? technique_prepare(&job->context, instance, &err) : HATCH_LIMIT, NULL, &err);
-    return job_picture(job, instance);
-}
-
 void timing_report(struct job *job)
 {
     static const char *const columns[] = {"technique",    "span",        "frames",  "gpu_ms",
@@ -119,11 +100,11 @@ void timing_report(struct job *job)
     struct cmd_report report;
     struct gpu_timer timer;
     struct canvas canvas;
-    struct turn turns[3] = {{prepare(job, job->options->technique), false},
-                            {prepare(job, job->options->technique), true},
-                            {prepare(job, technique_find(TECHNIQUE_REFERENCE)), false}};
+    const struct picture picture = job_picture(job, job_use(job, job->options->technique));
+    const struct picture reference = job_picture(job, job_use(job, technique_find(TECHNIQUE_REFERENCE)));
+    struct picture turns[3] = {picture, picture, reference};
     /* The reference has the same feature lines: it differs from the technique in the strokes only. */
-    turns[2].picture.draws_lines = turns[0].picture.draws_lines;
+    turns[2].draws_lines = picture.draws_lines;
     make_series(job, series);
     job_make_canvas(job, &canvas);
     if (canvas.width < job->options->width || canvas.height < job->options->height)

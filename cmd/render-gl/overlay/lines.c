@@ -47,7 +47,6 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
 static void upload(const struct line_overlay *overlay, const struct hatch_line_sample *samples, size_t count)
 {
     GLsizei rows = (GLsizei)(count / BATCH), rest = (GLsizei)(count % BATCH);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     if (rows)
         glTextureSubImage2D(overlay->samples, 0, 0, 0, (GLsizei)BATCH, rows, GL_RGBA, GL_FLOAT, samples);
     if (rest)

@@ -11,7 +11,7 @@
 struct line_overlay {
     struct hatch_lines lines;
     float color[3];           /* linear light */
-    bool haloes;              /* lines end at haloes, which halo_find has found in the same frame */
+    bool haloes;              /* lines end at haloes, which halo_draw has found in the same frame */
     struct hatch_arena frame; /* holds the lines of one frame */
     const struct gpu_program *test, *stroke, *over; /* visibility of samples, coverage of segments, colour */
     GLuint array, segments;                         /* vertex array and buffer of struct hatch_line_segment */

@@ -1,7 +1,6 @@
 #include "render-gl/scene/material.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "shared/picture.h"
 #include "filter/pyramid.h"
@@ -15,15 +14,15 @@ static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap
                                   [HATCH_WRAP_REPEAT] = GL_REPEAT,
                                   [HATCH_WRAP_MIRROR] = GL_MIRRORED_REPEAT};
     static const GLenum formats[5] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
-    static const GLint grey[4] = {GL_RED, GL_RED, GL_RED, GL_ONE};
     static const GLint grey_alpha[4] = {GL_RED, GL_RED, GL_RED, GL_GREEN};
     GLuint texture = gpu_texture_make(GL_TEXTURE_2D, (GLsizei)hatch_mip_chain_length(image->width, image->height),
                                       GL_RGBA16F, image->width, image->height, 1);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, formats[image->channel_count],
                         GL_FLOAT, image->pixels);
-    if (image->channel_count <= 2)
-        glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, image->channel_count == 2 ? grey_alpha : grey);
+    if (image->channel_count == 1)
+        gpu_texture_read_grey(texture);
+    if (image->channel_count == 2)
+        glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, grey_alpha);
     glGenerateTextureMipmap(texture);
     glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(texture, GL_TEXTURE_WRAP_S, modes[wrap[0]]);
@@ -44,7 +43,6 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
         alpha[i] = channels % 2 ? 1.0f : image->pixels[channels * i + channels - 1];
     GLint last = (GLint)hatch_mip_chain_length(image->width, image->height) - 1;
     *texture = gpu_texture_make(GL_TEXTURE_2D, last + 1, GL_R8, image->width, image->height, 1);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(*texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED, GL_FLOAT, alpha);
     glGenerateTextureMipmap(*texture);
     glTextureParameteri(*texture, GL_TEXTURE_MAX_LEVEL, last < 2 ? last : 2);

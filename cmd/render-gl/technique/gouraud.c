@@ -1,22 +1,12 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-static const struct frame_shading shading = {
-    .stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
-    .defines = "",
-    .pixel_light = true,
-    .patches = FRAME_PATCHES_UNSEEN,
-    .pass_count = 1,
-    .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}},
-};
 
 /* Draws the tone itself, which other techniques approximate by strokes: the reference for tone and for speed. */
 const struct technique technique_gouraud = {
     .name = "gouraud",
     .summary = "the tone without strokes",
     .features = TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_REFERENCE,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
+                .pixel_light = true,
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "tone", .depth = FRAME_DEPTH_NEARER}}},
 };

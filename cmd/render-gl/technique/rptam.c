@@ -66,15 +66,6 @@ static void free_state(struct technique_instance *instance)
         hatch_arena_free(&state->source.arenas[i]);
 }
 
-static const struct frame_shading strokes = {
-    .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/rptam.frag"},
-    .defines = "",
-    .pixel_light = true,
-    .pieces = true,
-    .pass_count = 1,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
-
 /* Recursive procedural tonal art maps (Szécsi & Szirányi 2014, Algorithm 2). */
 const struct technique technique_rptam = {
     .name = "rptam",
@@ -83,7 +74,10 @@ const struct technique technique_rptam = {
     .params = params,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_PIECES,
     .state_size = sizeof(struct rptam_state),
-    .shading = &strokes,
+    .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/rptam.frag"},
+                .pixel_light = true,
+                .pieces = true,
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
     .read = rptam_read,
     .prepare = prepare,
     .draw = draw,
@@ -92,21 +86,15 @@ const struct technique technique_rptam = {
     .free = free_state,
 };
 
-static const struct frame_shading places = {
-    .stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/places.frag"},
-    .defines = "",
-    .pieces = true,
-    .patches = FRAME_PATCHES_COVER,
-    .pass_count = 1,
-    .passes = {{.name = "places", .depth = FRAME_DEPTH_NEARER}},
-};
-
 const struct technique technique_rptam_places = {
     .name = "places",
     .summary = "",
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIECES | TECHNIQUE_NO_COLOR,
     .state_size = sizeof(struct rptam_state),
-    .shading = &places,
+    .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "rptam/places.frag"},
+                .pieces = true,
+                .patches = FRAME_PATCHES_COVER,
+                .passes = {{.name = "places", .depth = FRAME_DEPTH_NEARER}}},
     .prepare = prepare,
     .draw = draw,
     .free = free_state,

@@ -5,7 +5,7 @@
 
 #include "placement/style.h"
 #include "render-gl/assets/seeds.h"
-#include "render-gl/technique/shaded.h"
+#include "render-gl/technique/technique.h"
 #include "seed/layers.h"
 
 /* Values of the technique's options. Those that are 0 are set from the drawing style by rptam_make_model. */

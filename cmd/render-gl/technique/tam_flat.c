@@ -1,12 +1,4 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert", .geometry = "corners/face.geom", .fragment = "corners/face.frag"},
-    .defines = "#define NEAREST 1\n",
-    .pass_count = 1,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
 
 /* The first of §5's approximations: flat shading with a palette of columns. */
 const struct technique technique_tam_flat = {
@@ -14,8 +6,9 @@ const struct technique technique_tam_flat = {
     .summary = "one tone of the map per face: faces show, and tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/face.geom",
+                           .fragment = "corners/face.frag"},
+                .defines = "#define NEAREST 1\n",
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

@@ -1,14 +1,4 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert",
-               .geometry = "corners/corners.geom",
-               .fragment = "corners/vertex_column.frag"},
-    .defines = "",
-    .pass_count = 1,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
 
 /* The third of §5's approximations: Gouraud shading with a palette of columns. */
 const struct technique technique_tam_gouraud = {
@@ -16,8 +6,8 @@ const struct technique technique_tam_gouraud = {
     .summary = "one tone of the map per vertex, blended over faces: tones pop in motion",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/corners.geom",
+                           .fragment = "corners/vertex_column.frag"},
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

@@ -1,13 +1,4 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-static const struct frame_shading shading = {
-    .stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
-    .defines = "#define THRESHOLD 1\n",
-    .pixel_light = true,
-    .pass_count = 1,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
 
 /* The 6-way blend through clamp(8t − 3.5) (§5, tone thresholding). */
 const struct technique technique_tam_threshold = {
@@ -16,8 +7,8 @@ const struct technique technique_tam_threshold = {
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .samples = 16,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
+                .defines = "#define THRESHOLD 1\n",
+                .pixel_light = true,
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

@@ -1,16 +1,4 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-/* The first pass draws faces in black; the others add to what lies at the same depth. */
-static const struct frame_shading shading = {
-    .stages = {.vertex = "corners/corner.vert", .geometry = "corners/corners.geom", .fragment = "corners/triple.frag"},
-    .defines = "",
-    .pass_count = 4,
-    .passes = {{.name = "black", .depth = FRAME_DEPTH_NEARER},
-               {.name = "first", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
-               {.name = "second", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
-               {.name = "third", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL}},
-};
 
 /* Triple-pass 2-way blend (Real-Time Hatching §5): each pass adds the share of one vertex of every face. A pass reads
  * two columns only, so that maps may have any number of tones, and colours. */
@@ -19,8 +7,12 @@ const struct technique technique_tam_triple = {
     .summary = "one pass per vertex of a face: maps with any number of tones, and colours",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_ALL_COLUMNS,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    /* The first pass draws faces in black; the others add to what lies at the same depth. */
+    .shading = {.stages = {.vertex = "corners/corner.vert",
+                           .geometry = "corners/corners.geom",
+                           .fragment = "corners/triple.frag"},
+                .passes = {{.name = "black", .depth = FRAME_DEPTH_NEARER},
+                           {.name = "first", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
+                           {.name = "second", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL},
+                           {.name = "third", .blend = FRAME_BLEND_ADD, .depth = FRAME_DEPTH_EQUAL}}},
 };

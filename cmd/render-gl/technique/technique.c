@@ -1,9 +1,12 @@
 #include "render-gl/technique/technique.h"
 
+#include <string.h>
+
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
                                  struct cmd_args *args, struct hatch_err *err)
 {
-    void *state = HATCH_NEW(&args->keep, char, technique->state_size, err);
+    size_t size_bytes = technique->state_size ? technique->state_size : sizeof(struct shaded_state);
+    void *state = HATCH_NEW(&args->keep, char, size_bytes, err);
     if (!state)
         return HATCH_LIMIT;
     *instance = (struct technique_instance){.technique = technique, .state = state};
@@ -16,7 +19,7 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
     const struct technique *technique = instance->technique;
     if (technique->asset)
         HATCH_TRY(assets_upload(context->assets, technique->asset, &context->args->scratch, &instance->tones, err));
-    return technique->prepare ? technique->prepare(context, instance, err) : HATCH_OK;
+    return (technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err);
 }
 
 enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
@@ -30,11 +33,11 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
     if (instance->tones)
         asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
     else
-        frame_block_set_tones(&frame->block, &(struct frame_tones){.count = 0});
+        frame_block_set_tones(&frame->block, NULL, 0, false);
     enum hatch_status status = frame_begin(frame, request, technique->features & TECHNIQUE_PIECES, err);
     frame->style.curve.high = high;
     HATCH_TRY(status);
-    HATCH_TRY(technique->draw(context, instance, err));
+    HATCH_TRY((technique->draw ? technique->draw : shaded_draw)(context, instance, err));
     return frame_end(frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
 }
 
@@ -50,4 +53,33 @@ uint32_t technique_reach_px(const struct technique_context *context, const struc
 {
     uint32_t frame = frame_reach_px(context->frame, line_px), own = instance->technique->reach_px;
     return frame > own ? frame : own;
+}
+
+enum hatch_status shaded_prepare_with(struct technique_context *context, struct technique_instance *instance,
+                                      const char *defines, struct hatch_err *err)
+{
+    struct shaded_state *state = instance->state;
+    char all[SHADED_DEFINES_BYTES] = "";
+    if (instance->tones)
+        asset_tones_defines(instance->tones, context->frame->style.anisotropy, all, sizeof all);
+    strncat(all, defines, sizeof all - strlen(all) - 1);
+    if (strcmp(all, state->defines) != 0) {
+        memset(&state->shader, 0, sizeof state->shader);
+        memcpy(state->defines, all, sizeof all);
+    }
+    return frame_shader_prepare(context->frame, &instance->technique->shading, state->defines, &state->shader, err);
+}
+
+enum hatch_status shaded_prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    return shaded_prepare_with(context, instance, "", err);
+}
+
+enum hatch_status shaded_draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err)
+{
+    struct shaded_state *state = instance->state;
+    return frame_draw_items(context->frame, &context->frame->request.canvas->samples, &instance->technique->shading,
+                            state->defines, &state->shader, err);
 }

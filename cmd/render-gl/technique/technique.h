@@ -8,6 +8,8 @@
 #include "render-gl/assets/asset.h"
 #include "render-gl/frame/items.h"
 
+#define SHADED_DEFINES_BYTES 256u
+
 /* Features; bits. */
 enum technique_feature {
     TECHNIQUE_STROKES = 1,     /* draws strokes along texture coordinates; feature lines are drawn by default */
@@ -41,7 +43,7 @@ struct technique_instance {
     const struct asset_tones *tones; /* of its asset; NULL: it has none, or is not prepared */
 };
 
-/* Functions other than draw may be NULL. */
+/* Functions may be NULL. */
 struct technique {
     const char *name;
     const char *summary;                  /* one line, for the window's list of techniques */
@@ -52,8 +54,8 @@ struct technique {
     uint32_t reach_px;                    /* distance beyond a tile's border that influences the tile */
     uint32_t samples;                     /* default of --samples, a square number; 0: that of the option */
     double tone_scale;                    /* factor for the darkest tone; 0: 1 */
-    size_t state_size;                    /* of its state, in bytes */
-    const struct frame_shading *shading;  /* used by shaded_draw (technique/shaded.h); NULL: it draws otherwise */
+    size_t state_size;                    /* of its state, in bytes; 0: a struct shaded_state */
+    struct frame_shading shading;         /* of shaded_prepare and shaded_draw; zeroed: it draws otherwise */
 
     /* Fails with HATCH_BAD_INPUT if the scene lacks something that it draws.
      *   patches  one entry per mesh of the scene */
@@ -62,10 +64,10 @@ struct technique {
     /* Reads the files that its options name. Exits with a message on failure. */
     void (*read)(struct technique_context *context, struct technique_instance *instance);
     /* Uploads and compiles what the posed scene needs, after its asset has been uploaded. Repeated calls return at
-     * once. */
+     * once. NULL: shaded_prepare. */
     enum hatch_status (*prepare)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
-    /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. */
+    /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. NULL: shaded_draw. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
     /* Applies new values of its options. On failure the old state stays. */
@@ -96,5 +98,24 @@ void technique_close(struct technique_instance *instance);
  *   line_px  as in struct frame_request */
 uint32_t technique_reach_px(const struct technique_context *context, const struct technique_instance *instance,
                             double line_px);
+
+/* The state of a technique that draws every item with one struct frame_shading, or the first member of its state. */
+struct shaded_state {
+    struct frame_shader shader;
+    char defines[SHADED_DEFINES_BYTES]; /* lines with which the shader was compiled, beside the shading's */
+};
+
+/* Compiles the programs for the scene's items: prepare of such a technique. */
+enum hatch_status shaded_prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err) HATCH_MUST_USE;
+
+/* Does the same with additional definitions, which may differ from call to call.
+ *   defines  lines before every stage */
+enum hatch_status shaded_prepare_with(struct technique_context *context, struct technique_instance *instance,
+                                      const char *defines, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Draws every item: draw of such a technique. */
+enum hatch_status shaded_draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

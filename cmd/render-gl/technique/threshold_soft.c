@@ -1,13 +1,4 @@
 #include "render-gl/technique/list.h"
-#include "render-gl/technique/shaded.h"
-
-static const struct frame_shading shading = {
-    .stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
-    .defines = "#define STROKES 1\n#define SOFT 1\n",
-    .pixel_light = true,
-    .pass_count = 1,
-    .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}},
-};
 
 /* One threshold and a steep ramp (Freudenberg's method, described in Webb et al. 2002, §3.2), for comparison. */
 const struct technique technique_threshold_soft = {
@@ -15,8 +6,8 @@ const struct technique technique_threshold_soft = {
     .summary = "one threshold per texel with a steep ramp, for comparison",
     .asset = &asset_thresholds,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
-    .state_size = sizeof(struct shaded_state),
-    .shading = &shading,
-    .prepare = shaded_prepare,
-    .draw = shaded_draw,
+    .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
+                .defines = "#define STROKES 1\n#define SOFT 1\n",
+                .pixel_light = true,
+                .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
 };

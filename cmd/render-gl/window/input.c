@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "math/angle.h"
-#include "render-gl/mode/load.h"
 #include "render-gl/window/window.h"
 
 #define STEP_RAD 0.1     /* turn of the camera per arrow key */
@@ -106,44 +105,26 @@ static void on_character(GLFWwindow *handle, unsigned character)
         return;
     if (character >= '1' && character <= '9' && character < '1' + TECHNIQUE_COUNT)
         set_technique(window, character - '1');
-    switch (character) {
-    case '?':
+    if (character == '?')
         say_keys();
-        break;
-    case '+':
-        zoom(window, 0.9);
-        break;
-    case '-':
-        zoom(window, 1 / 0.9);
-        break;
-    case 't':
+    else if (character == '+' || character == '-')
+        zoom(window, character == '+' ? 0.9 : 1 / 0.9);
+    else if (character == 't')
         set_technique(window, (index_of(window->instance->technique) + 1) % TECHNIQUE_COUNT);
-        break;
-    case ' ':
+    else if (character == ' ')
         window->paused = !window->paused;
-        break;
-    case '[':
-    case ']':
-    case '<':
-    case '>':
+    else if (character == '[' || character == ']' || character == '<' || character == '>')
         move_hatch(window, character);
-        break;
-    case 'f':
+    else if (character == 'f')
         window->moved = false;
-        break;
-    case 's':
+    else if (character == 's')
         window->save = true;
-        break;
-    case 'l':
+    else if (character == 'l')
         toggle_lines(window);
-        break;
-    case 'r':
+    else if (character == 'r')
         reload(window);
-        break;
-    case 'q':
+    else if (character == 'q')
         glfwSetWindowShouldClose(handle, GLFW_TRUE);
-        break;
-    }
 }
 
 static void on_key(GLFWwindow *handle, int key, int scancode, int action, int modifiers)
