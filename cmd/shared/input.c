@@ -41,9 +41,8 @@ static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_
             return HATCH_OK;
         }
         if (full) {
-            uint8_t *larger = HATCH_NEW(arena, uint8_t, 2 * capacity, err);
-            if (!larger)
-                return HATCH_LIMIT;
+            uint8_t *larger;
+            HATCH_TRY(HATCH_ALLOC(arena, &larger, 2 * capacity, err));
             memcpy(larger, data, size);
             larger[size] = beyond;
             data = larger;

@@ -82,9 +82,8 @@ static enum hatch_status record_covered(struct work *w, const struct hatch_suppo
         return hatch_fail(err, HATCH_LIMIT, "the curvature fits cover more than 2^31 points: simplify the mesh");
     if (first + support->count > w->covered_capacity) {
         w->covered_capacity = 2 * (first + support->count);
-        struct covered_node *grown = HATCH_NEW_UNSET(scratch, struct covered_node, w->covered_capacity, err);
-        if (!grown)
-            return HATCH_LIMIT;
+        struct covered_node *grown;
+        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &grown, w->covered_capacity, err));
         if (first > 0)
             memcpy(grown, w->covered, first * sizeof *grown);
         w->covered = grown;
@@ -357,9 +356,7 @@ static enum hatch_status run_level(struct work *w, struct hatch_arena *scratch, 
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(choose_centers(w, &count, scratch, err));
     *more = count > 0;
-    w->fits = HATCH_NEW_UNSET(scratch, struct fit, count, err);
-    if (!w->fits)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->fits, count, err));
     hatch_curvature_for_each(w->run, count, fit_center, w);
     if (w->level == 1)
         measure_noise(w, count);
@@ -383,22 +380,20 @@ static enum hatch_status run_level(struct work *w, struct hatch_arena *scratch, 
 static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t points = w->run->graph.surface.point_count;
-    w->blends = HATCH_NEW_UNSET(scratch, struct hatch_curvature_blend, points, err);
-    w->noise = w->blends ? HATCH_NEW(scratch, double, points, err) : NULL;
-    w->freedom = w->noise ? HATCH_NEW(scratch, double, points, err) : NULL;
-    w->centers = w->freedom ? HATCH_NEW_UNSET(scratch, uint32_t, points, err) : NULL;
-    w->first_covered = w->centers ? HATCH_NEW(scratch, uint32_t, (size_t)points + 1, err) : NULL;
-    w->last_near = w->first_covered ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
-    w->buffer = w->last_near ? HATCH_NEW_UNSET(scratch, double, points, err) : NULL;
-    return w->buffer ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->blends, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->noise, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->freedom, points, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->centers, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->first_covered, (size_t)points + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->last_near, points, err));
+    return HATCH_ALLOC_UNSET(scratch, &w->buffer, points, err);
 }
 
 /* Moves to a graph of fewer nodes. */
 static enum hatch_status coarsen(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct hatch_curvature_graph *coarse = HATCH_NEW(scratch, struct hatch_curvature_graph, 1, err);
-    if (!coarse)
-        return HATCH_LIMIT;
+    struct hatch_curvature_graph *coarse;
+    HATCH_TRY(HATCH_ALLOC(scratch, &coarse, 1, err));
     HATCH_TRY(hatch_curvature_graph_coarsen(&w->run->graph, w->graph, scratch, coarse, err));
     w->graph = coarse;
     for (uint32_t i = 0; i < w->run->workers; i++)

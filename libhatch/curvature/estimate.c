@@ -131,9 +131,7 @@ static enum hatch_status estimate(const struct hatch_surface *surface, struct ha
 {
     struct hatch_curvature_graph *graph = &run->graph;
     HATCH_TRY(hatch_curvature_graph_make(surface, run->frames, scratch, graph, err));
-    run->supports = HATCH_NEW(scratch, struct hatch_support, run->workers, err);
-    if (!run->supports)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &run->supports, run->workers, err));
     for (uint32_t w = 0; w < run->workers; w++)
         HATCH_TRY(hatch_support_make(&graph->surface, graph->normals, scratch, &run->supports[w], err));
     if (!(run->options->radius > 0))

@@ -57,12 +57,12 @@ static enum hatch_status choose_patches(struct work *w, const struct hatch_outli
 {
     const struct hatch_lapped *lapped = w->lapped;
     uint32_t count = w->surface->face_count;
-    w->patch = HATCH_NEW(w->arena, uint32_t, count, err);
-    w->entry = w->patch ? HATCH_NEW(w->arena, uint32_t, count, err) : NULL;
-    uint16_t *unseen = w->entry ? HATCH_NEW(w->arena, uint16_t, count, err) : NULL;
-    uint8_t *most = unseen ? HATCH_NEW(w->arena, uint8_t, count, err) : NULL;
-    if (!most)
-        return HATCH_LIMIT;
+    uint16_t *unseen;
+    uint8_t *most;
+    HATCH_TRY(HATCH_ALLOC(w->arena, &w->patch, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &w->entry, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &unseen, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &most, count, err));
     memset(unseen, 0xff, count * sizeof *unseen);
     memset(w->patch, 0xff, count * sizeof *w->patch);
     for (uint32_t p = lapped->patch_count; p-- > 0;) {

@@ -88,16 +88,13 @@ static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *g
     if (!first)
         return HATCH_LIMIT;
     HATCH_TRY(gather(faces, scratch, &all, first, err));
-    uint32_t *point = HATCH_NEW(scratch, uint32_t, all.vertex_count, err);
-    if (!point)
-        return HATCH_LIMIT;
+    uint32_t *point;
+    HATCH_TRY(HATCH_ALLOC(scratch, &point, all.vertex_count, err));
     HATCH_TRY(hatch_mesh_weld(&all, scratch, point, &points, err));
     for (uint32_t p = 0; p < faces->patch_count; p++)
         total += faces->patches[p]->mesh.face_count;
-    faces->list = HATCH_NEW(scratch, struct hatch_lapped_face, total, err);
-    faces->first = faces->list ? HATCH_NEW(scratch, uint32_t, total + 1, err) : NULL;
-    if (!faces->first)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &faces->list, total, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &faces->first, total + 1, err));
     for (uint32_t p = 0; p < faces->patch_count; p++) {
         const struct hatch_mesh *mesh = &faces->patches[p]->mesh;
         for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -118,11 +115,10 @@ enum hatch_status hatch_lapped_faces_find(const struct hatch_scene *scene, const
                                           struct hatch_err *err)
 {
     struct hatch_lapped_faces made = {.count = 0};
-    uint32_t *group = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);
-    made.patches = group ? HATCH_NEW(scratch, const struct hatch_scene_mesh *, scene->mesh_count, err) : NULL;
-    made.masks = made.patches ? HATCH_NEW(scratch, const struct hatch_image *, scene->mesh_count, err) : NULL;
-    if (!made.masks)
-        return HATCH_LIMIT;
+    uint32_t *group;
+    HATCH_TRY(HATCH_ALLOC(scratch, &group, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.patches, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.masks, scene->mesh_count, err));
     HATCH_TRY(find_patches(scene, masks, group, &made, err));
     HATCH_TRY(fill(scene, group, scratch, &made, err));
     qsort(made.list, made.count, sizeof *made.list, compare);

@@ -197,11 +197,9 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
 static enum hatch_status measure_stretch(struct work *w, struct hatch_err *err)
 {
     struct lists lists = {.angles = 0};
-    lists.stretch = HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err);
-    lists.area = lists.stretch ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
-    lists.angle = lists.area ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
-    if (!lists.angle)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.stretch, w->faces.count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.area, w->faces.count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.angle, w->faces.count, err));
     for (uint32_t begin = 0, end; begin < w->faces.count; begin = end) {
         for (end = begin; end < w->faces.count && w->faces.list[end].group == w->faces.list[begin].group;)
             end++;

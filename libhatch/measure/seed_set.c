@@ -18,9 +18,8 @@ static enum hatch_status count_uneven(const struct hatch_seed_set *set, struct h
     for (uint32_t length = 1; (uint64_t)1 << 2 * (length - 1) <= count; length++) {
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         uint32_t patterns = (uint32_t)1 << 2 * length, least = count / patterns, pattern = 0;
-        uint32_t *occurrences = HATCH_NEW(scratch, uint32_t, patterns, err);
-        if (!occurrences)
-            return HATCH_LIMIT;
+        uint32_t *occurrences;
+        HATCH_TRY(HATCH_ALLOC(scratch, &occurrences, patterns, err));
         for (uint32_t i = 0; i < count + length - 1; i++) {
             pattern = (4 * pattern + set->crumbs[i % count]) % patterns;
             if (i >= length - 1)
@@ -116,10 +115,9 @@ static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t thro
                                  struct hatch_seed_figures *f, struct hatch_err *err)
 {
     uint32_t count = set->count;
-    struct hatch_seed_point *places = HATCH_NEW(scratch, struct hatch_seed_point, count, err);
-    struct hatch_seed_point *others = places ? HATCH_NEW(scratch, struct hatch_seed_point, count, err) : NULL;
-    if (!others)
-        return HATCH_LIMIT;
+    struct hatch_seed_point *places, *others;
+    HATCH_TRY(HATCH_ALLOC(scratch, &places, count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &others, count, err));
     hatch_seed_points(set, places);
     HATCH_TRY(count_uneven(set, scratch, &f->uneven, err));
     HATCH_TRY(measure_distances(set, throws, places, others, scratch, f, err));

@@ -53,9 +53,8 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
                                           struct hatch_remap *remap, struct hatch_err *err)
 {
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
-    float *values = HATCH_NEW(arena, float, 3 * (size_t)mesh->vertex_count, err);
-    if (!values)
-        return HATCH_LIMIT;
+    float *values;
+    HATCH_TRY(HATCH_ALLOC(arena, &values, 3 * (size_t)mesh->vertex_count, err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
     return make(mesh, values, arena, arena, remap, err);

@@ -29,10 +29,8 @@ static struct hatch_near_frame frame_of(struct hatch_near *near, const struct ha
 static enum hatch_status set_ranges(const struct hatch_near_faces *faces, const struct hatch_near_choice *choice,
                                     struct hatch_arena *arena, struct hatch_near_cut *cut, struct hatch_err *err)
 {
-    cut->counts = HATCH_NEW(arena, int, choice->near_count + (size_t)1, err);
-    cut->offsets = cut->counts ? HATCH_NEW(arena, const void *, choice->near_count + (size_t)1, err) : NULL;
-    if (!cut->offsets)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &cut->counts, choice->near_count + (size_t)1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &cut->offsets, choice->near_count + (size_t)1, err));
     uint32_t begin = 0;
     for (uint32_t i = 0; i <= choice->near_count; i++) {
         uint32_t end = i < choice->near_count ? choice->near_faces[i] : faces->count;

@@ -39,9 +39,7 @@ static enum hatch_status append_skins(const struct hatch_scene *from, uint32_t f
 {
     for (uint32_t i = 0; i < from->skin_count; i++) {
         struct hatch_skin skin = from->skins[i];
-        skin.joints = HATCH_NEW(arena, uint32_t, skin.joint_count, err);
-        if (!skin.joints)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &skin.joints, skin.joint_count, err));
         for (uint32_t j = 0; j < skin.joint_count; j++)
             skin.joints[j] = from->skins[i].joints[j] + first_node;
         to->skins[to->skin_count++] = skin;

@@ -110,9 +110,7 @@ enum hatch_status hatch_coverage_make(const struct hatch_seed_point *points, uin
         made.first[t] = (uint32_t)(total += made.first[t]);
     if (total > UINT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "too many strokes overlap: the coverage lists would pass 2^32 entries");
-    made.copies = HATCH_NEW_UNSET(arena, struct hatch_coverage_copy, total, err);
-    if (!made.copies)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.copies, total, err));
     add_all(points, count, &reach, NULL, made.first + 1, made.copies);
     *coverage = made;
     return HATCH_OK;

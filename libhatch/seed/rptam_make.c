@@ -152,12 +152,11 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
 {
     uint32_t capacity = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
     bool complete[HATCH_RPTAM_LAYERS_MAX] = {false};
-    curve->progress = HATCH_NEW(scratch, double, capacity, err);
-    curve->darkness = curve->progress ? HATCH_NEW(scratch, double, capacity, err) : NULL;
-    double *base = curve->darkness ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    double *transmittance = base ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    if (!transmittance)
-        return HATCH_LIMIT;
+    double *base, *transmittance;
+    HATCH_TRY(HATCH_ALLOC(scratch, &curve->progress, capacity, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &curve->darkness, capacity, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &base, TONE_POINTS, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &transmittance, TONE_POINTS, err));
     curve->count = 1; /* at progress 0 */
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;

@@ -54,9 +54,8 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     HATCH_TRY(hatch_mesh_gather(source, splits.origin, count, s->face_count, arena, &made, err));
     for (size_t i = 0; i < corners; i++)
         made.indices[i] = number[splits.indices[i]];
-    uint8_t *orientations = HATCH_NEW(scratch, uint8_t, count, err);
-    if (!orientations)
-        return HATCH_LIMIT;
+    uint8_t *orientations;
+    HATCH_TRY(HATCH_ALLOC(scratch, &orientations, count, err));
     find_orientations(s, source, made.indices, orientations);
     flip_normals(orientations, &made);
     *mesh = made;
