@@ -131,10 +131,8 @@ static enum hatch_status add(struct cmd_args *args, struct dirfield_job *job, st
 {
     uint32_t count = job->constraint_count;
     if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8 ... */
-        struct dirfield_constraint *grown =
-            HATCH_NEW(&args->keep, struct dirfield_constraint, count ? 2 * (size_t)count : 1, err);
-        if (!grown)
-            return HATCH_LIMIT;
+        struct dirfield_constraint *grown;
+        HATCH_TRY(HATCH_ALLOC(&args->keep, &grown, count ? 2 * (size_t)count : 1, err));
         if (count)
             memcpy(grown, job->constraints, count * sizeof *grown);
         job->constraints = grown;

@@ -8,10 +8,11 @@
  * difference to a higher degree, and in a residual beyond the noise (compare Lepski, "On a problem of adaptive
  * estimation in Gaussian white noise", 1990). Points with little noise get a fit of their own. */
 #include <string.h>
+#include <stdbool.h>
 
 #include "math/vector.h"
-#include "curvature/blend.h"
 #include "curvature/work.h"
+#include "curvature/tensor.h"
 
 #define RADIUS_GROWTH 1.7 /* from level to level */
 #define RADIUS_MAX 24.0
@@ -29,6 +30,71 @@
 #define SIGNIFICANCE 16.0 /* of differences between degrees, in variances */
 #define BIAS_SHARE 0.1    /* squared bias of a quartic, as a share of the largest that its residual allows */
 
+struct blend {
+    /* Weighted sums over the fits, and the sum of the weights. */
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance;
+    double radius, weight;
+    /* Smallest expected squared error of a fit: over all levels, and on the current one; INFINITY: no fit. */
+    double best_error, level_error;
+    bool open; /* whether larger supports may help */
+};
+
+/* Steeper than inverse variance: fits that share points have correlated errors, so the best should dominate. */
+/* Returns the weight of a fit of an expected squared error. */
+static double blend_weight(double error)
+{
+    return 1 / (error * sqrt(error));
+}
+
+/* Adds a fit.
+ *   side  1, or -1 where the fit's outside is not that of the point */
+static void add_to_blend(struct blend *blend, double weight, double side, const struct hatch_curvature_tensor *tensor,
+                         const struct hatch_curvature_variance *variance, double radius)
+{
+    for (int i = 0; i < 6; i++)
+        blend->tensor.matrix[i] += side * weight * tensor->matrix[i];
+    for (int i = 0; i < 3; i++)
+        blend->tensor.normal[i] += side * weight * tensor->normal[i];
+    blend->weight += weight;
+    blend->variance.off_diagonal += weight * variance->off_diagonal;
+    blend->variance.mean += weight * variance->mean;
+    blend->radius += weight * radius;
+}
+
+/* Computes the weighted means. Returns false when the blend has no fit. */
+static bool mean_of_blend(const struct blend *blend, struct hatch_curvature_tensor *tensor,
+                          struct hatch_curvature_variance *variance)
+{
+    if (!(blend->weight > 0))
+        return false;
+    for (int i = 0; i < 6; i++)
+        tensor->matrix[i] = blend->tensor.matrix[i] / blend->weight;
+    hatch_vec_copy(blend->tensor.normal, tensor->normal);
+    variance->off_diagonal = blend->variance.off_diagonal / blend->weight;
+    variance->mean = blend->variance.mean / blend->weight;
+    return hatch_vec_normalize(tensor->normal) > 0;
+}
+
+/* Rejects clear cases early by the squared difference of the curvatures: twice the sum of the squares of the matrix,
+ * less the square of its trace. */
+/* Returns whether the standard error of the direction is at most limit_rad. */
+static bool is_blend_certain(const struct blend *blend, double limit_rad)
+{
+    const double *m = blend->tensor.matrix;
+    double trace = m[0] + m[3] + m[5], off_diagonal = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
+    double difference = 2 * (m[0] * m[0] + m[3] * m[3] + m[5] * m[5] + 2 * off_diagonal) - trace * trace;
+    if (blend->variance.off_diagonal * blend->weight > 2 * limit_rad * limit_rad * difference)
+        return false;
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance;
+    struct hatch_principal_curvatures principal;
+    if (!mean_of_blend(blend, &tensor, &variance))
+        return false;
+    hatch_curvature_tensor_principal(&tensor, &principal);
+    return hatch_curvature_direction_error(&principal, &variance) <= limit_rad;
+}
+
 struct fit {
     struct hatch_jet_frame frame;
     double coefficients[HATCH_JET_TERMS];
@@ -45,7 +111,7 @@ struct covered_node {
 struct work {
     const struct hatch_curvature_run *run;
     const struct hatch_curvature_graph *graph; /* of the level: the run's, or a coarser one */
-    struct hatch_curvature_blend *blends;      /* per point */
+    struct blend *blends;                      /* per point */
     double *noise;           /* per point: sum of squared residuals of the fits around, then variance of the noise */
     double *freedom;         /* per point: degrees of freedom of that sum */
     double *buffer;          /* per point */
@@ -252,7 +318,7 @@ static void measure_noise(struct work *w, uint32_t count)
 
 /* Points covered by a fit that wait to be evaluated in pairs. */
 struct pending {
-    struct hatch_curvature_blend *blends[2];
+    struct blend *blends[2];
     double weight[2], side[2], x[2], y[2];
     uint32_t count;
 };
@@ -262,14 +328,14 @@ static void evaluate_pending(const struct fit *fit, struct pending *pending)
     struct hatch_curvature_tensor tensors[2];
     hatch_curvature_tensors_of_jet(&fit->frame, fit->coefficients, fit->degree, pending->x, pending->y, tensors);
     for (uint32_t i = 0; i < pending->count; i++)
-        hatch_curvature_blend_add(pending->blends[i], pending->weight[i], pending->side[i], &tensors[i], &fit->variance,
-                                  fit->frame.radius);
+        add_to_blend(pending->blends[i], pending->weight[i], pending->side[i], &tensors[i], &fit->variance,
+                     fit->frame.radius);
     pending->count = 0;
 }
 
 /* Adds a fit to the blend of a point it covers; the weight falls from weight_max at the centre of the fit to 0.
  *   offset  of the point from the centre */
-static void cover_point(struct hatch_curvature_blend *blend, const struct fit *fit, double weight_max, double side,
+static void cover_point(struct blend *blend, const struct fit *fit, double weight_max, double side,
                         const double offset[3], struct pending *pending)
 {
     double unit = 1 / fit->frame.radius;
@@ -291,7 +357,7 @@ static void cover_point(struct hatch_curvature_blend *blend, const struct fit *f
 static void cover_points(struct work *w, const struct fit *fit, uint32_t center)
 {
     const struct hatch_curvature_graph *graph = w->graph;
-    double weight_max = hatch_curvature_blend_weight(hatch_curvature_variance_sum(&fit->variance));
+    double weight_max = blend_weight(hatch_curvature_variance_sum(&fit->variance));
     struct pending pending = {.count = 0};
     for (uint32_t n = w->first_covered[center]; n < w->first_covered[center + 1]; n++) {
         struct hatch_curvature_members members = hatch_curvature_node_members(graph, w->covered[n].node);
@@ -310,10 +376,10 @@ static void cover_points(struct work *w, const struct fit *fit, uint32_t center)
 static void refit_point(void *context, uint32_t p, struct hatch_support *support)
 {
     struct work *w = context;
-    struct hatch_curvature_blend *blend = &w->blends[p];
+    struct blend *blend = &w->blends[p];
     struct hatch_jet_system system;
     struct hatch_jet_frame frame;
-    if (!hatch_curvature_blend_is_certain(blend, ERROR_REFIT_RAD))
+    if (!is_blend_certain(blend, ERROR_REFIT_RAD))
         return;
     hatch_curvature_fit(support, p, &w->run->graph.normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame, &system);
@@ -325,21 +391,21 @@ static void refit_point(void *context, uint32_t p, struct hatch_support *support
     variance.off_diagonal *= w->noise[p];
     variance.mean *= w->noise[p];
     double error = hatch_curvature_variance_sum(&variance);
-    *blend = (struct hatch_curvature_blend){.best_error = error, .level_error = error, .open = true};
-    hatch_curvature_blend_add(blend, hatch_curvature_blend_weight(error), 1, &tensor, &variance, frame.radius);
+    *blend = (struct blend){.best_error = error, .level_error = error, .open = true};
+    add_to_blend(blend, blend_weight(error), 1, &tensor, &variance, frame.radius);
 }
 
 /* Closes the points that need no larger support, or that the last one made worse. Updates the normals. */
 static void close_points(struct work *w)
 {
     for (uint32_t p = 0; p < w->run->graph.surface.point_count; p++) {
-        struct hatch_curvature_blend *blend = &w->blends[p];
+        struct blend *blend = &w->blends[p];
         if (!blend->open)
             continue;
         bool worse = blend->level_error < INFINITY && blend->level_error > ERROR_GROWTH_MAX * blend->best_error;
         blend->best_error = fmin(blend->best_error, blend->level_error);
         blend->level_error = INFINITY;
-        blend->open = !worse && !hatch_curvature_blend_is_certain(blend, ERROR_STOP_RAD);
+        blend->open = !worse && !is_blend_certain(blend, ERROR_STOP_RAD);
         if (blend->weight > 0) {
             double *normal = &w->run->graph.normals[(size_t)p * 3];
             hatch_vec_copy(blend->tensor.normal, normal);
@@ -408,7 +474,7 @@ enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature
     uint32_t points = run->graph.surface.point_count;
     HATCH_TRY(allocate(&w, scratch, err));
     for (uint32_t p = 0; p < points; p++)
-        w.blends[p] = (struct hatch_curvature_blend){.best_error = INFINITY, .level_error = INFINITY, .open = true};
+        w.blends[p] = (struct blend){.best_error = INFINITY, .level_error = INFINITY, .open = true};
     bool more = true;
     for (; more && w.radius <= RADIUS_MAX; w.level++, w.radius *= RADIUS_GROWTH) {
         if (w.level >= LEVEL_COARSE)
@@ -418,10 +484,10 @@ enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature
             run->supports[i].normal_cosine_min = NORMAL_COSINE_MIN;
     }
     for (uint32_t p = 0; p < points; p++) {
-        const struct hatch_curvature_blend *blend = &w.blends[p];
+        const struct blend *blend = &w.blends[p];
         struct hatch_curvature_tensor tensor;
         struct hatch_curvature_variance variance;
-        bool found = hatch_curvature_blend_mean(blend, &tensor, &variance);
+        bool found = mean_of_blend(blend, &tensor, &variance);
         hatch_curvature_store(run, p, found ? &tensor : NULL, &variance,
                               found ? blend->radius / blend->weight : w.radius);
     }

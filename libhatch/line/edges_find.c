@@ -43,11 +43,10 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loos
 {
     struct hatch_mesh moved = *mesh;
     size_t vertices = mesh->vertex_count;
-    moved.attributes[0].data = HATCH_NEW(scratch, float, 3 * vertices, err);
-    uint32_t *cell = moved.attributes[0].data ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL;
-    uint32_t *first = cell ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL, cells;
-    if (!first)
-        return HATCH_LIMIT;
+    uint32_t *cell, *first, cells;
+    HATCH_TRY(HATCH_ALLOC(scratch, &moved.attributes[0].data, 3 * vertices, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &cell, vertices, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &first, vertices, err));
     uint32_t *parent;
     HATCH_TRY(HATCH_ALLOC(scratch, &parent, vertices, err));
     hatch_sets_init(parent, mesh->vertex_count);

@@ -138,12 +138,12 @@ static enum hatch_status chain_features(const struct hatch_line_edges *edges, co
                                         struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     size_t ends_count = 2 * (size_t)lines->feature_count;
-    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, edges->point_count, err); /* per point: node + 1; 0: none */
-    uint32_t *ends = node_of ? HATCH_NEW(scratch, uint32_t, ends_count, err) : NULL;
-    double *nodes = ends ? HATCH_NEW(scratch, double, 3 * ends_count, err) : NULL;
-    lines->node_vertices = nodes ? HATCH_NEW(arena, uint32_t, ends_count, err) : NULL;
-    if (!lines->node_vertices)
-        return HATCH_LIMIT;
+    uint32_t *node_of, *ends;
+    double *nodes;
+    HATCH_TRY(HATCH_ALLOC(scratch, &node_of, edges->point_count, err)); /* per point: node + 1; 0: none */
+    HATCH_TRY(HATCH_ALLOC(scratch, &ends, ends_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &nodes, 3 * ends_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &lines->node_vertices, ends_count, err));
     for (size_t i = 0; i < ends_count; i++) {
         uint32_t vertex = lines->features[i / 2].ends[i % 2], *node = &node_of[points[i]];
         if (*node == 0) {

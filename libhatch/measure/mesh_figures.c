@@ -123,11 +123,10 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     if (!uv)
         return HATCH_OK;
     static const double shares[3] = {0.05, 0.5, 0.95};
-    struct hatch_stretch *list = HATCH_NEW(w->scratch, struct hatch_stretch, w->mesh->face_count, err);
-    struct hatch_weighted *values =
-        list ? HATCH_NEW(w->scratch, struct hatch_weighted, w->mesh->face_count, err) : NULL;
-    if (!values)
-        return HATCH_LIMIT;
+    struct hatch_stretch *list;
+    struct hatch_weighted *values;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &list, w->mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &values, w->mesh->face_count, err));
     double kept = 0, degenerate = 0, mirrored = 0, uv_area = 0;
     uint32_t count = 0;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {

@@ -9,10 +9,9 @@
 static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
                                          struct hatch_remap *remap, struct hatch_err *err)
 {
-    uint32_t *point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    uint32_t *value = point ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL, unused;
-    if (!value)
-        return HATCH_LIMIT;
+    uint32_t *point, *value, unused;
+    HATCH_TRY(HATCH_ALLOC(scratch, &point, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &value, mesh->vertex_count, err));
     struct hatch_mesh others = {.vertex_count = mesh->vertex_count, .attribute_count = 1};
     others.attributes[0].data = values;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &unused, err));

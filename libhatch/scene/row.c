@@ -53,10 +53,8 @@ static enum hatch_status append_animations(const struct hatch_scene *from, uint3
     for (uint32_t i = 0; i < from->animation_count; i++) {
         const struct hatch_animation *more = &from->animations[i];
         struct hatch_animation *all = &to->animations[i];
-        struct hatch_animation_channel *channels =
-            HATCH_NEW(arena, struct hatch_animation_channel, all->channel_count + more->channel_count, err);
-        if (!channels)
-            return HATCH_LIMIT;
+        struct hatch_animation_channel *channels;
+        HATCH_TRY(HATCH_ALLOC(arena, &channels, all->channel_count + more->channel_count, err));
         if (all->channel_count)
             memcpy(channels, all->channels, all->channel_count * sizeof *channels);
         for (uint32_t c = 0; c < more->channel_count; c++) {

@@ -101,9 +101,7 @@ enum hatch_status hatch_coverage_make(const struct hatch_seed_point *points, uin
     size_t texels = (size_t)side * side;
     struct hatch_coverage made = {.side = side};
     struct reach reach = reach_of(stroke, side);
-    made.first = HATCH_NEW(arena, uint32_t, texels + 2, err); /* one more, used while filling */
-    if (!made.first)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, texels + 2, err)); /* one more, used while filling */
     add_all(points, count, &reach, made.first + 1, NULL, NULL);
     uint64_t total = 0;
     for (size_t t = 0; t <= texels + 1; t++)
