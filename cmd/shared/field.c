@@ -1,5 +1,4 @@
 #include "shared/field.h"
-#include "shared/scene.h"
 
 #include <math.h>
 

@@ -8,11 +8,9 @@
  * difference to a higher degree, and in a residual beyond the noise (compare Lepski, "On a problem of adaptive
  * estimation in Gaussian white noise", 1990). Points with little noise get a fit of their own. */
 #include <string.h>
-#include <stdbool.h>
 
 #include "math/vector.h"
 #include "curvature/work.h"
-#include "curvature/tensor.h"
 
 #define RADIUS_GROWTH 1.7 /* from level to level */
 #define RADIUS_MAX 24.0

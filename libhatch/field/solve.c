@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "math/vector.h"
 #include "field/system.h"
 
 /* The smoothest field of unconstrained components: the smallest eigenvector of A with areas as the mass matrix, by

@@ -1,7 +1,6 @@
 #include "image/texels.h"
 
 #include <assert.h>
-#include <string.h>
 
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level)
 {

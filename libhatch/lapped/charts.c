@@ -246,12 +246,9 @@ enum hatch_status hatch_charts_make(const struct hatch_surface *surface, const s
     uint32_t count = surface->face_count;
     struct work w = {.surface = surface, .lapped = lapped, .arena = arena};
     HATCH_TRY(choose_patches(&w, outline, err));
-    w.charts.chart_of = HATCH_NEW(arena, uint32_t, count, err);
-    w.charts.positions = w.charts.chart_of ? HATCH_NEW(arena, double, 6 * (size_t)count, err) : NULL;
-    void *boxes = w.charts.positions ? hatch_arena_array(arena, count, sizeof *w.charts.boxes, err) : NULL;
-    if (!boxes)
-        return HATCH_LIMIT;
-    w.charts.boxes = boxes;
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.chart_of, count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.positions, 6 * (size_t)count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.boxes, count, err));
     memset(w.charts.chart_of, 0xff, count * sizeof *w.charts.chart_of);
     for (uint32_t f = 0; f < count; f++)
         copy_positions(&w, f);

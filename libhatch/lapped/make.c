@@ -1,7 +1,4 @@
-#include "lapped/lapped.h"
-
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #include "base/random.h"

@@ -3,7 +3,6 @@
 
 #include "lapped/work.h"
 #include "math/vector.h"
-#include "mesh/edges.h"
 
 /* Distance of a seed face from covered faces, in radii of the core: disks that cover a plane with the least overlap are
  * √3 radii apart. */

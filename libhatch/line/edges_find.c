@@ -1,5 +1,3 @@
-#include "line/edges.h"
-
 #include <math.h>
 
 #include "math/vector.h"

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "line/trace.h"
 #include "math/vector.h"
 
 #define GAP_PX 4.0   /* shorter hidden gaps are closed: a surface that grazes the line */

@@ -1,7 +1,5 @@
 #include "line/marks.h"
 
-#include <math.h>
-
 #include "base/random.h"
 #include "math/vector.h"
 

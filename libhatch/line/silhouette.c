@@ -1,6 +1,5 @@
 /* The silhouette of a posed mesh. */
 #include <assert.h>
-#include <math.h>
 
 #include "math/vector.h"
 #include "base/keys.h"

@@ -1,7 +1,5 @@
 #include "line/strip.h"
 
-#include <math.h>
-
 #include "math/vector.h"
 
 #define PIECE_PX 1.5     /* largest length of a piece */

@@ -1,7 +1,5 @@
 #include "line/trace.h"
 
-#include <math.h>
-
 #include "math/vector.h"
 
 #define SLACK_PX 1.5  /* distance from an edge within which its own faces, at their full slope, must not hide it */

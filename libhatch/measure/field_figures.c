@@ -181,9 +181,8 @@ static enum hatch_status measure_surface(struct hatch_field_sum *sum, const stru
     const struct hatch_surface *surface = &s->surface;
     struct hatch_singularities singular;
     struct hatch_field_figures *out = &sum->figures;
-    double energy[2], *zeros = HATCH_NEW(sum->scratch, double, surface->point_count, err);
-    if (!zeros)
-        return HATCH_LIMIT;
+    double energy[2], *zeros;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &zeros, surface->point_count, err));
     const struct hatch_field_problem none = {surface, &s->frames, s->direction, zeros, NULL, false};
     HATCH_TRY(hatch_field_singularities(surface, &s->frames, s->direction, sum->arena, sum->scratch, &singular, err));
     hatch_field_energy(&none, 1, s->direction, energy);

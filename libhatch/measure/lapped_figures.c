@@ -9,8 +9,6 @@
 #include "math/percentile.h"
 #include "math/vector.h"
 #include "measure/stretch.h"
-#include "image/image.h"
-#include "scene/scene.h"
 
 /* Smallest opacity that counts as 1, given the rounding of bilinear interpolation. */
 #define OPAQUE (1 - 1e-6)

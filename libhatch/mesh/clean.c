@@ -1,6 +1,5 @@
 /* Cleaning works on points (welded positions), so that it treats unwelded meshes as the surfaces that they are.
  * Vertices stay apart; only those that no face uses are dropped. */
-#include <string.h>
 
 #include "mesh/dropped.h"
 #include "mesh/fans.h"

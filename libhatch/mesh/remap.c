@@ -30,10 +30,9 @@ static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *v
 static enum hatch_status make(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
                               struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
-    struct hatch_remap made = {.number = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err)};
-    made.first = made.number ? HATCH_NEW(arena, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!made.first)
-        return HATCH_LIMIT;
+    struct hatch_remap made = {0};
+    HATCH_TRY(HATCH_ALLOC(arena, &made.number, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = number_vertices(mesh, values, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);

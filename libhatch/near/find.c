@@ -131,10 +131,9 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
 static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept,
                                      struct hatch_near_shape *shape, struct hatch_err *err)
 {
-    uint32_t count, *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
-    shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!shape->marks)
-        return HATCH_LIMIT;
+    uint32_t count, *points;
+    HATCH_TRY(HATCH_ALLOC(kept, &points, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(kept, &shape->marks, mesh->vertex_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, kept, points, &count, err));
     shape->points = points;
     return HATCH_OK;

@@ -1,7 +1,3 @@
-#include "near/near.h"
-
-#include <math.h>
-
 #include "near/parts.h"
 
 #define NEAREST 0x1p-60 /* least distance of the near plane: for an eye on the surface */
@@ -140,12 +136,10 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
     if (!touches_any(&frame))
         return HATCH_OK;
     begin_frame(near, scene, options->max_memory);
+    struct hatch_near_choice *choices;
     if (!near->shapes)
-        near->shapes = HATCH_NEW(&near->kept, struct hatch_near_shape, scene->item_count, err);
-    struct hatch_near_choice *choices =
-        HATCH_NEW(&near->frame, struct hatch_near_choice, HATCH_NEAR_LISTS * (size_t)scene->item_count, err);
-    if (!near->shapes || !choices)
-        return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(&near->kept, &near->shapes, scene->item_count, err));
+    HATCH_TRY(HATCH_ALLOC(&near->frame, &choices, HATCH_NEAR_LISTS * (size_t)scene->item_count, err));
     HATCH_TRY(choose(&frame, choices, err));
     if (view->near_is_automatic && !view->orthographic)
         view->near = near->plane = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);

@@ -1,6 +1,5 @@
 #include "near/pieces.h"
 
-#include <math.h>
 #include <stddef.h>
 
 #include "math/vector.h"

@@ -1,11 +1,9 @@
 #include "placement/fill.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #include "placement/column.h"
-#include "placement/potential.h"
 #include "placement/place.h"
 
 /* After this many choices in a row without a stroke that darkens the image, or without one short enough, the image

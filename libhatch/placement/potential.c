@@ -1,6 +1,5 @@
 #include "placement/potential.h"
 
-#include <math.h>
 #include <string.h>
 
 static float *ink_shares(float *share, uint32_t parts)

@@ -104,20 +104,15 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
         all.skin_count += scenes[i].skin_count;
         all.animation_count += scenes[i].animation_count;
     }
-    *made = (struct hatch_scene){.nodes = HATCH_NEW(arena, struct hatch_node, all.node_count, err)};
-    if (!made->nodes)
-        return HATCH_LIMIT;
-    made->meshes = HATCH_NEW(arena, struct hatch_scene_mesh, all.mesh_count, err);
-    made->materials = HATCH_NEW(arena, struct hatch_material, all.material_count, err);
-    made->textures = HATCH_NEW(arena, struct hatch_texture, all.texture_count, err);
-    made->cameras = HATCH_NEW(arena, struct hatch_camera, all.camera_count, err);
-    made->lights = HATCH_NEW(arena, struct hatch_light, all.light_count, err);
-    made->skins = HATCH_NEW(arena, struct hatch_skin, all.skin_count, err);
-    made->animations = HATCH_NEW(arena, struct hatch_animation, all.animation_count, err);
-    return made->meshes && made->materials && made->textures && made->cameras && made->lights && made->skins &&
-                   made->animations
-               ? HATCH_OK
-               : HATCH_LIMIT;
+    *made = (struct hatch_scene){0};
+    HATCH_TRY(HATCH_ALLOC(arena, &made->nodes, all.node_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->meshes, all.mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->materials, all.material_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->textures, all.texture_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->cameras, all.camera_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->lights, all.light_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->skins, all.skin_count, err));
+    return HATCH_ALLOC(arena, &made->animations, all.animation_count, err);
 }
 
 enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,

@@ -57,11 +57,9 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
         return hatch_fail(
             err, HATCH_LIMIT, "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
             layer_style->length_px, layer_style->width_px, layer_style->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
-    made.points = HATCH_NEW(arena, struct hatch_seed_point, set->count, err);
-    made.positions = made.points ? hatch_arena_array(arena, set->count, sizeof *made.positions, err) : NULL;
-    made.life = made.positions ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
-    if (!made.life)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.points, set->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.positions, set->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.life, 4 * (size_t)set->count, err));
     hatch_seed_points(set, made.points);
     for (uint32_t i = 0; i < set->count; i++) {
         made.positions[i][0] = (double)made.points[i].u * 0x1p-64;

@@ -1,5 +1,3 @@
-#include "shapes/shapes.h"
-
 #include <assert.h>
 #include <math.h>
 

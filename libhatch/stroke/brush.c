@@ -1,7 +1,6 @@
 #include "stroke/brush.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "base/random.h"
 #include "image/color.h"

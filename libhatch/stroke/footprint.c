@@ -1,7 +1,6 @@
 #include "stroke/footprint.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "stroke/frame.h"
 #include "stroke/path.h"

@@ -1,7 +1,6 @@
 #include "stroke/path.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #define CURVE_PIECES_MAX 4096.0

@@ -1,6 +1,5 @@
 #include "stroke/script.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/text.h"

@@ -1,5 +1,3 @@
-#include "surface/surface.h"
-
 #include "math/vector.h"
 #include "mesh/dropped.h"
 #include "mesh/fans.h"

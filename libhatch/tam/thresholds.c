@@ -1,7 +1,6 @@
 #include "tam/thresholds.h"
 
 #include <assert.h>
-#include <string.h>
 
 #include "base/random.h"
 #include "tam/steps.h"

@@ -1,5 +1,4 @@
 #include <assert.h>
-#include <string.h>
 
 #include "tam/steps.h"
 #include "tam/thresholds.h"

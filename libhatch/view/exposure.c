@@ -1,7 +1,5 @@
 #include "view/exposure.h"
 
-#include <math.h>
-
 #define BRIGHTEST_SHARE 0.05
 
 /* Histogram of vertices by the logarithm of their light: STEPS bins per octave. */

@@ -1,6 +1,5 @@
 #include "view/uv_repeat.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "mesh/fans.h"

@@ -1,7 +1,6 @@
 #include "io/exr/exr.h"
 
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/chunk.h"

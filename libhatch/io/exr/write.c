@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <libdeflate.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/stream.h"

@@ -1,7 +1,6 @@
 #include "io/foreign/foreign.h"
 
 #include <dlfcn.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/exr.h"

@@ -2,7 +2,6 @@
 
 #include <png.h>
 #include <setjmp.h>
-#include <stdbool.h>
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)

@@ -1,9 +1,5 @@
-#include "io/svg/svg.h"
-
-#include <math.h>
 #include <string.h>
 
-#include "io/svg/parts.h"
 #include "io/svg/sheet.h"
 #include "io/svg/tree.h"
 

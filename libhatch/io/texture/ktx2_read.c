@@ -1,5 +1,3 @@
-#include <stdbool.h>
-#include <string.h>
 #include <zstd.h>
 
 #include "io/texture/container.h"

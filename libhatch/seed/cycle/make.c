@@ -1,5 +1,3 @@
-#include "seed/cycle/cycle.h"
-
 #include <assert.h>
 
 #include "seed/cycle/parts.h"
