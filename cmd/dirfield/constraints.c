@@ -131,10 +131,8 @@ static enum hatch_status add(struct cmd_args *args, struct dirfield_job *job, st
 {
     uint32_t count = job->constraint_count;
     if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8 ... */
-        struct dirfield_constraint *grown =
-            HATCH_NEW(&args->keep, struct dirfield_constraint, count ? 2 * (size_t)count : 1, err);
-        if (!grown)
-            return HATCH_LIMIT;
+        struct dirfield_constraint *grown;
+        HATCH_TRY(HATCH_ALLOC(&args->keep, &grown, count ? 2 * (size_t)count : 1, err));
         if (count)
             memcpy(grown, job->constraints, count * sizeof *grown);
         job->constraints = grown;
@@ -163,15 +161,12 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
 
 static enum hatch_status map_vertices(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
 {
-    targets->vertex_points = HATCH_NEW(&args->keep, uint32_t *, targets->job_count, err);
-    if (!targets->vertex_points)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(&args->keep, &targets->vertex_points, targets->job_count, err));
     for (uint32_t i = 0; i < targets->job_count; i++) {
         struct dirfield_job *job = &targets->jobs[i];
         uint32_t vertices = job->mesh->mesh.vertex_count;
-        uint32_t *points = HATCH_NEW(&args->keep, uint32_t, vertices, err);
-        if (!points)
-            return HATCH_LIMIT;
+        uint32_t *points;
+        HATCH_TRY(HATCH_ALLOC(&args->keep, &points, vertices, err));
         hatch_surface_vertex_points(job->surface, vertices, points);
         targets->vertex_points[i] = points;
     }

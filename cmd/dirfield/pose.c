@@ -24,8 +24,7 @@ static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, c
     struct hatch_err err;
     for (uint32_t n = 0; n < scene->node_count; n++)
         job->pose_count += shows(&scene->nodes[n], job->number);
-    job->poses = HATCH_NEW(&args->keep, struct dirfield_pose, job->pose_count, &err);
-    cmd_check(job->poses ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &job->poses, job->pose_count, &err), NULL, &err);
     uint32_t found = 0;
     for (uint32_t n = 0; n < scene->node_count; n++)
         if (shows(&scene->nodes[n], job->number))
@@ -35,8 +34,8 @@ static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, c
 void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_job *jobs)
 {
     struct hatch_err err;
-    float *world = HATCH_NEW(&args->keep, float, (size_t)scene->node_count * 16, &err);
-    cmd_check(world ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    float *world;
+    cmd_check(HATCH_ALLOC(&args->keep, &world, (size_t)scene->node_count * 16, &err), NULL, &err);
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         find_poses(args, scene, world, &jobs[i]);

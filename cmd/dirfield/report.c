@@ -46,8 +46,7 @@ void dirfield_report_begin(struct dirfield_report *report, struct cmd_args *args
     struct hatch_err err;
     *report = (struct dirfield_report){.args = args};
     cmd_report_begin(&report->table, args, columns);
-    report->confidence = HATCH_NEW(&args->keep, struct hatch_weighted, points, &err);
-    cmd_check(report->confidence ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &report->confidence, points, &err), NULL, &err);
 }
 
 /* Columns that do not apply to the kind of row stay NaN. */

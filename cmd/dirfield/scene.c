@@ -21,8 +21,7 @@ static void make_jobs(struct run *run)
     struct hatch_err err;
     const struct hatch_surface *surfaces = cmd_make_surfaces(run->args, run->input, &run->scene);
     uint32_t count = run->scene.mesh_count;
-    run->jobs = HATCH_NEW(&run->args->keep, struct dirfield_job, count, &err);
-    cmd_check(run->jobs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(HATCH_ALLOC(&run->args->keep, &run->jobs, count, &err), NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
         run->jobs[i] =
             (struct dirfield_job){cmd_input_name(run->input), i, &run->scene.meshes[i], &surfaces[i], .share = 0};

@@ -68,8 +68,7 @@ static void constrain(const char *file, struct dirfield_job *job, double *direct
     *weight = NULL;
     if (job->constraint_count == 0)
         return;
-    *weight = HATCH_NEW(&job->work, double, job->surface->point_count, &err);
-    cmd_check(*weight ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(HATCH_ALLOC(&job->work, weight, job->surface->point_count, &err), NULL, &err);
     for (uint32_t i = 0; i < job->constraint_count; i++) {
         const struct dirfield_constraint *given = &job->constraints[i];
         const double *normal = &job->frames.normal[3 * (size_t)given->point];

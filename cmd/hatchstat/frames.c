@@ -94,8 +94,8 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
 {
     int count = args->operand_count - 1;
     struct hatch_err err;
-    struct figures *figures = HATCH_NEW(&args->keep, struct figures, (size_t)count, &err);
-    cmd_check(figures ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    struct figures *figures;
+    cmd_check(HATCH_ALLOC(&args->keep, &figures, (size_t)count, &err), NULL, &err);
     measure(args, options->srgb, count, figures);
     struct cmd_report report;
     cmd_report_begin(&report, args, columns);

@@ -16,8 +16,8 @@ static const char *const columns[] = {
 static struct hatch_image *read_masks(struct cmd_args *args, const char *name, const struct hatch_scene *scene)
 {
     struct hatch_err err;
-    struct hatch_image *masks = HATCH_NEW(&args->keep, struct hatch_image, scene->texture_count, &err);
-    cmd_check(masks ? HATCH_OK : HATCH_LIMIT, name, &err);
+    struct hatch_image *masks;
+    cmd_check(HATCH_ALLOC(&args->keep, &masks, scene->texture_count, &err), name, &err);
     for (uint32_t m = 0; m < scene->material_count; m++) {
         uint32_t t = scene->materials[m].base.texture;
         if (!scene->materials[m].outline || t == HATCH_NONE || !scene->textures[t].data || masks[t].pixels)

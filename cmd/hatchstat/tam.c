@@ -79,8 +79,7 @@ static void measure_strokes(struct cmd_args *args, const struct stat_options *op
                                                 &subject->stroke_darkness[level], &err),
                   name, &err);
     cmd_check(hatch_measure_tam_nesting(tam, &subject->strokes, &args->scratch, &summary->missing, &err), name, &err);
-    subject->evenness = HATCH_NEW(&args->keep, double, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err);
-    cmd_check(subject->evenness ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &subject->evenness, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err), NULL, &err);
     cmd_check(hatch_measure_evenness(tam, &subject->strokes, (uint32_t)options->throws, &args->scratch,
                                      subject->evenness, &err),
               name, &err);

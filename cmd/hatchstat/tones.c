@@ -4,7 +4,6 @@
 #include "shared/map.h"
 #include "image/blocks.h"
 #include "io/texture/container.h"
-#include "io/exr/exr.h"
 #include "measure/tone_figures.h"
 #include "subject.h"
 #include "tam/exact.h"

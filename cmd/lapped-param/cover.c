@@ -57,10 +57,9 @@ static enum hatch_status make_patches(struct cmd_args *args, const struct lapped
         HATCH_TRY(hatch_surface_make(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
     HATCH_TRY(hatch_frames_make(&work->surface, &work->arena, &args->scratch, &work->frames, err));
     size_t points = work->surface.point_count;
-    double *direction = HATCH_NEW(&work->arena, double, 3 * points, err);
-    double *confidence = direction ? HATCH_NEW(&work->arena, double, points, err) : NULL;
-    if (!confidence)
-        return HATCH_LIMIT;
+    double *direction, *confidence;
+    HATCH_TRY(HATCH_ALLOC(&work->arena, &direction, 3 * points, err));
+    HATCH_TRY(HATCH_ALLOC(&work->arena, &confidence, points, err));
     hatch_field_of_mesh(&work->surface, &work->frames, mesh, direction, confidence);
     work->input.surface = &work->surface;
     work->input.frames = &work->frames;
@@ -75,9 +74,7 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
                                      struct hatch_err *err)
 {
     const struct hatch_lapped *lapped = &work->lapped;
-    part->made = HATCH_NEW(&args->keep, struct hatch_scene_mesh, lapped->patch_count, err);
-    if (!part->made)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(&args->keep, &part->made, lapped->patch_count, err));
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         part->made[p] = *part->mesh;
         HATCH_TRY(hatch_lapped_mesh(&work->input, lapped, p, &args->keep, &args->scratch, &part->made[p].mesh, err));
@@ -116,11 +113,10 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     size_t corners = 3 * (size_t)surface->face_count;
     struct hatch_splits splits;
     float *uv;
-    uint32_t *last = HATCH_NEW(scratch, uint32_t, source.vertex_count, err);
-    uint32_t *before = last ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    uint32_t *class_of = before ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    if (!class_of)
-        return HATCH_LIMIT;
+    uint32_t *last, *before, *class_of;
+    HATCH_TRY(HATCH_ALLOC(scratch, &last, source.vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &before, corners, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &class_of, corners, err));
     find_classes(surface, texcoords, last, before, class_of);
     HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, &splits, err));
     HATCH_TRY(
@@ -138,10 +134,9 @@ static enum hatch_status make_atlas(struct cmd_args *args, const struct work *wo
 {
     double scale;
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-    float *texcoords = HATCH_NEW(&args->scratch, float, 6 * (size_t)work->surface.face_count, err);
-    part->made = texcoords ? HATCH_NEW(&args->keep, struct hatch_scene_mesh, 1, err) : NULL;
-    if (!part->made)
-        return HATCH_LIMIT;
+    float *texcoords;
+    HATCH_TRY(HATCH_ALLOC(&args->scratch, &texcoords, 6 * (size_t)work->surface.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(&args->keep, &part->made, 1, err));
     part->made[0] = *part->mesh;
     part->made_count = 1;
     HATCH_TRY(hatch_lapped_atlas(&work->input, &work->lapped, ATLAS_MARGIN, &args->scratch, texcoords, &scale, err));

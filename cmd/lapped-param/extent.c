@@ -50,10 +50,10 @@ void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene
     for (uint32_t s = 0; s < scene->skin_count; s++)
         joint_count = scene->skins[s].joint_count > joint_count ? scene->skins[s].joint_count : joint_count;
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-    float *world = HATCH_NEW(&args->scratch, float, 16 * (size_t)scene->node_count, &err);
-    float *joints = world ? HATCH_NEW(&args->scratch, float, 16 * joint_count, &err) : NULL;
-    extent->scale = joints ? HATCH_NEW(&args->keep, double, scene->mesh_count, &err) : NULL;
-    cmd_check(extent->scale ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    float *world, *joints;
+    cmd_check(HATCH_ALLOC(&args->scratch, &world, 16 * (size_t)scene->node_count, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->scratch, &joints, 16 * joint_count, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &extent->scale, scene->mesh_count, &err), NULL, &err);
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t n = 0; n < scene->node_count; n++) {
         const struct hatch_node *node = &scene->nodes[n];

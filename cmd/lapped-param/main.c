@@ -91,8 +91,8 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     struct hatch_err err;
     struct lapped_param_extent extent;
     const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
-    struct lapped_param_part *parts = HATCH_NEW(&args->keep, struct lapped_param_part, scene->mesh_count, &err);
-    cmd_check(parts ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    struct lapped_param_part *parts;
+    cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
     lapped_param_measure(args, scene, &extent);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct lapped_param_part *part = &parts[i];

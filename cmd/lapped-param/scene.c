@@ -35,9 +35,10 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
 static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_err err;
-    struct hatch_texture *textures = HATCH_NEW(&args->keep, struct hatch_texture, scene->texture_count, &err);
-    uint32_t *number = textures ? HATCH_NEW(&args->keep, uint32_t, scene->texture_count, &err) : NULL;
-    cmd_check(number ? HATCH_OK : HATCH_LIMIT, name, &err);
+    struct hatch_texture *textures;
+    uint32_t *number;
+    cmd_check(HATCH_ALLOC(&args->keep, &textures, scene->texture_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &number, scene->texture_count, &err), name, &err);
     uint32_t count = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
         struct hatch_normal_map *normals = &scene->materials[m].normals;
@@ -58,8 +59,8 @@ static void keep_normals(struct cmd_args *args, const char *name, struct hatch_s
 void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_err err;
-    bool *textured = HATCH_NEW(&args->keep, bool, scene->material_count, &err);
-    cmd_check(textured ? HATCH_OK : HATCH_LIMIT, name, &err);
+    bool *textured;
+    cmd_check(HATCH_ALLOC(&args->keep, &textured, scene->material_count, &err), name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
         const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
@@ -89,8 +90,8 @@ void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, cons
 {
     struct hatch_err err;
     size_t total = 0;
-    uint32_t *first = HATCH_NEW(&args->keep, uint32_t, (size_t)scene->mesh_count + 1, &err);
-    cmd_check(first ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    uint32_t *first;
+    cmd_check(HATCH_ALLOC(&args->keep, &first, (size_t)scene->mesh_count + 1, &err), NULL, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         first[i] = (uint32_t)total;
         total += parts[i].made_count;

@@ -1,5 +1,4 @@
 #include "shared/field.h"
-#include "shared/scene.h"
 
 #include <math.h>
 
@@ -51,9 +50,8 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
                                                        .iterations_max = CMD_FIELD_ITERATIONS};
     struct hatch_frames frames;
     struct hatch_curvature curvature;
-    bool *filled = HATCH_NEW(work, bool, surface->component_count, err);
-    if (!filled)
-        return HATCH_LIMIT;
+    bool *filled;
+    HATCH_TRY(HATCH_ALLOC(work, &filled, surface->component_count, err));
     HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &adaptive, work, &args->scratch, &curvature, err));
     hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, &curvature);

@@ -41,9 +41,8 @@ static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_
             return HATCH_OK;
         }
         if (full) {
-            uint8_t *larger = HATCH_NEW(arena, uint8_t, 2 * capacity, err);
-            if (!larger)
-                return HATCH_LIMIT;
+            uint8_t *larger;
+            HATCH_TRY(HATCH_ALLOC(arena, &larger, 2 * capacity, err));
             memcpy(larger, data, size);
             larger[size] = beyond;
             data = larger;
@@ -97,8 +96,8 @@ const char *cmd_installed_path(struct cmd_args *args, const char *relative)
         while (length > 0 && executable[--length] != '/')
             continue;
     size_t size = (size_t)length + 1 + strlen(relative);
-    char *path = HATCH_NEW(&args->keep, char, size + 1, &err);
-    cmd_check(path ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    char *path;
+    cmd_check(HATCH_ALLOC(&args->keep, &path, size + 1, &err), NULL, &err);
     snprintf(path, size + 1, "%.*s/%s", (int)length, executable, relative);
     return path;
 }

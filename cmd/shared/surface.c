@@ -17,9 +17,8 @@ static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_err err;
     uint32_t kept = 0, all = scene->mesh_count;
-    uint32_t *kept_before = HATCH_NEW(&args->scratch, uint32_t, (size_t)all + 1, &err);
-    if (!kept_before)
-        cmd_die(name, &err);
+    uint32_t *kept_before;
+    cmd_check(HATCH_ALLOC(&args->scratch, &kept_before, (size_t)all + 1, &err), name, &err);
     for (uint32_t i = 0; i < all; i++) {
         kept_before[i] = kept;
         if (has_area(&scene->meshes[i].mesh))
@@ -84,9 +83,8 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
     uint32_t empty = drop_empty(args, name, scene);
     if (scene->mesh_count == 0)
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no face has an area"), name, &err);
-    struct hatch_surface *surfaces = HATCH_NEW(&args->keep, struct hatch_surface, scene->mesh_count, &err);
-    if (!surfaces)
-        cmd_die(name, &err);
+    struct hatch_surface *surfaces;
+    cmd_check(HATCH_ALLOC(&args->keep, &surfaces, scene->mesh_count, &err), name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct hatch_scene_mesh *from = &scene->meshes[i];
         cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);

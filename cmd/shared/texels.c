@@ -1,7 +1,6 @@
 #include "shared/texels.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "io/texture/container.h"
 #include "io/exr/exr.h"

@@ -36,18 +36,14 @@ static enum hatch_status begin(struct columns *columns, const struct hatch_mipma
     uint32_t threads = hatch_pool_threads(columns->pool), most = columns->tones / COPIES_DIVISOR;
     uint32_t useful = threads < 2 ? 0 : threads * COPIES_PER_THREAD;
     columns->copy_count = useful < most ? useful : most;
-    columns->copies = HATCH_NEW(columns->arena, struct column_copy, columns->copy_count, err);
-    if (!columns->copies)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(columns->arena, &columns->copies, columns->copy_count, err));
     for (uint32_t i = 0; i < columns->copy_count; i++) {
         struct column_copy *copy = &columns->copies[i];
         copy->writer = columns->writer;
         for (uint32_t level = 0; level < column->level_count; level++) {
             const struct hatch_image *image = &column->levels[level];
             size_t floats = (size_t)image->width * image->height * image->channel_count;
-            copy->levels[level].pixels = HATCH_NEW(columns->arena, float, floats, err);
-            if (!copy->levels[level].pixels)
-                return HATCH_LIMIT;
+            HATCH_TRY(HATCH_ALLOC(columns->arena, &copy->levels[level].pixels, floats, err));
         }
     }
     return HATCH_OK;

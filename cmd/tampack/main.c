@@ -91,8 +91,8 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
 {
     struct hatch_err err;
     uint32_t count = count_files(job, how, input);
-    struct file *files = HATCH_NEW(&job->args->keep, struct file, count, &err);
-    cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    struct file *files;
+    cmd_check(HATCH_ALLOC(&job->args->keep, &files, count, &err), NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
         files[i].job = job;
         files[i].how = how;
@@ -103,8 +103,8 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
     hatch_parallel_for(cmd_pool(job->args), count, encode, files);
     for (uint32_t i = 0; i < count; i++)
         cmd_check(files[i].status, cmd_input_name(input), &files[i].err);
-    struct cmd_file *written = HATCH_NEW(&job->args->keep, struct cmd_file, count, &err);
-    cmd_check(written ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    struct cmd_file *written;
+    cmd_check(HATCH_ALLOC(&job->args->keep, &written, count, &err), NULL, &err);
     for (uint32_t i = 0; i < count; i++)
         written[i] =
             (struct cmd_file){.output = files[i].output, .data = files[i].bytes.data, .size = files[i].bytes.size};

@@ -50,6 +50,13 @@ void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, st
 #define HATCH_NEW(arena, type, count, err) ((type *)hatch_arena_array((arena), (count), sizeof(type), (err)))
 #define HATCH_NEW_UNSET(arena, type, count, err) ((type *)hatch_arena_unset((arena), (count), sizeof(type), (err)))
 
+/* The same with a status as the value, in C alone: HATCH_ALLOC(arena, &items, n, err) sets items to n zeroed items of
+ * its type, or to NULL on failure. */
+#define HATCH_ALLOC(arena, pointer, count, err)                                                                        \
+    ((*(pointer) = hatch_arena_array((arena), (count), sizeof **(pointer), (err))) ? HATCH_OK : HATCH_LIMIT)
+#define HATCH_ALLOC_UNSET(arena, pointer, count, err)                                                                  \
+    ((*(pointer) = hatch_arena_unset((arena), (count), sizeof **(pointer), (err))) ? HATCH_OK : HATCH_LIMIT)
+
 /* Copies text and adds a terminating zero; returns NULL on failure, like hatch_arena_array.
  *   length  bytes of text without a terminating zero */
 char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length, struct hatch_err *err);

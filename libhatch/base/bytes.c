@@ -85,9 +85,8 @@ enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more,
         capacity = needed;
     if (capacity < 4096)
         capacity = 4096;
-    uint8_t *data = HATCH_NEW_UNSET(buffer->arena, uint8_t, capacity, err);
-    if (!data)
-        return HATCH_LIMIT;
+    uint8_t *data;
+    HATCH_TRY(HATCH_ALLOC_UNSET(buffer->arena, &data, capacity, err));
     if (buffer->size)
         memcpy(data, buffer->data, buffer->size);
     buffer->data = data;

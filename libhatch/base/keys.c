@@ -17,10 +17,8 @@ static uint32_t slot_of(const struct hatch_keys *keys, uint64_t key)
 static enum hatch_status grow(struct hatch_keys *keys, uint32_t capacity, struct hatch_err *err)
 {
     struct hatch_keys grown = {.arena = keys->arena, .count = keys->count, .capacity = capacity};
-    grown.keys = HATCH_NEW(keys->arena, uint64_t, capacity / 2, err);
-    grown.slots = grown.keys ? HATCH_NEW(keys->arena, uint32_t, capacity, err) : NULL;
-    if (!grown.slots)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(keys->arena, &grown.keys, capacity / 2, err));
+    HATCH_TRY(HATCH_ALLOC(keys->arena, &grown.slots, capacity, err));
     if (keys->count)
         memcpy(grown.keys, keys->keys, keys->count * sizeof *keys->keys);
     for (uint32_t i = 0; i < grown.count; i++)

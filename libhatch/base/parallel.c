@@ -59,12 +59,9 @@ static void *work(void *context)
 enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena, struct hatch_pool **pool,
                                   struct hatch_err *err)
 {
-    struct hatch_pool *made = HATCH_NEW(arena, struct hatch_pool, 1, err);
-    if (!made)
-        return HATCH_LIMIT;
-    made->workers = HATCH_NEW(arena, pthread_t, threads, err);
-    if (!made->workers)
-        return HATCH_LIMIT;
+    struct hatch_pool *made;
+    HATCH_TRY(HATCH_ALLOC(arena, &made, 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->workers, threads, err));
     pthread_mutex_init(&made->lock, NULL);
     pthread_cond_init(&made->changed, NULL);
     while (made->worker_count + 1 < threads &&

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "curvature/blend.h"
 #include "curvature/work.h"
 
 #define RADIUS_GROWTH 1.7 /* from level to level */
@@ -29,6 +28,71 @@
 #define SIGNIFICANCE 16.0 /* of differences between degrees, in variances */
 #define BIAS_SHARE 0.1    /* squared bias of a quartic, as a share of the largest that its residual allows */
 
+struct blend {
+    /* Weighted sums over the fits, and the sum of the weights. */
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance;
+    double radius, weight;
+    /* Smallest expected squared error of a fit: over all levels, and on the current one; INFINITY: no fit. */
+    double best_error, level_error;
+    bool open; /* whether larger supports may help */
+};
+
+/* Steeper than inverse variance: fits that share points have correlated errors, so the best should dominate. */
+/* Returns the weight of a fit of an expected squared error. */
+static double blend_weight(double error)
+{
+    return 1 / (error * sqrt(error));
+}
+
+/* Adds a fit.
+ *   side  1, or -1 where the fit's outside is not that of the point */
+static void add_to_blend(struct blend *blend, double weight, double side, const struct hatch_curvature_tensor *tensor,
+                         const struct hatch_curvature_variance *variance, double radius)
+{
+    for (int i = 0; i < 6; i++)
+        blend->tensor.matrix[i] += side * weight * tensor->matrix[i];
+    for (int i = 0; i < 3; i++)
+        blend->tensor.normal[i] += side * weight * tensor->normal[i];
+    blend->weight += weight;
+    blend->variance.off_diagonal += weight * variance->off_diagonal;
+    blend->variance.mean += weight * variance->mean;
+    blend->radius += weight * radius;
+}
+
+/* Computes the weighted means. Returns false when the blend has no fit. */
+static bool mean_of_blend(const struct blend *blend, struct hatch_curvature_tensor *tensor,
+                          struct hatch_curvature_variance *variance)
+{
+    if (!(blend->weight > 0))
+        return false;
+    for (int i = 0; i < 6; i++)
+        tensor->matrix[i] = blend->tensor.matrix[i] / blend->weight;
+    hatch_vec_copy(blend->tensor.normal, tensor->normal);
+    variance->off_diagonal = blend->variance.off_diagonal / blend->weight;
+    variance->mean = blend->variance.mean / blend->weight;
+    return hatch_vec_normalize(tensor->normal) > 0;
+}
+
+/* Rejects clear cases early by the squared difference of the curvatures: twice the sum of the squares of the matrix,
+ * less the square of its trace. */
+/* Returns whether the standard error of the direction is at most limit_rad. */
+static bool is_blend_certain(const struct blend *blend, double limit_rad)
+{
+    const double *m = blend->tensor.matrix;
+    double trace = m[0] + m[3] + m[5], off_diagonal = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
+    double difference = 2 * (m[0] * m[0] + m[3] * m[3] + m[5] * m[5] + 2 * off_diagonal) - trace * trace;
+    if (blend->variance.off_diagonal * blend->weight > 2 * limit_rad * limit_rad * difference)
+        return false;
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance;
+    struct hatch_principal_curvatures principal;
+    if (!mean_of_blend(blend, &tensor, &variance))
+        return false;
+    hatch_curvature_tensor_principal(&tensor, &principal);
+    return hatch_curvature_direction_error(&principal, &variance) <= limit_rad;
+}
+
 struct fit {
     struct hatch_jet_frame frame;
     double coefficients[HATCH_JET_TERMS];
@@ -45,7 +109,7 @@ struct covered_node {
 struct work {
     const struct hatch_curvature_run *run;
     const struct hatch_curvature_graph *graph; /* of the level: the run's, or a coarser one */
-    struct hatch_curvature_blend *blends;      /* per point */
+    struct blend *blends;                      /* per point */
     double *noise;           /* per point: sum of squared residuals of the fits around, then variance of the noise */
     double *freedom;         /* per point: degrees of freedom of that sum */
     double *buffer;          /* per point */
@@ -82,9 +146,8 @@ static enum hatch_status record_covered(struct work *w, const struct hatch_suppo
         return hatch_fail(err, HATCH_LIMIT, "the curvature fits cover more than 2^31 points: simplify the mesh");
     if (first + support->count > w->covered_capacity) {
         w->covered_capacity = 2 * (first + support->count);
-        struct covered_node *grown = HATCH_NEW_UNSET(scratch, struct covered_node, w->covered_capacity, err);
-        if (!grown)
-            return HATCH_LIMIT;
+        struct covered_node *grown;
+        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &grown, w->covered_capacity, err));
         if (first > 0)
             memcpy(grown, w->covered, first * sizeof *grown);
         w->covered = grown;
@@ -253,7 +316,7 @@ static void measure_noise(struct work *w, uint32_t count)
 
 /* Points covered by a fit that wait to be evaluated in pairs. */
 struct pending {
-    struct hatch_curvature_blend *blends[2];
+    struct blend *blends[2];
     double weight[2], side[2], x[2], y[2];
     uint32_t count;
 };
@@ -263,14 +326,14 @@ static void evaluate_pending(const struct fit *fit, struct pending *pending)
     struct hatch_curvature_tensor tensors[2];
     hatch_curvature_tensors_of_jet(&fit->frame, fit->coefficients, fit->degree, pending->x, pending->y, tensors);
     for (uint32_t i = 0; i < pending->count; i++)
-        hatch_curvature_blend_add(pending->blends[i], pending->weight[i], pending->side[i], &tensors[i], &fit->variance,
-                                  fit->frame.radius);
+        add_to_blend(pending->blends[i], pending->weight[i], pending->side[i], &tensors[i], &fit->variance,
+                     fit->frame.radius);
     pending->count = 0;
 }
 
 /* Adds a fit to the blend of a point it covers; the weight falls from weight_max at the centre of the fit to 0.
  *   offset  of the point from the centre */
-static void cover_point(struct hatch_curvature_blend *blend, const struct fit *fit, double weight_max, double side,
+static void cover_point(struct blend *blend, const struct fit *fit, double weight_max, double side,
                         const double offset[3], struct pending *pending)
 {
     double unit = 1 / fit->frame.radius;
@@ -292,7 +355,7 @@ static void cover_point(struct hatch_curvature_blend *blend, const struct fit *f
 static void cover_points(struct work *w, const struct fit *fit, uint32_t center)
 {
     const struct hatch_curvature_graph *graph = w->graph;
-    double weight_max = hatch_curvature_blend_weight(hatch_curvature_variance_sum(&fit->variance));
+    double weight_max = blend_weight(hatch_curvature_variance_sum(&fit->variance));
     struct pending pending = {.count = 0};
     for (uint32_t n = w->first_covered[center]; n < w->first_covered[center + 1]; n++) {
         struct hatch_curvature_members members = hatch_curvature_node_members(graph, w->covered[n].node);
@@ -311,10 +374,10 @@ static void cover_points(struct work *w, const struct fit *fit, uint32_t center)
 static void refit_point(void *context, uint32_t p, struct hatch_support *support)
 {
     struct work *w = context;
-    struct hatch_curvature_blend *blend = &w->blends[p];
+    struct blend *blend = &w->blends[p];
     struct hatch_jet_system system;
     struct hatch_jet_frame frame;
-    if (!hatch_curvature_blend_is_certain(blend, ERROR_REFIT_RAD))
+    if (!is_blend_certain(blend, ERROR_REFIT_RAD))
         return;
     hatch_curvature_fit(support, p, &w->run->graph.normals[(size_t)p * 3], w->radius,
                         w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE, &frame, &system);
@@ -326,21 +389,21 @@ static void refit_point(void *context, uint32_t p, struct hatch_support *support
     variance.off_diagonal *= w->noise[p];
     variance.mean *= w->noise[p];
     double error = hatch_curvature_variance_sum(&variance);
-    *blend = (struct hatch_curvature_blend){.best_error = error, .level_error = error, .open = true};
-    hatch_curvature_blend_add(blend, hatch_curvature_blend_weight(error), 1, &tensor, &variance, frame.radius);
+    *blend = (struct blend){.best_error = error, .level_error = error, .open = true};
+    add_to_blend(blend, blend_weight(error), 1, &tensor, &variance, frame.radius);
 }
 
 /* Closes the points that need no larger support, or that the last one made worse. Updates the normals. */
 static void close_points(struct work *w)
 {
     for (uint32_t p = 0; p < w->run->graph.surface.point_count; p++) {
-        struct hatch_curvature_blend *blend = &w->blends[p];
+        struct blend *blend = &w->blends[p];
         if (!blend->open)
             continue;
         bool worse = blend->level_error < INFINITY && blend->level_error > ERROR_GROWTH_MAX * blend->best_error;
         blend->best_error = fmin(blend->best_error, blend->level_error);
         blend->level_error = INFINITY;
-        blend->open = !worse && !hatch_curvature_blend_is_certain(blend, ERROR_STOP_RAD);
+        blend->open = !worse && !is_blend_certain(blend, ERROR_STOP_RAD);
         if (blend->weight > 0) {
             double *normal = &w->run->graph.normals[(size_t)p * 3];
             hatch_vec_copy(blend->tensor.normal, normal);
@@ -357,9 +420,7 @@ static enum hatch_status run_level(struct work *w, struct hatch_arena *scratch, 
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(choose_centers(w, &count, scratch, err));
     *more = count > 0;
-    w->fits = HATCH_NEW_UNSET(scratch, struct fit, count, err);
-    if (!w->fits)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->fits, count, err));
     hatch_curvature_for_each(w->run, count, fit_center, w);
     if (w->level == 1)
         measure_noise(w, count);
@@ -383,22 +444,20 @@ static enum hatch_status run_level(struct work *w, struct hatch_arena *scratch, 
 static enum hatch_status allocate(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t points = w->run->graph.surface.point_count;
-    w->blends = HATCH_NEW_UNSET(scratch, struct hatch_curvature_blend, points, err);
-    w->noise = w->blends ? HATCH_NEW(scratch, double, points, err) : NULL;
-    w->freedom = w->noise ? HATCH_NEW(scratch, double, points, err) : NULL;
-    w->centers = w->freedom ? HATCH_NEW_UNSET(scratch, uint32_t, points, err) : NULL;
-    w->first_covered = w->centers ? HATCH_NEW(scratch, uint32_t, (size_t)points + 1, err) : NULL;
-    w->last_near = w->first_covered ? HATCH_NEW(scratch, uint32_t, points, err) : NULL;
-    w->buffer = w->last_near ? HATCH_NEW_UNSET(scratch, double, points, err) : NULL;
-    return w->buffer ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->blends, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->noise, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->freedom, points, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &w->centers, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->first_covered, (size_t)points + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->last_near, points, err));
+    return HATCH_ALLOC_UNSET(scratch, &w->buffer, points, err);
 }
 
 /* Moves to a graph of fewer nodes. */
 static enum hatch_status coarsen(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct hatch_curvature_graph *coarse = HATCH_NEW(scratch, struct hatch_curvature_graph, 1, err);
-    if (!coarse)
-        return HATCH_LIMIT;
+    struct hatch_curvature_graph *coarse;
+    HATCH_TRY(HATCH_ALLOC(scratch, &coarse, 1, err));
     HATCH_TRY(hatch_curvature_graph_coarsen(&w->run->graph, w->graph, scratch, coarse, err));
     w->graph = coarse;
     for (uint32_t i = 0; i < w->run->workers; i++)
@@ -413,7 +472,7 @@ enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature
     uint32_t points = run->graph.surface.point_count;
     HATCH_TRY(allocate(&w, scratch, err));
     for (uint32_t p = 0; p < points; p++)
-        w.blends[p] = (struct hatch_curvature_blend){.best_error = INFINITY, .level_error = INFINITY, .open = true};
+        w.blends[p] = (struct blend){.best_error = INFINITY, .level_error = INFINITY, .open = true};
     bool more = true;
     for (; more && w.radius <= RADIUS_MAX; w.level++, w.radius *= RADIUS_GROWTH) {
         if (w.level >= LEVEL_COARSE)
@@ -423,10 +482,10 @@ enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature
             run->supports[i].normal_cosine_min = NORMAL_COSINE_MIN;
     }
     for (uint32_t p = 0; p < points; p++) {
-        const struct hatch_curvature_blend *blend = &w.blends[p];
+        const struct blend *blend = &w.blends[p];
         struct hatch_curvature_tensor tensor;
         struct hatch_curvature_variance variance;
-        bool found = hatch_curvature_blend_mean(blend, &tensor, &variance);
+        bool found = mean_of_blend(blend, &tensor, &variance);
         hatch_curvature_store(run, p, found ? &tensor : NULL, &variance,
                               found ? blend->radius / blend->weight : w.radius);
     }

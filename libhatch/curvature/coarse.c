@@ -114,10 +114,8 @@ static enum hatch_status make_grid(const struct sample *samples, uint32_t count,
     grid->mask = 1;
     while (grid->mask / 2 < count)
         grid->mask = 2 * grid->mask + 1;
-    grid->head = HATCH_NEW(scratch, uint32_t, (size_t)grid->mask + 1, err);
-    grid->next = grid->head ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    if (!grid->next)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &grid->head, (size_t)grid->mask + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &grid->next, count, err));
     for (uint32_t i = 0; i <= grid->mask; i++)
         grid->head[i] = HATCH_NO_SIDE;
     for (uint32_t f = 0; f < count; f++) {
@@ -209,9 +207,7 @@ static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatc
     struct hatch_surface coarse;
     struct hatch_surface_notes notes;
     HATCH_TRY(hatch_surface_make(mesh, arena, scratch, &coarse, &notes, err));
-    *samples = HATCH_NEW(scratch, struct sample, coarse.face_count, err);
-    if (!*samples)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, samples, coarse.face_count, err));
     for (uint32_t f = 0; f < coarse.face_count; f++)
         fit_face(&coarse, f, &(*samples)[f]);
     *count = coarse.face_count;

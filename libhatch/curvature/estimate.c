@@ -114,14 +114,13 @@ static void estimate_point(void *context, uint32_t p, struct hatch_support *supp
 enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
                                            struct hatch_curvature *curvature, struct hatch_err *err)
 {
-    struct hatch_curvature made = {.direction = HATCH_NEW(arena, double, (size_t)points * 3, err)};
-    made.value = made.direction ? HATCH_NEW(arena, double, (size_t)points * 2, err) : NULL;
-    made.confidence = made.value ? HATCH_NEW(arena, double, points, err) : NULL;
-    made.standard_error_rad = made.confidence ? HATCH_NEW(arena, double, points, err) : NULL;
-    made.radius = made.standard_error_rad ? HATCH_NEW(arena, double, points, err) : NULL;
-    made.normal = made.radius ? HATCH_NEW(arena, double, (size_t)points * 3, err) : NULL;
-    if (!made.normal)
-        return HATCH_LIMIT;
+    struct hatch_curvature made = {0};
+    HATCH_TRY(HATCH_ALLOC(arena, &made.direction, (size_t)points * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.value, (size_t)points * 2, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.confidence, points, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.standard_error_rad, points, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.radius, points, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.normal, (size_t)points * 3, err));
     *curvature = made;
     return HATCH_OK;
 }
@@ -131,9 +130,7 @@ static enum hatch_status estimate(const struct hatch_surface *surface, struct ha
 {
     struct hatch_curvature_graph *graph = &run->graph;
     HATCH_TRY(hatch_curvature_graph_make(surface, run->frames, scratch, graph, err));
-    run->supports = HATCH_NEW(scratch, struct hatch_support, run->workers, err);
-    if (!run->supports)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &run->supports, run->workers, err));
     for (uint32_t w = 0; w < run->workers; w++)
         HATCH_TRY(hatch_support_make(&graph->surface, graph->normals, scratch, &run->supports[w], err));
     if (!(run->options->radius > 0))

@@ -9,14 +9,13 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
     *out = (struct hatch_surface){.point_count = surface->point_count,
                                   .component_count = surface->component_count,
                                   .components = surface->components};
-    graph->order = HATCH_NEW_UNSET(arena, uint32_t, points, err);
-    graph->normals = graph->order ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
-    out->points = graph->normals ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
-    out->point_component = out->points ? HATCH_NEW_UNSET(arena, uint32_t, points, err) : NULL;
-    out->ring_first = out->point_component ? HATCH_NEW_UNSET(arena, uint32_t, points + 1, err) : NULL;
-    out->ring_point = out->ring_first ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
-    out->ring_turned = out->ring_point ? HATCH_NEW_UNSET(arena, uint8_t, entries, err) : NULL;
-    return out->ring_turned ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &graph->order, points, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &graph->normals, points * 3, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->points, points * 3, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->point_component, points, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->ring_first, points + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->ring_point, entries, err));
+    return HATCH_ALLOC_UNSET(arena, &out->ring_turned, entries, err);
 }
 
 /* A normal that differs more than this from the mean around it is taken for noise, */
@@ -65,10 +64,10 @@ enum hatch_status hatch_curvature_graph_make(const struct hatch_surface *surface
 {
     HATCH_TRY(allocate(surface, arena, graph, err));
     struct hatch_surface *out = &graph->surface;
-    uint32_t *number = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    double *areas = number ? HATCH_NEW(arena, double, (size_t)surface->point_count * 4, err) : NULL;
-    if (!areas)
-        return HATCH_LIMIT;
+    uint32_t *number;
+    double *areas;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &number, surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &areas, (size_t)surface->point_count * 4, err));
     for (uint32_t p = 0; p < surface->point_count; p++)
         sum_areas(surface, p, &areas[(size_t)p * 4]);
     HATCH_TRY(hatch_surface_order_points(surface, arena, graph->order, number, err));

@@ -54,11 +54,9 @@ static void choose_groups(struct coarsening *c)
 static enum hatch_status sort_by_group(struct coarsening *c, struct hatch_arena *arena, struct hatch_err *err)
 {
     uint32_t nodes = c->fine->surface.point_count;
-    c->first = HATCH_NEW(arena, uint32_t, (size_t)c->count + 2, err);
-    c->list = c->first ? HATCH_NEW_UNSET(arena, uint32_t, nodes, err) : NULL;
-    c->slot = c->list ? HATCH_NEW(arena, uint32_t, c->count, err) : NULL;
-    if (!c->slot)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &c->first, (size_t)c->count + 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &c->list, nodes, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &c->slot, c->count, err));
     for (uint32_t p = 0; p < nodes; p++)
         c->first[c->group[p] + 1]++;
     for (uint32_t n = 0; n < c->count; n++)
@@ -73,16 +71,15 @@ static enum hatch_status allocate(const struct coarsening *c, struct hatch_arena
     struct hatch_curvature_graph *out = c->coarse;
     size_t nodes = c->count, entries = c->fine->surface.ring_first[c->fine->surface.point_count];
     *out = (struct hatch_curvature_graph){.surface = {.point_count = c->count}};
-    out->first = HATCH_NEW(arena, uint32_t, nodes + 1, err);
-    out->points = out->first ? HATCH_NEW_UNSET(arena, uint32_t, c->finest->surface.point_count, err) : NULL;
-    out->sides = out->points ? HATCH_NEW_UNSET(arena, int8_t, c->finest->surface.point_count, err) : NULL;
-    out->weights = out->sides ? HATCH_NEW_UNSET(arena, double, nodes, err) : NULL;
-    out->normals = out->weights ? HATCH_NEW(arena, double, nodes * 3, err) : NULL;
-    out->surface.points = out->normals ? HATCH_NEW(arena, double, nodes * 3, err) : NULL;
-    out->surface.ring_first = out->surface.points ? HATCH_NEW(arena, uint32_t, nodes + 1, err) : NULL;
-    out->surface.ring_point = out->surface.ring_first ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
-    out->surface.ring_turned = out->surface.ring_point ? HATCH_NEW_UNSET(arena, uint8_t, entries, err) : NULL;
-    return out->surface.ring_turned ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &out->first, nodes + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->points, c->finest->surface.point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->sides, c->finest->surface.point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->weights, nodes, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &out->normals, nodes * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &out->surface.points, nodes * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &out->surface.ring_first, nodes + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->surface.ring_point, entries, err));
+    return HATCH_ALLOC_UNSET(arena, &out->surface.ring_turned, entries, err);
 }
 
 /* Lists the points of a coarse node and computes their means. */
@@ -131,10 +128,8 @@ enum hatch_status hatch_curvature_graph_coarsen(const struct hatch_curvature_gra
                                                 struct hatch_curvature_graph *coarse, struct hatch_err *err)
 {
     struct coarsening c = {.finest = finest, .fine = fine, .coarse = coarse};
-    c.group = HATCH_NEW(arena, uint32_t, fine->surface.point_count, err);
-    c.side = c.group ? HATCH_NEW(arena, int8_t, fine->surface.point_count, err) : NULL;
-    if (!c.side)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &c.group, fine->surface.point_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &c.side, fine->surface.point_count, err));
     choose_groups(&c);
     HATCH_TRY(sort_by_group(&c, arena, err));
     HATCH_TRY(allocate(&c, arena, err));

@@ -15,12 +15,11 @@ enum hatch_status hatch_support_make(const struct hatch_surface *surface, const 
 {
     size_t points = surface->point_count;
     struct hatch_support made = {.surface = surface, .normals = normals, .normal_cosine_min = NORMAL_COSINE_MIN};
-    made.visited = HATCH_NEW(arena, uint32_t, points, err);
-    made.points = made.visited ? HATCH_NEW(arena, uint32_t, points + 1, err) : NULL;
-    made.sides = made.points ? HATCH_NEW(arena, int8_t, points + 1, err) : NULL;
-    double *offsets = made.sides ? HATCH_NEW(arena, double, points * 3, err) : NULL;
-    if (!offsets)
-        return HATCH_LIMIT;
+    double *offsets;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.visited, points, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.points, points + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.sides, points + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &offsets, points * 3, err));
     for (size_t k = 0; k < 3; k++)
         made.offsets[k] = &offsets[k * points];
     *support = made;

@@ -107,16 +107,12 @@ static enum hatch_status allocate(struct descent *d, struct hatch_arena *scratch
     double **pairs[] = {&d->z, &d->trial, &d->applied};
     double **singles[] = {&d->gradient, &d->next, &d->step};
     for (size_t i = 0; i < 3; i++) {
-        *pairs[i] = HATCH_NEW(scratch, double, (size_t)d->count * 2, err);
-        *singles[i] = *pairs[i] ? HATCH_NEW(scratch, double, d->count, err) : NULL;
-        if (!*singles[i])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(scratch, pairs[i], (size_t)d->count * 2, err));
+        HATCH_TRY(HATCH_ALLOC(scratch, singles[i], d->count, err));
     }
     for (size_t i = 0; i < HISTORY; i++) {
-        d->moved[i] = HATCH_NEW(scratch, double, d->count, err);
-        d->changed[i] = d->moved[i] ? HATCH_NEW(scratch, double, d->count, err) : NULL;
-        if (!d->changed[i])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(scratch, &d->moved[i], d->count, err));
+        HATCH_TRY(HATCH_ALLOC(scratch, &d->changed[i], d->count, err));
     }
     return HATCH_OK;
 }

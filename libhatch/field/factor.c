@@ -15,11 +15,10 @@ static enum hatch_status sort_arrivals(const struct hatch_field_system *system, 
                                        struct arrivals *arrivals, struct hatch_err *err)
 {
     uint32_t links = system->first[system->count];
-    uint32_t *next = HATCH_NEW(scratch, uint32_t, system->count, err);
-    arrivals->link = next ? HATCH_NEW(scratch, uint32_t, links, err) : NULL;
-    arrivals->source = arrivals->link ? HATCH_NEW(scratch, uint32_t, links, err) : NULL;
-    if (!arrivals->source)
-        return HATCH_LIMIT;
+    uint32_t *next;
+    HATCH_TRY(HATCH_ALLOC(scratch, &next, system->count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &arrivals->link, links, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &arrivals->source, links, err));
     memcpy(next, system->first, system->count * sizeof *next);
     for (uint32_t n = 0; n < system->count; n++)
         for (uint32_t i = system->first[n]; i < system->first[n + 1]; i++) {
@@ -67,11 +66,9 @@ static enum hatch_status solve(const struct hatch_field_system *system, size_t l
     if (entries >= UINT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "%lu points are too many for the Cholesky solver: use multigrid",
                           (unsigned long)system->count);
-    matrix.first = HATCH_NEW(scratch, uint32_t, 2 * (size_t)system->count + 1, err);
-    matrix.row = matrix.first ? HATCH_NEW(scratch, uint32_t, entries, err) : NULL;
-    matrix.value = matrix.row ? HATCH_NEW(scratch, double, entries, err) : NULL;
-    if (!matrix.value)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &matrix.first, 2 * (size_t)system->count + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &matrix.row, entries, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &matrix.value, entries, err));
     uint32_t at = 0;
     for (uint32_t c = 0; c < 2 * system->count; c++) {
         at = fill_column(system, &arrivals, c / 2, c % 2 == 0, at, &matrix);

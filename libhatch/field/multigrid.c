@@ -125,11 +125,9 @@ static enum hatch_status group(const struct level *level, uint32_t count, struct
                                struct members *members, struct hatch_err *err)
 {
     uint32_t nodes = level->system.count;
-    members->first = HATCH_NEW(arena, uint32_t, (size_t)count + 2, err);
-    members->node = members->first ? HATCH_NEW_UNSET(arena, uint32_t, nodes, err) : NULL;
-    members->slot = members->node ? HATCH_NEW(arena, uint32_t, count, err) : NULL;
-    if (!members->slot)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &members->first, (size_t)count + 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &members->node, nodes, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &members->slot, count, err));
     for (uint32_t n = 0; n < nodes; n++)
         members->first[level->aggregate[n] + 2]++;
     for (uint32_t a = 0; a < count; a++)
@@ -182,20 +180,16 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count, 
 {
     struct hatch_field_system *coarse = &next->system;
     coarse->count = count;
-    coarse->first = HATCH_NEW(arena, uint32_t, (size_t)count + 1, err);
-    if (!coarse->first)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &coarse->first, (size_t)count + 1, err));
     for (uint32_t a = 0; a < count; a++)
         coarse->first[a + 1] = sum_links(level, members, a, coarse->first[a], NULL);
     uint32_t links = coarse->first[count];
-    coarse->to = HATCH_NEW_UNSET(arena, uint32_t, links, err);
-    coarse->link = coarse->to ? HATCH_NEW(arena, double, (size_t)links * 2, err) : NULL;
-    coarse->diagonal = coarse->link ? HATCH_NEW(arena, double, count, err) : NULL;
-    next->z = coarse->diagonal ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
-    next->rhs = next->z ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
-    next->residual = next->rhs ? HATCH_NEW_UNSET(arena, double, (size_t)count * 2, err) : NULL;
-    if (!next->residual)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &coarse->to, links, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &coarse->link, (size_t)links * 2, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &coarse->diagonal, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &next->z, (size_t)count * 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &next->rhs, (size_t)count * 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &next->residual, (size_t)count * 2, err));
     memset(members->slot, 0, count * sizeof *members->slot);
     for (uint32_t a = 0; a < count; a++)
         sum_links(level, members, a, coarse->first[a], coarse);
@@ -207,9 +201,7 @@ static enum hatch_status make_coarse(const struct level *level, uint32_t count, 
 static enum hatch_status partition_links(struct level *level, struct hatch_arena *arena, struct hatch_err *err)
 {
     const struct hatch_field_system *system = &level->system;
-    level->middle = HATCH_NEW_UNSET(arena, uint32_t, system->count, err);
-    if (!level->middle)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &level->middle, system->count, err));
     for (uint32_t n = 0; n < system->count; n++) {
         uint32_t low = system->first[n];
         for (uint32_t i = low; i < system->first[n + 1]; i++) {
@@ -234,10 +226,8 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
     struct level *level = &levels->level[levels->count - 1];
     uint32_t nodes = level->system.count;
     struct members members = {0};
-    level->aggregate = HATCH_NEW_UNSET(arena, uint32_t, nodes, err);
-    level->phase = level->aggregate ? HATCH_NEW(arena, double, (size_t)nodes * 2, err) : NULL;
-    if (!level->phase)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &level->aggregate, nodes, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &level->phase, (size_t)nodes * 2, err));
     uint32_t count = aggregate(level);
     /* Stops when nodes without links prevent coarsening. */
     *added = count <= nodes - nodes / 4;
@@ -254,14 +244,11 @@ static enum hatch_status add_level(struct hatch_field_levels *levels, struct hat
 enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, struct hatch_arena *arena,
                                       struct hatch_field_levels **levels, struct hatch_err *err)
 {
-    struct hatch_field_levels *made = HATCH_NEW(arena, struct hatch_field_levels, 1, err);
-    if (!made)
-        return HATCH_LIMIT;
+    struct hatch_field_levels *made;
+    HATCH_TRY(HATCH_ALLOC(arena, &made, 1, err));
     made->count = 1;
     made->level[0].system = *system;
-    made->level[0].residual = HATCH_NEW_UNSET(arena, double, (size_t)system->count * 2, err);
-    if (!made->level[0].residual)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made->level[0].residual, (size_t)system->count * 2, err));
     HATCH_TRY(partition_links(&made->level[0], arena, err));
     bool added = true;
     while (added && made->count < LEVELS_MAX && made->level[made->count - 1].system.count > COARSEST)

@@ -1,5 +1,4 @@
 #include <math.h>
-#include <string.h>
 
 #include "math/vector.h"
 #include "field/system.h"

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "math/vector.h"
 #include "field/system.h"
 
 /* The smoothest field of unconstrained components: the smallest eigenvector of A with areas as the mass matrix, by
@@ -181,10 +180,9 @@ static enum hatch_status solve_components(struct work *w, bool constrained, stru
     for (uint32_t c = 0; c < w->problem->surface->component_count; c++)
         w->include[c] = w->smoothing[c].constrained == constrained;
     HATCH_TRY(hatch_field_assemble(w->problem, w->smoothing, w->include, w->scratch, &system, err));
-    double *z = HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err);
-    double *applied = z ? HATCH_NEW(w->scratch, double, (size_t)system.count * 2, err) : NULL;
-    if (!applied)
-        return HATCH_LIMIT;
+    double *z, *applied;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &z, (size_t)system.count * 2, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &applied, (size_t)system.count * 2, err));
     if (constrained && w->problem->principal)
         HATCH_TRY(hatch_field_weaken_jumps(w->problem, w->options->iterations_max, w->scratch, &system, z,
                                            &w->convergence, err));
@@ -214,10 +212,8 @@ static enum hatch_status solve_components(struct work *w, bool constrained, stru
 static enum hatch_status solve(struct work *w, struct hatch_field *field, struct hatch_err *err)
 {
     uint32_t components = w->problem->surface->component_count;
-    w->smoothing = HATCH_NEW(w->scratch, struct hatch_field_smoothing, components, err);
-    w->include = w->smoothing ? HATCH_NEW(w->scratch, bool, components, err) : NULL;
-    if (!w->include)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->smoothing, components, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->include, components, err));
     for (uint32_t c = 0; c < components; c++) {
         w->smoothing[c] = hatch_field_smoothing_of(w->problem, w->options->smooth, c);
         field->unconstrained += !w->smoothing[c].constrained;
@@ -243,10 +239,8 @@ enum hatch_status hatch_field_solve(const struct hatch_field_problem *problem,
     assert(options->tolerance >= 1e-12 && options->tolerance <= 1e-1);
     struct hatch_field made = {0};
     uint32_t points = problem->surface->point_count;
-    made.direction = HATCH_NEW(arena, double, (size_t)points * 3, err);
-    made.confidence = made.direction ? HATCH_NEW(arena, double, points, err) : NULL;
-    if (!made.confidence)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.direction, (size_t)points * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.confidence, points, err));
     struct work work = {.problem = problem, .options = options, .scratch = scratch};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = solve(&work, &made, err);

@@ -1,6 +1,5 @@
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 #include "math/vector.h"
 #include "field/system.h"
@@ -120,10 +119,8 @@ static enum hatch_status number_nodes(const struct hatch_surface *surface, const
                                       struct hatch_arena *arena, struct hatch_field_system *system, uint32_t *links,
                                       struct hatch_err *err)
 {
-    system->order = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    system->node = system->order ? HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err) : NULL;
-    if (!system->node)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->order, surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->node, surface->point_count, err));
     HATCH_TRY(hatch_surface_order_points(surface, arena, system->order, system->node, err));
     uint64_t count = 0, entries = 0;
     for (uint32_t i = 0; i < surface->point_count; i++) {
@@ -192,14 +189,12 @@ enum hatch_status hatch_field_assemble(const struct hatch_field_problem *problem
     uint32_t links = 0, at = 0;
     HATCH_TRY(number_nodes(surface, include, arena, system, &links, err));
     size_t count = system->count;
-    system->first = HATCH_NEW_UNSET(arena, uint32_t, count + 1, err);
-    system->to = system->first ? HATCH_NEW_UNSET(arena, uint32_t, links, err) : NULL;
-    system->link = system->to ? HATCH_NEW_UNSET(arena, double, (size_t)links * 2, err) : NULL;
-    system->diagonal = system->link ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    system->data_weight = system->diagonal ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    system->rhs = system->data_weight ? HATCH_NEW_UNSET(arena, double, count * 2, err) : NULL;
-    if (!system->rhs)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->first, count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->to, links, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->link, (size_t)links * 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->diagonal, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->data_weight, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->rhs, count * 2, err));
     for (uint32_t k = 0; k < surface->point_count; k++) {
         uint32_t p = system->order[k], n = system->node[p], component = surface->point_component[p];
         double d[2];

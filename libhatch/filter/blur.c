@@ -8,9 +8,8 @@ enum hatch_status hatch_blur_box(const struct hatch_image *image, uint32_t chann
     uint32_t width = image->width, height = image->height, channels = image->channel_count;
     assert(channel < channels && side >= 1 && side <= width && side <= height);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *rows = HATCH_NEW(scratch, double, (size_t)width *height, err);
-    if (!rows)
-        return HATCH_LIMIT;
+    double *rows;
+    HATCH_TRY(HATCH_ALLOC(scratch, &rows, (size_t)width * height, err));
     for (uint32_t y = 0; y < height; y++) {
         const float *in = image->pixels + (size_t)y * width * channels + channel;
         double *out = rows + (size_t)y * width, sum = 0;

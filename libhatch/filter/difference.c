@@ -80,9 +80,8 @@ enum hatch_status hatch_image_low_difference(const struct hatch_image *a, const 
     if (b)
         assert_alike(a, b);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *sums = HATCH_NEW(scratch, double, ((size_t)a->width + 1) * (a->height + 1u), err);
-    if (!sums)
-        return HATCH_LIMIT;
+    double *sums;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sums, ((size_t)a->width + 1) * (a->height + 1u), err));
     double largest = 0;
     for (uint32_t c = 0; c < a->channel_count; c++) {
         sum_areas(a, b, c, sums);

@@ -63,9 +63,8 @@ enum hatch_status hatch_mipmap_complete(struct hatch_mipmap *mipmap, uint32_t fi
         *coarse = *fine;
         coarse->width = hatch_mip_size(fine->width, 1);
         coarse->height = hatch_mip_size(fine->height, 1);
-        coarse->pixels = HATCH_NEW(arena, float, (size_t)coarse->width * coarse->height * coarse->channel_count, err);
-        if (!coarse->pixels)
-            return HATCH_LIMIT;
+        HATCH_TRY(
+            HATCH_ALLOC(arena, &coarse->pixels, (size_t)coarse->width * coarse->height * coarse->channel_count, err));
         hatch_image_halve(fine, coarse);
     }
     mipmap->level_count = length;

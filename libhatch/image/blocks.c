@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 #include "image/block_codes.h"
 
@@ -124,9 +123,7 @@ static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatc
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     uint32_t rows = job->down * planes_of(job->plain, job->level);
-    job->rows = HATCH_NEW(arena, struct sums, rows, err);
-    if (!job->rows)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &job->rows, rows, err));
     hatch_parallel_for(pool, rows, task, job);
     for (uint32_t i = 0; i < rows; i++) {
         sums->squares += job->rows[i].squares;

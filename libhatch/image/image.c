@@ -16,9 +16,7 @@ enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, ui
     size_t row_floats = (size_t)width * channel_count;
     if (height > SIZE_MAX / sizeof(float) / row_floats)
         return hatch_fail(err, HATCH_LIMIT, "image of %ux%u pixels is too large", width, height);
-    made.pixels = HATCH_NEW(arena, float, row_floats *height, err);
-    if (!made.pixels)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.pixels, row_floats * height, err));
     *image = made;
     return HATCH_OK;
 }

@@ -1,7 +1,6 @@
 #include "image/texels.h"
 
 #include <assert.h>
-#include <string.h>
 
 size_t hatch_texels_level_size(const struct hatch_texels *texture, uint32_t level)
 {
@@ -42,9 +41,7 @@ enum hatch_status hatch_texels_make(struct hatch_arena *arena, struct hatch_texe
     assert(texture->level_count <= hatch_texels_chain_length(texture));
     struct hatch_texels made = *texture;
     for (uint32_t level = 0; level < made.level_count; level++) {
-        made.texels[level] = HATCH_NEW(arena, uint8_t, hatch_texels_level_size(&made, level), err);
-        if (!made.texels[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &made.texels[level], hatch_texels_level_size(&made, level), err));
     }
     *texture = made;
     return HATCH_OK;

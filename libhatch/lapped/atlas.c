@@ -7,10 +7,9 @@ static enum hatch_status build(const struct hatch_lapped_input *input, const str
 {
     struct hatch_charts charts;
     HATCH_TRY(hatch_charts_make(input->surface, lapped, input->outline, scratch, &charts, err));
-    double *sizes = HATCH_NEW(scratch, double, 2 * (size_t)charts.count, err);
-    double *corners = sizes ? HATCH_NEW(scratch, double, 2 * (size_t)charts.count, err) : NULL;
-    if (!corners)
-        return HATCH_LIMIT;
+    double *sizes, *corners;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sizes, 2 * (size_t)charts.count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &corners, 2 * (size_t)charts.count, err));
     for (uint32_t c = 0; c < charts.count; c++)
         for (uint32_t i = 0; i < 2; i++)
             sizes[2 * c + i] = charts.boxes[c][2 + i] - charts.boxes[c][i];

@@ -57,12 +57,12 @@ static enum hatch_status choose_patches(struct work *w, const struct hatch_outli
 {
     const struct hatch_lapped *lapped = w->lapped;
     uint32_t count = w->surface->face_count;
-    w->patch = HATCH_NEW(w->arena, uint32_t, count, err);
-    w->entry = w->patch ? HATCH_NEW(w->arena, uint32_t, count, err) : NULL;
-    uint16_t *unseen = w->entry ? HATCH_NEW(w->arena, uint16_t, count, err) : NULL;
-    uint8_t *most = unseen ? HATCH_NEW(w->arena, uint8_t, count, err) : NULL;
-    if (!most)
-        return HATCH_LIMIT;
+    uint16_t *unseen;
+    uint8_t *most;
+    HATCH_TRY(HATCH_ALLOC(w->arena, &w->patch, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &w->entry, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &unseen, count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &most, count, err));
     memset(unseen, 0xff, count * sizeof *unseen);
     memset(w->patch, 0xff, count * sizeof *w->patch);
     for (uint32_t p = lapped->patch_count; p-- > 0;) {
@@ -246,12 +246,9 @@ enum hatch_status hatch_charts_make(const struct hatch_surface *surface, const s
     uint32_t count = surface->face_count;
     struct work w = {.surface = surface, .lapped = lapped, .arena = arena};
     HATCH_TRY(choose_patches(&w, outline, err));
-    w.charts.chart_of = HATCH_NEW(arena, uint32_t, count, err);
-    w.charts.positions = w.charts.chart_of ? HATCH_NEW(arena, double, 6 * (size_t)count, err) : NULL;
-    void *boxes = w.charts.positions ? hatch_arena_array(arena, count, sizeof *w.charts.boxes, err) : NULL;
-    if (!boxes)
-        return HATCH_LIMIT;
-    w.charts.boxes = boxes;
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.chart_of, count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.positions, 6 * (size_t)count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.charts.boxes, count, err));
     memset(w.charts.chart_of, 0xff, count * sizeof *w.charts.chart_of);
     for (uint32_t f = 0; f < count; f++)
         copy_positions(&w, f);

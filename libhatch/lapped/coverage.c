@@ -13,10 +13,8 @@ enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, 
                                            struct hatch_err *err)
 {
     struct hatch_core_coverage made = {.outline = outline, .arena = arena};
-    made.covered = HATCH_NEW(arena, uint8_t, face_count, err);
-    made.head = made.covered ? HATCH_NEW(arena, uint32_t, face_count, err) : NULL;
-    if (!made.head)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.covered, face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.head, face_count, err));
     memset(made.head, 0xff, face_count * sizeof *made.head);
     *coverage = made;
     return HATCH_OK;

@@ -266,14 +266,12 @@ enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input
     uint32_t count = surface->face_count;
     struct hatch_patch_domain made = {.surface = surface};
     made.faces_max = options->size > 0 ? SIZED_FACES_MAX : DEFAULT_FACES_MAX;
-    made.flattened = HATCH_NEW_UNSET(arena, double, (size_t)count * 4, err);
-    made.turning_rate = made.flattened ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    made.target_radius = made.turning_rate ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    made.edge_length = made.target_radius ? HATCH_NEW_UNSET(arena, double, count, err) : NULL;
-    made.singular = made.edge_length ? HATCH_NEW_UNSET(arena, uint8_t, count, err) : NULL;
-    made.matching = made.singular ? HATCH_NEW_UNSET(arena, int8_t, (size_t)count * 3, err) : NULL;
-    if (!made.matching)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.flattened, (size_t)count * 4, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.turning_rate, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.target_radius, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.edge_length, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.singular, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.matching, (size_t)count * 3, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     double *area = HATCH_NEW_UNSET(scratch, double, count, err);
     double *sum = area ? HATCH_NEW_UNSET(scratch, double, (size_t)surface->point_count * 2, err) : NULL;

@@ -18,13 +18,11 @@ enum hatch_status hatch_growth_make(const struct hatch_patch_domain *domain, con
                                 .arena = arena,
                                 .heap = {.arena = arena},
                                 .obstacles = {.arena = arena}};
-    made.face = HATCH_NEW(arena, struct hatch_local_index, surface->face_count, err);
-    made.excluded_from = made.face ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    made.point = made.excluded_from ? HATCH_NEW(arena, struct hatch_local_index, surface->point_count, err) : NULL;
-    made.last_position = made.point ? HATCH_NEW(arena, struct hatch_last_position, surface->point_count, err) : NULL;
-    made.start_faces_max = made.last_position ? HATCH_NEW_UNSET(arena, uint32_t, surface->face_count, err) : NULL;
-    if (!made.start_faces_max)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.face, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.excluded_from, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.point, surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.last_position, surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.start_faces_max, surface->face_count, err));
     for (uint32_t f = 0; f < surface->face_count; f++)
         made.start_faces_max[f] = domain->faces_max;
     *growth = made;

@@ -1,7 +1,4 @@
-#include "lapped/lapped.h"
-
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #include "base/random.h"
@@ -100,10 +97,8 @@ static enum hatch_status store_patch(struct making *making, double scale, struct
     struct finished_patch finished = {.patch = {.face_count = making->shown_count, .radius = scale * patch->radius}};
     for (uint64_t i = 0; i < 2; i++)
         finished.patch.shift[i] = 2 * (double)hatch_random_unit(making->options->seed, patch->seed_face, i + 100) - 1;
-    finished.faces = HATCH_NEW(making->arena, uint32_t, making->shown_count, err);
-    finished.corners = finished.faces ? HATCH_NEW(making->arena, uint32_t, 3 * (size_t)making->shown_count, err) : NULL;
-    if (!finished.corners)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(making->arena, &finished.faces, making->shown_count, err));
+    HATCH_TRY(HATCH_ALLOC(making->arena, &finished.corners, 3 * (size_t)making->shown_count, err));
     memset(making->renumbered, 0xff, patch->vertex_count * sizeof *making->renumbered);
     for (uint32_t i = 0; i < making->shown_count; i++) {
         finished.faces[i] = patch->faces[making->shown[i]];
@@ -114,9 +109,7 @@ static enum hatch_status store_patch(struct making *making, double scale, struct
             finished.corners[3 * i + c] = *number;
         }
     }
-    finished.vertices = HATCH_NEW(making->arena, struct hatch_lapped_vertex, finished.patch.vertex_count, err);
-    if (!finished.vertices)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(making->arena, &finished.vertices, finished.patch.vertex_count, err));
     for (uint32_t v = 0; v < patch->vertex_count; v++)
         if (making->renumbered[v] != UINT32_MAX)
             write_vertex(making, v, scale, &finished.vertices[making->renumbered[v]]);
@@ -181,12 +174,10 @@ static enum hatch_status gather(const struct making *making, struct hatch_arena 
 {
     struct hatch_lapped made = making->totals;
     made.patch_count = making->count;
-    made.patches = HATCH_NEW(arena, struct hatch_lapped_patch, made.patch_count, err);
-    made.vertices = made.patches ? HATCH_NEW(arena, struct hatch_lapped_vertex, made.vertex_count, err) : NULL;
-    made.faces = made.vertices ? HATCH_NEW(arena, uint32_t, made.face_count, err) : NULL;
-    made.corners = made.faces ? HATCH_NEW(arena, uint32_t, 3 * (size_t)made.face_count, err) : NULL;
-    if (!made.corners)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.patches, made.patch_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.vertices, made.vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.faces, made.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.corners, 3 * (size_t)made.face_count, err));
     uint32_t vertex = 0, face = 0;
     for (uint32_t i = 0; i < making->count; i++) {
         const struct finished_patch *finished = &making->finished[making->count - 1 - i];

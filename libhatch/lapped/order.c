@@ -3,7 +3,6 @@
 
 #include "lapped/work.h"
 #include "math/vector.h"
-#include "mesh/edges.h"
 
 /* Distance of a seed face from covered faces, in radii of the core: disks that cover a plane with the least overlap are
  * √3 radii apart. */
@@ -19,14 +18,12 @@ enum hatch_status hatch_order_make(const struct hatch_patch_domain *domain, cons
     struct hatch_order made = {.domain = domain, .covered = covered};
     made.core_ratio = 2 * (outline->core_min + outline->reach_max - outline->feather) / 2;
     made.queue.arena = made.candidates.arena = made.gaps.arena = arena;
-    made.distance = HATCH_NEW(arena, double, surface->face_count, err);
-    made.middle = made.distance ? HATCH_NEW(arena, double, (size_t)surface->face_count * 3, err) : NULL;
-    made.postponed = made.middle ? HATCH_NEW(arena, uint8_t, surface->face_count, err) : NULL;
-    made.smooth = made.postponed ? HATCH_NEW(arena, uint32_t, surface->face_count, err) : NULL;
-    made.items = made.smooth ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
-    made.spare = made.items ? HATCH_NEW_UNSET(arena, struct hatch_order_item, surface->face_count, err) : NULL;
-    if (!made.spare)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.distance, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.middle, (size_t)surface->face_count * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.postponed, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.smooth, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.items, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.spare, surface->face_count, err));
     for (uint32_t f = 0; f < surface->face_count; f++) {
         made.distance[f] = HUGE_VAL;
         made.postponed[f] = domain->singular[f];

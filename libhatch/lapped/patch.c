@@ -3,7 +3,6 @@
 
 #include "base/random.h"
 #include "lapped/work.h"
-#include "mesh/edges.h"
 
 /* Rounds of growing and solving before a patch is reduced to its seed face. */
 #define ROUNDS_MAX 24

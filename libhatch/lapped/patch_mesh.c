@@ -1,5 +1,4 @@
 #include <assert.h>
-#include <string.h>
 
 #include "lapped/work.h"
 #include "math/vector.h"
@@ -75,11 +74,11 @@ static enum hatch_status list_corners(struct patch_source *from, struct hatch_ar
     const struct hatch_lapped_patch *patch = from->patch;
     const float *normals = hatch_mesh_find(from->input->mesh, "NORMAL", 3);
     uint32_t count = 3 * patch->face_count;
-    uint32_t *first = HATCH_NEW(scratch, uint32_t, (size_t)patch->vertex_count + 1, err);
-    struct corner *list = first ? HATCH_NEW_UNSET(scratch, struct corner, count, err) : NULL;
-    from->corners = list ? HATCH_NEW_UNSET(scratch, struct corner, count, err) : NULL;
-    if (!from->corners)
-        return HATCH_LIMIT;
+    uint32_t *first;
+    struct corner *list;
+    HATCH_TRY(HATCH_ALLOC(scratch, &first, (size_t)patch->vertex_count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &list, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &from->corners, count, err));
     for (uint32_t i = 0; i < count; i++) {
         uint32_t face = from->lapped->faces[patch->first_face + i / 3];
         list[i].vertex = from->lapped->corners[3 * (size_t)patch->first_face + i];
@@ -131,9 +130,8 @@ static enum hatch_status build(const struct patch_source *from, struct hatch_are
 {
     const struct corner *corners = from->corners;
     uint32_t corner_count = 3 * from->patch->face_count, count = 0;
-    uint32_t *origin = HATCH_NEW(scratch, uint32_t, corner_count, err);
-    if (!origin)
-        return HATCH_LIMIT;
+    uint32_t *origin;
+    HATCH_TRY(HATCH_ALLOC(scratch, &origin, corner_count, err));
     for (uint32_t i = 0; i < corner_count; i++)
         if (i == 0 || !same(&corners[i - 1], &corners[i]))
             origin[count++] = corners[i].origin;

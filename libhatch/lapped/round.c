@@ -60,11 +60,8 @@ static bool move_vertex(const struct rounding *rounding, uint32_t vertex)
 
 static enum hatch_status list_faces(struct rounding *rounding, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    rounding->first = HATCH_NEW(scratch, uint32_t, (size_t)rounding->vertex_count + 1, err);
-    rounding->faces =
-        rounding->first ? HATCH_NEW_UNSET(scratch, uint32_t, 3 * (size_t)rounding->face_count, err) : NULL;
-    if (!rounding->faces)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &rounding->first, (size_t)rounding->vertex_count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &rounding->faces, 3 * (size_t)rounding->face_count, err));
     for (uint32_t i = 0; i < 3 * rounding->face_count; i++)
         rounding->first[rounding->corners[i]]++;
     for (uint32_t v = 0; v < rounding->vertex_count; v++)

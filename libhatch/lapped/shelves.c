@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stdlib.h>
 
 #include "lapped/atlas.h"
 #include "lapped/heap.h"

@@ -106,15 +106,13 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
     const struct hatch_line_graph *graph = w->graph;
     size_t segments = graph->segment_count, nodes = graph->node_count;
     struct hatch_line_chains made = {.count = 0};
-    made.chains = HATCH_NEW(arena, struct hatch_line_chain, segments, err);
-    made.nodes = made.chains ? HATCH_NEW(arena, uint32_t, 2 * segments, err) : NULL;
-    made.segments = made.nodes ? HATCH_NEW(arena, uint32_t, segments, err) : NULL;
-    w->first = made.segments ? HATCH_NEW(scratch, uint32_t, nodes + 2, err) : NULL;
-    w->ends_at = w->first ? HATCH_NEW(scratch, uint32_t, 2 * segments, err) : NULL;
-    w->link = w->ends_at ? HATCH_NEW(scratch, uint32_t, 2 * segments, err) : NULL;
-    w->taken = w->link ? HATCH_NEW(scratch, uint8_t, segments, err) : NULL;
-    if (!w->taken)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.chains, segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.nodes, 2 * segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.segments, segments, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->first, nodes + 2, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->ends_at, 2 * segments, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->link, 2 * segments, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->taken, segments, err));
     list_ends(w);
     for (uint32_t node = 0; node < nodes; node++)
         link_node(w, node);

@@ -19,10 +19,8 @@ struct around {
 static enum hatch_status list_around(const struct hatch_line_edges *edges, uint32_t corner_count,
                                      struct hatch_arena *scratch, struct around *around, struct hatch_err *err)
 {
-    around->first = HATCH_NEW(scratch, uint32_t, (size_t)edges->point_count + 2, err);
-    around->corners = around->first ? HATCH_NEW(scratch, uint32_t, corner_count, err) : NULL;
-    if (!around->corners)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &around->first, (size_t)edges->point_count + 2, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &around->corners, corner_count, err));
     for (uint32_t i = 0; i < corner_count; i++)
         around->first[edges->point[i] + 2]++;
     for (uint32_t p = 0; p < edges->point_count; p++)

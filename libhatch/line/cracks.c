@@ -18,10 +18,8 @@ static enum hatch_status list_boundaries(const struct hatch_line_graph *graph, c
 {
     size_t ends = 2 * (size_t)graph->segment_count;
     boundaries->graph = graph;
-    boundaries->first = HATCH_NEW(scratch, uint32_t, (size_t)graph->node_count + 2, err);
-    boundaries->segments = boundaries->first ? HATCH_NEW(scratch, uint32_t, ends, err) : NULL;
-    if (!boundaries->segments)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &boundaries->first, (size_t)graph->node_count + 2, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &boundaries->segments, ends, err));
     for (size_t i = 0; i < ends; i++)
         boundaries->first[graph->ends[i] + 2] += bounds[i / 2] != 0;
     for (uint32_t node = 0; node < graph->node_count; node++)

@@ -1,5 +1,3 @@
-#include "line/edges.h"
-
 #include <math.h>
 
 #include "math/vector.h"
@@ -43,14 +41,12 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loos
 {
     struct hatch_mesh moved = *mesh;
     size_t vertices = mesh->vertex_count;
-    moved.attributes[0].data = HATCH_NEW(scratch, float, 3 * vertices, err);
-    uint32_t *cell = moved.attributes[0].data ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL;
-    uint32_t *first = cell ? HATCH_NEW(scratch, uint32_t, vertices, err) : NULL, cells;
-    if (!first)
-        return HATCH_LIMIT;
-    uint32_t *parent = HATCH_NEW(scratch, uint32_t, vertices, err);
-    if (!parent)
-        return HATCH_LIMIT;
+    uint32_t *cell, *first, cells;
+    HATCH_TRY(HATCH_ALLOC(scratch, &moved.attributes[0].data, 3 * vertices, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &cell, vertices, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &first, vertices, err));
+    uint32_t *parent;
+    HATCH_TRY(HATCH_ALLOC(scratch, &parent, vertices, err));
     hatch_sets_init(parent, mesh->vertex_count);
     for (int grid = 0; grid < 2; grid++) {
         snap(mesh, of_vertex, loose, WELD * size_of(mesh), 0.5 * grid, moved.attributes[0].data);
@@ -73,10 +69,9 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loos
 static enum hatch_status find_edges(const struct hatch_mesh *mesh, const uint32_t *of_vertex, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
-    uint8_t *dropped = HATCH_NEW(scratch, uint8_t, mesh->face_count, err);
-    made->point = dropped ? HATCH_NEW(arena, uint32_t, 3 * (size_t)mesh->face_count, err) : NULL;
-    if (!made->point)
-        return HATCH_LIMIT;
+    uint8_t *dropped;
+    HATCH_TRY(HATCH_ALLOC(scratch, &dropped, mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->point, 3 * (size_t)mesh->face_count, err));
     hatch_mesh_corner_points(mesh, of_vertex, made->point);
     for (size_t f = 0; f < mesh->face_count; f++) {
         const uint32_t *p = &made->point[3 * f];
@@ -105,10 +100,10 @@ static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
 static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
-    uint32_t *of_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    uint8_t *loose = of_vertex ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
-    if (!loose)
-        return HATCH_LIMIT;
+    uint32_t *of_vertex;
+    uint8_t *loose;
+    HATCH_TRY(HATCH_ALLOC(scratch, &of_vertex, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &loose, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
     HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
@@ -117,9 +112,7 @@ static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease
         HATCH_TRY(weld(mesh, loose, scratch, of_vertex, &made->point_count, err));
         HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     }
-    made->kinds = HATCH_NEW(arena, uint8_t, made->edges.count, err);
-    if (!made->kinds)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made->kinds, made->edges.count, err));
     hatch_edges_classify(mesh, &made->edges, crease_rad, made->kinds);
     return HATCH_OK;
 }
@@ -146,9 +139,8 @@ bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hat
 static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                        struct hatch_line_edges *edges, struct hatch_err *err)
 {
-    uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges->edges.count, err);
-    if (!sharp)
-        return HATCH_LIMIT;
+    uint8_t *sharp;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sharp, edges->edges.count, err));
     hatch_edges_classify(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
     for (uint32_t e = 0; e < edges->edges.count; e++)
         if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH &&
@@ -166,11 +158,11 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     uint32_t count = 0;
     for (uint32_t e = 0; e < edges->edges.count; e++)
         count += edges->kinds[e] != HATCH_EDGE_SMOOTH;
-    double *nodes = HATCH_NEW(arena, double, 3 * (size_t)edges->point_count, err);
-    uint32_t *ends = nodes ? HATCH_NEW(arena, uint32_t, 2 * (size_t)count, err) : NULL;
-    *edge_of = ends ? HATCH_NEW(arena, uint32_t, count, err) : NULL;
-    if (!*edge_of)
-        return HATCH_LIMIT;
+    double *nodes;
+    uint32_t *ends;
+    HATCH_TRY(HATCH_ALLOC(arena, &nodes, 3 * (size_t)edges->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &ends, 2 * (size_t)count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, edge_of, count, err));
     for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++)
         hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[i]], &nodes[3 * (size_t)edges->point[i]]);
     count = 0;
@@ -197,10 +189,9 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, 
         HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
     HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
-    uint8_t *bounds = HATCH_NEW(scratch, uint8_t, graph.segment_count, err);
-    uint8_t *pruned = bounds ? HATCH_NEW(scratch, uint8_t, graph.segment_count, err) : NULL;
-    if (!pruned)
-        return HATCH_LIMIT;
+    uint8_t *bounds, *pruned;
+    HATCH_TRY(HATCH_ALLOC(scratch, &bounds, graph.segment_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &pruned, graph.segment_count, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
     HATCH_TRY(hatch_line_find_cracks(&graph, bounds, arena, pruned, err));

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "line/trace.h"
 #include "math/vector.h"
 
 #define GAP_PX 4.0   /* shorter hidden gaps are closed: a surface that grazes the line */
@@ -28,9 +27,7 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
 {
     static const double zero[3] = {0, 0, 0};
     struct hatch_lines made = {.style = *style, .scene = scene, .scratch = scratch};
-    made.meshes = HATCH_NEW(arena, struct hatch_line_mesh, 2 * (size_t)scene->scene->mesh_count, err);
-    if (!made.meshes)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.meshes, 2 * (size_t)scene->scene->mesh_count, err));
     for (uint32_t i = 0; i < scene->item_count && style->kinds; i++) {
         const struct hatch_item *item = &scene->items[i];
         struct hatch_line_mesh *mesh = mesh_of(&made, item);
@@ -60,11 +57,11 @@ static enum hatch_status pose_item(const struct hatch_lines *lines, const struct
     if (!item->deformed)
         return HATCH_OK;
     size_t count = 3 * (size_t)mesh->mesh.vertex_count;
-    double *positions = HATCH_NEW(arena, double, count, err);
-    float *moved = positions ? HATCH_NEW(arena, float, count, err) : NULL;
-    float *normals = moved ? HATCH_NEW(arena, float, count, err) : NULL;
-    if (!normals)
-        return HATCH_LIMIT;
+    double *positions;
+    float *moved, *normals;
+    HATCH_TRY(HATCH_ALLOC(arena, &positions, count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &moved, count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &normals, count, err));
     hatch_pose_mesh(&lines->scene->pose, item->node, &mesh->mesh, positions, normals);
     for (size_t i = 0; i < count; i += 3) {
         double at[3];
@@ -89,9 +86,8 @@ static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_l
                                    const struct hatch_line_chains *chains, struct hatch_err *err)
 {
     const struct hatch_line_picture picture = {tracing->eye.view, tracing->tile, tracing->lines->style.width_px + 2};
-    struct hatch_line_part *part = HATCH_NEW(tracing->arena, struct hatch_line_part, 1, err);
-    if (!part)
-        return HATCH_LIMIT;
+    struct hatch_line_part *part;
+    HATCH_TRY(HATCH_ALLOC(tracing->arena, &part, 1, err));
     HATCH_TRY(hatch_line_strips_make(trace, chains, &picture, tracing->arena, &part->strips, err));
     part->next = tracing->frame.parts;
     tracing->frame.parts = part;
@@ -132,9 +128,7 @@ enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struc
         if (mesh_of(lines, item)->mesh.face_count && !item->cut_out)
             HATCH_TRY(add_item(&tracing, item, err));
     }
-    tracing.frame.samples = HATCH_NEW(arena, struct hatch_line_sample, tracing.frame.sample_count, err);
-    if (!tracing.frame.samples)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &tracing.frame.samples, tracing.frame.sample_count, err));
     for (const struct hatch_line_part *part = tracing.frame.parts; part; part = part->next) {
         memcpy(tracing.frame.samples + at, part->strips.samples,
                part->strips.piece_count * sizeof *part->strips.samples);
@@ -150,10 +144,9 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
 {
     double speck_px = SPECK_PX + 2 * lines->style.width_px;
     size_t at = 0;
-    uint8_t *visible = HATCH_NEW(arena, uint8_t, frame->sample_count, err);
-    *segments = visible ? HATCH_NEW(arena, struct hatch_line_segment, frame->sample_count, err) : NULL;
-    if (!*segments)
-        return HATCH_LIMIT;
+    uint8_t *visible;
+    HATCH_TRY(HATCH_ALLOC(arena, &visible, frame->sample_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, segments, frame->sample_count, err));
     *count = 0;
     for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
         hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px, TRIM_PX, seen + at, visible + at);

@@ -1,7 +1,5 @@
 #include "line/marks.h"
 
-#include <math.h>
-
 #include "base/random.h"
 #include "math/vector.h"
 
@@ -164,11 +162,9 @@ static enum hatch_status spread_marks(struct hatch_marks *marks, const struct ha
     /* Limits the number of marks, of which there are about area / spacing². */
     spread.spacing = fmax(spread.spacing, sqrt(area / MARKS_MAX));
     marks->half_length = 0.5 * LENGTH * spread.spacing;
-    spread.head = HATCH_NEW(scratch, uint32_t, (size_t)CELLS * CELLS * CELLS, err);
-    spread.next = spread.head ? HATCH_NEW(scratch, uint32_t, MARKS_MAX, err) : NULL;
-    spread.place = spread.next ? HATCH_NEW(scratch, double, 6 * (size_t)MARKS_MAX, err) : NULL;
-    if (!spread.place)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &spread.head, (size_t)CELLS * CELLS * CELLS, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &spread.next, MARKS_MAX, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &spread.place, 6 * (size_t)MARKS_MAX, err));
     visit_faces(marks, &spread);
     return HATCH_OK;
 }
@@ -183,18 +179,14 @@ enum hatch_status hatch_marks_make(const struct hatch_unit_scene *scene, const s
         any = any || hatch_mesh_find(surface_of(scene, &scene->items[i]), "_HATCH_DIR", 4);
     if (!any)
         return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE computes some");
-    made.positions = HATCH_NEW(arena, double, 3 * (size_t)hatch_unit_scene_vertices_max(scene), err);
-    made.item_end = made.positions ? HATCH_NEW(arena, uint32_t, scene->item_count, err) : NULL;
-    made.at = made.item_end ? HATCH_NEW(arena, struct hatch_mark, MARKS_MAX, err) : NULL;
-    if (!made.at)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.positions, 3 * (size_t)hatch_unit_scene_vertices_max(scene), err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.item_end, scene->item_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.at, MARKS_MAX, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = spread_marks(&made, view, height_px, scratch, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
-    made.lines = HATCH_NEW(arena, struct hatch_mark_line, made.count, err);
-    if (!made.lines)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.lines, made.count, err));
     *marks = made;
     return HATCH_OK;
 }

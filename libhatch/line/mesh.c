@@ -30,9 +30,8 @@ static enum hatch_status select_attributes(const struct hatch_mesh *from, const 
             if (strcmp(from->attributes[i].name, used[k]) == 0 && (k != 1 || keep))
                 made.attributes[made.attribute_count++] = from->attributes[i];
     if (!keep) {
-        uint8_t *sharp = HATCH_NEW(arena, uint8_t, edges->edges.count, err);
-        if (!sharp)
-            return HATCH_LIMIT;
+        uint8_t *sharp;
+        HATCH_TRY(HATCH_ALLOC(arena, &sharp, edges->edges.count, err));
         for (uint32_t e = 0; e < edges->edges.count; e++)
             sharp[e] = edges->kinds[e] == HATCH_EDGE_CREASE;
         HATCH_TRY(hatch_mesh_split_normals(edges->point, &edges->edges, sharp, arena, scratch, &made, err));
@@ -124,12 +123,10 @@ static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32
         hard_edges += use.hard;
         features += use.feature;
     }
-    *points = HATCH_NEW(scratch, uint32_t, 2 * features, err);
-    lines->hard_sides = *points ? HATCH_NEW(arena, uint8_t, lines->mesh.face_count, err) : NULL;
-    lines->hard_edges = lines->hard_sides ? HATCH_NEW(arena, struct hatch_line_hard_edge, hard_edges, err) : NULL;
-    lines->features = lines->hard_edges ? HATCH_NEW(arena, struct hatch_line_feature, features, err) : NULL;
-    if (!lines->features)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, points, 2 * features, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &lines->hard_sides, lines->mesh.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &lines->hard_edges, hard_edges, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &lines->features, features, err));
     for (uint32_t e = 0; e < edges->edges.count; e++)
         add_edge(edges, e, kinds, *points, lines);
     return HATCH_OK;
@@ -141,12 +138,12 @@ static enum hatch_status chain_features(const struct hatch_line_edges *edges, co
                                         struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     size_t ends_count = 2 * (size_t)lines->feature_count;
-    uint32_t *node_of = HATCH_NEW(scratch, uint32_t, edges->point_count, err); /* per point: node + 1; 0: none */
-    uint32_t *ends = node_of ? HATCH_NEW(scratch, uint32_t, ends_count, err) : NULL;
-    double *nodes = ends ? HATCH_NEW(scratch, double, 3 * ends_count, err) : NULL;
-    lines->node_vertices = nodes ? HATCH_NEW(arena, uint32_t, ends_count, err) : NULL;
-    if (!lines->node_vertices)
-        return HATCH_LIMIT;
+    uint32_t *node_of, *ends;
+    double *nodes;
+    HATCH_TRY(HATCH_ALLOC(scratch, &node_of, edges->point_count, err)); /* per point: node + 1; 0: none */
+    HATCH_TRY(HATCH_ALLOC(scratch, &ends, ends_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &nodes, 3 * ends_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &lines->node_vertices, ends_count, err));
     for (size_t i = 0; i < ends_count; i++) {
         uint32_t vertex = lines->features[i / 2].ends[i % 2], *node = &node_of[points[i]];
         if (*node == 0) {

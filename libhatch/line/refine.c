@@ -1,5 +1,4 @@
 /* Replaces polylines of silhouettes by curves. */
-#include <math.h>
 #include <string.h>
 
 #include "math/vector.h"
@@ -123,14 +122,12 @@ enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch
     size_t most = (size_t)PARTS * trace->segment_count;
     struct work w = {.from = trace, .chains = chains};
     w.trace.node_count = trace->node_count;
-    w.trace.nodes = HATCH_NEW(arena, double, 3 * (trace->node_count + most), err);
-    w.trace.slack = w.trace.nodes ? HATCH_NEW(arena, float, most, err) : NULL;
     w.refined.count = chains->count;
-    w.refined.chains = w.trace.slack ? HATCH_NEW(arena, struct hatch_line_chain, chains->count, err) : NULL;
-    w.refined.nodes = w.refined.chains ? HATCH_NEW(arena, uint32_t, most + chains->count, err) : NULL;
-    w.refined.segments = w.refined.nodes ? HATCH_NEW(arena, uint32_t, most, err) : NULL;
-    if (!w.refined.segments)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &w.trace.nodes, 3 * (trace->node_count + most), err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.trace.slack, most, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.refined.chains, chains->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.refined.nodes, most + chains->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.refined.segments, most, err));
     if (trace->node_count)
         memcpy(w.trace.nodes, trace->nodes, 3 * sizeof(double) * trace->node_count);
     for (uint32_t i = 0; i < chains->count; i++)

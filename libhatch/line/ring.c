@@ -19,12 +19,13 @@ enum hatch_status hatch_line_ring_make(const struct hatch_mesh *mesh, struct hat
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     size_t count = mesh->vertex_count;
-    uint64_t *open = HATCH_NEW(scratch, uint64_t, count, err);
-    uint32_t *at = open ? HATCH_NEW(scratch, uint32_t, count + 1, err) : NULL;
-    struct hatch_line_ring made = {.first = at ? HATCH_NEW(arena, uint32_t, count + 1, err) : NULL};
-    made.neighbours = made.first ? HATCH_NEW(arena, uint32_t, 3 * (size_t)mesh->face_count, err) : NULL;
-    if (!made.neighbours)
-        return HATCH_LIMIT;
+    uint64_t *open;
+    uint32_t *at;
+    struct hatch_line_ring made = {0};
+    HATCH_TRY(HATCH_ALLOC(scratch, &open, count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &at, count + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, count + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.neighbours, 3 * (size_t)mesh->face_count, err));
     count_corners(mesh, made.first, open);
     for (size_t v = 0; v < count; v++)
         at[v + 1] = made.first[v + 1] = made.first[v] + (open[v] ? 0 : made.first[v + 1]);

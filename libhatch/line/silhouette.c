@@ -1,6 +1,5 @@
 /* The silhouette of a posed mesh. */
 #include <assert.h>
-#include <math.h>
 
 #include "math/vector.h"
 #include "base/keys.h"
@@ -255,21 +254,17 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
                               struct hatch_err *err)
 {
     const struct hatch_line_mesh *lines = w->shape->lines;
-    w->facing = HATCH_NEW(scratch, float, lines->mesh.vertex_count, err);
-    w->crossed = w->facing ? HATCH_NEW(scratch, uint32_t, (size_t)lines->mesh.face_count + 1, err) : NULL;
-    if (!w->crossed)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->facing, lines->mesh.vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->crossed, (size_t)lines->mesh.face_count + 1, err));
     find_facing(w);
     list_crossed(w);
     size_t segments = w->crossed_count;
     for (uint32_t i = 0; i < lines->hard_edge_count; i++)
         segments += has_silhouette(w, &lines->hard_edges[i]) ? 2 : 0;
-    w->trace.nodes = HATCH_NEW(arena, double, 6 * segments, err);
-    w->trace.ends = w->trace.nodes ? HATCH_NEW(arena, uint32_t, 2 * segments, err) : NULL;
-    w->trace.slack = w->trace.ends ? HATCH_NEW(arena, float, segments, err) : NULL;
-    w->trace.smooth = w->trace.slack ? HATCH_NEW(arena, uint8_t, 2 * segments, err) : NULL;
-    if (!w->trace.smooth)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &w->trace.nodes, 6 * segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w->trace.ends, 2 * segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w->trace.slack, segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w->trace.smooth, 2 * segments, err));
     HATCH_TRY(hatch_keys_make(scratch, &w->keys, err));
     for (uint32_t i = 0; i < w->crossed_count; i++)
         HATCH_TRY(cross_face(w, w->crossed[i], err));

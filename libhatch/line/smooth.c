@@ -1,5 +1,4 @@
 /* Cleans up the visibility of pieces, and joins visible ones to segments. */
-#include <math.h>
 #include <string.h>
 
 #include "line/strip.h"

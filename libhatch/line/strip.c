@@ -1,7 +1,5 @@
 #include "line/strip.h"
 
-#include <math.h>
-
 #include "math/vector.h"
 
 #define PIECE_PX 1.5     /* largest length of a piece */
@@ -215,11 +213,10 @@ enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, c
     walk_chains(&walk, chains);
     struct hatch_line_strips *made = &walk.strips;
     size_t pieces = made->piece_count;
-    struct hatch_line_strip *list = HATCH_NEW(arena, struct hatch_line_strip, made->strip_count, err);
-    made->pieces = list ? HATCH_NEW(arena, struct hatch_line_piece, pieces, err) : NULL;
-    made->samples = made->pieces ? HATCH_NEW(arena, struct hatch_line_sample, pieces, err) : NULL;
-    if (!made->samples)
-        return HATCH_LIMIT;
+    struct hatch_line_strip *list;
+    HATCH_TRY(HATCH_ALLOC(arena, &list, made->strip_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->pieces, pieces, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->samples, pieces, err));
     made->strips = list;
     walk_chains(&walk, chains);
     *strips = walk.strips;

@@ -1,7 +1,5 @@
 #include "line/trace.h"
 
-#include <math.h>
-
 #include "math/vector.h"
 
 #define SLACK_PX 1.5  /* distance from an edge within which its own faces, at their full slope, must not hide it */
@@ -74,10 +72,8 @@ enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape
     const struct hatch_line_mesh *lines = shape->lines;
     size_t nodes = lines->node_count, segments = lines->feature_count;
     struct hatch_line_trace made = {.node_count = lines->node_count, .segment_count = lines->feature_count};
-    made.nodes = HATCH_NEW(arena, double, 3 * nodes, err);
-    made.slack = made.nodes ? HATCH_NEW(arena, float, segments, err) : NULL;
-    if (!made.slack)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.nodes, 3 * nodes, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.slack, segments, err));
     for (size_t i = 0; i < nodes; i++)
         corner_at(shape, lines->node_vertices[i], &made.nodes[3 * i]);
     for (size_t s = 0; s < segments; s++) {

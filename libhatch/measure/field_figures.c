@@ -39,10 +39,8 @@ static enum hatch_status read_subject(const struct hatch_field_sum *sum, const s
     subject->mesh = mesh;
     HATCH_TRY(hatch_surface_make(mesh, sum->arena, sum->scratch, surface, &notes, err));
     HATCH_TRY(hatch_frames_make(surface, sum->arena, sum->scratch, &subject->frames, err));
-    subject->direction = HATCH_NEW(sum->arena, double, 3 * (size_t)surface->point_count, err);
-    subject->confidence = subject->direction ? HATCH_NEW(sum->arena, double, surface->point_count, err) : NULL;
-    if (!subject->confidence)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &subject->direction, 3 * (size_t)surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &subject->confidence, surface->point_count, err));
     if (!hatch_field_of_mesh(surface, &subject->frames, mesh, subject->direction, subject->confidence))
         return hatch_fail(err, HATCH_BAD_INPUT, "no direction field (_HATCH_DIR); add one with dirfield");
     return HATCH_OK;
@@ -84,9 +82,7 @@ static enum hatch_status measure_uv(const struct hatch_field_sum *sum, const str
     double rising[3], line[3], area, spread_rad;
     if (!uv)
         return HATCH_OK;
-    samples->uv = HATCH_NEW(sum->arena, struct hatch_weighted, s->surface.face_count, err);
-    if (!samples->uv)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &samples->uv, s->surface.face_count, err));
     for (uint32_t f = 0; f < s->surface.face_count; f++) {
         if (!rising_u(s, uv, f, rising, &area))
             continue;
@@ -119,15 +115,13 @@ static enum hatch_status match_vertices(const struct hatch_field_sum *sum, const
                                         const struct subject *reference, uint32_t *match, struct hatch_err *err)
 {
     uint32_t count = s->mesh->vertex_count, reference_count = reference->mesh->vertex_count, position_count;
-    uint32_t *point = HATCH_NEW(sum->scratch, uint32_t, reference_count, err);
-    uint32_t *position = point ? HATCH_NEW(sum->scratch, uint32_t, (size_t)count + reference_count, err) : NULL;
-    if (!position)
-        return HATCH_LIMIT;
+    uint32_t *point, *position;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &point, reference_count, err));
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &position, (size_t)count + reference_count, err));
     hatch_surface_vertex_points(&reference->surface, reference_count, point);
     HATCH_TRY(weld_both(sum, s->mesh, reference->mesh, position, &position_count, err));
-    uint32_t *point_at = HATCH_NEW(sum->scratch, uint32_t, position_count, err);
-    if (!point_at)
-        return HATCH_LIMIT;
+    uint32_t *point_at;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &point_at, position_count, err));
     memset(point_at, 0xff, position_count * sizeof *point_at);
     for (uint32_t v = reference_count; v-- > 0;)
         if (point[v] != HATCH_NO_SIDE)
@@ -171,11 +165,10 @@ static enum hatch_status compare(const struct hatch_field_sum *sum, const struct
     enum hatch_status status = read_subject(sum, mesh, &reference, err);
     if (status != HATCH_OK)
         return hatch_fail_at(err, "reference: ");
-    samples->angles = HATCH_NEW(sum->arena, struct compared, s->surface.point_count, err);
-    uint32_t *match = samples->angles ? HATCH_NEW(sum->scratch, uint32_t, s->mesh->vertex_count, err) : NULL;
-    uint32_t *first_vertex = match ? HATCH_NEW(sum->scratch, uint32_t, s->surface.point_count, err) : NULL;
-    if (!first_vertex)
-        return HATCH_LIMIT;
+    uint32_t *match, *first_vertex;
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &samples->angles, s->surface.point_count, err));
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &match, s->mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &first_vertex, s->surface.point_count, err));
     for (size_t i = 3 * (size_t)s->surface.face_count; i-- > 0;)
         first_vertex[s->surface.corners[i]] = s->surface.corner_vertex[i];
     HATCH_TRY(match_vertices(sum, s, &reference, match, err));
@@ -188,9 +181,8 @@ static enum hatch_status measure_surface(struct hatch_field_sum *sum, const stru
     const struct hatch_surface *surface = &s->surface;
     struct hatch_singularities singular;
     struct hatch_field_figures *out = &sum->figures;
-    double energy[2], *zeros = HATCH_NEW(sum->scratch, double, surface->point_count, err);
-    if (!zeros)
-        return HATCH_LIMIT;
+    double energy[2], *zeros;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &zeros, surface->point_count, err));
     const struct hatch_field_problem none = {surface, &s->frames, s->direction, zeros, NULL, false};
     HATCH_TRY(hatch_field_singularities(surface, &s->frames, s->direction, sum->arena, sum->scratch, &singular, err));
     hatch_field_energy(&none, 1, s->direction, energy);
@@ -211,13 +203,10 @@ static enum hatch_status add(struct hatch_field_sum *sum, const struct hatch_mes
 {
     struct subject subject;
     HATCH_TRY(read_subject(sum, mesh, &subject, err));
-    struct hatch_field_samples *samples = HATCH_NEW(sum->arena, struct hatch_field_samples, 1, err);
-    if (!samples)
-        return HATCH_LIMIT;
+    struct hatch_field_samples *samples;
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &samples, 1, err));
     samples->points = subject.surface.point_count;
-    samples->confidence = HATCH_NEW(sum->arena, struct hatch_weighted, samples->points, err);
-    if (!samples->confidence)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(sum->arena, &samples->confidence, samples->points, err));
     for (uint32_t p = 0; p < samples->points; p++)
         samples->confidence[p] = (struct hatch_weighted){subject.confidence[p], 1};
     HATCH_TRY(measure_uv(sum, &subject, samples, err));
@@ -255,9 +244,8 @@ static enum hatch_status rank(const struct hatch_field_sum *sum, enum list list,
     size_t count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->next)
         count += list == UV ? s->faces : s->points;
-    struct hatch_weighted *all = HATCH_NEW(sum->scratch, struct hatch_weighted, count, err);
-    if (!all)
-        return HATCH_LIMIT;
+    struct hatch_weighted *all;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &all, count, err));
     count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->next) {
         uint32_t length = list == UV ? s->faces : s->points;
@@ -276,10 +264,10 @@ static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double s
     size_t count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->next)
         count += s->compared;
-    struct compared *all = HATCH_NEW(sum->scratch, struct compared, count, err);
-    struct hatch_weighted *angles = all ? HATCH_NEW(sum->scratch, struct hatch_weighted, count, err) : NULL;
-    if (!angles)
-        return HATCH_LIMIT;
+    struct compared *all;
+    struct hatch_weighted *angles;
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &all, count, err));
+    HATCH_TRY(HATCH_ALLOC(sum->scratch, &angles, count, err));
     count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->next) {
         if (s->compared)

@@ -2,11 +2,12 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "base/random.h"
 #include "math/percentile.h"
 #include "math/vector.h"
-#include "measure/lapped_faces.h"
 #include "measure/stretch.h"
 
 /* Smallest opacity that counts as 1, given the rounding of bilinear interpolation. */
@@ -15,8 +16,156 @@
 
 static const double shares[HATCH_LAPPED_SHARES] = {0.5, 0.95, 0.99, 1};
 
+/* A face of a patch. Two lie on one face of the surface when group and points are equal. */
+struct face {
+    uint32_t group;       /* first mesh of the node that uses the patch */
+    uint32_t point[3];    /* numbers of the corners' positions, ascending */
+    uint32_t patch, face; /* index of the patch; index of the face in it */
+    uint8_t corner[3];    /* the face's corner at point[i] */
+};
+
+struct faces {
+    uint32_t count;         /* of the patches' faces */
+    struct face *list;      /* grouped by faces of the surface, in drawing order within each */
+    uint32_t surface_count; /* of the surface's faces */
+    uint32_t *first;        /* surface_count + 1: per face of the surface, the first entry in list */
+    const struct hatch_scene_mesh **patches;
+    const struct hatch_image **masks; /* per patch */
+    uint32_t patch_count;
+};
+
+/* Whether two faces lie on one face of the surface. */
+static bool coincide(const struct face *a, const struct face *b)
+{
+    return a->group == b->group && memcmp(a->point, b->point, sizeof a->point) == 0;
+}
+
+static int compare(const void *pa, const void *pb)
+{
+    const struct face *a = pa, *b = pb;
+    const uint32_t keys[][2] = {{a->group, b->group},       {a->point[0], b->point[0]}, {a->point[1], b->point[1]},
+                                {a->point[2], b->point[2]}, {a->patch, b->patch},       {a->face, b->face}};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (keys[i][0] != keys[i][1])
+            return keys[i][0] < keys[i][1] ? -1 : 1;
+    return 0;
+}
+
+/* Collects the patches. group: per mesh, the first mesh of its node, or HATCH_NONE unless it is a patch that a
+ * node uses. */
+static enum hatch_status find_patches(const struct hatch_scene *scene, const struct hatch_image *masks, uint32_t *group,
+                                      struct faces *faces, struct hatch_err *err)
+{
+    memset(group, 0xff, scene->mesh_count * sizeof *group);
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        const struct hatch_node *node = &scene->nodes[n];
+        for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++)
+            if (scene->meshes[m].material != HATCH_NONE && scene->materials[scene->meshes[m].material].outline)
+                group[m] = node->first_mesh;
+    }
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        if (group[m] == HATCH_NONE)
+            continue;
+        const struct hatch_scene_mesh *patch = &scene->meshes[m];
+        uint32_t texture = scene->materials[patch->material].base.texture;
+        if (!hatch_mesh_find(&patch->mesh, "TEXCOORD_0", 2) || !hatch_mesh_find(&patch->mesh, "TEXCOORD_1", 2))
+            return hatch_fail(err, HATCH_BAD_INPUT, "patch %u: no TEXCOORD_0 or no TEXCOORD_1", m);
+        if (texture == HATCH_NONE || !masks[texture].pixels)
+            return hatch_fail(err, HATCH_BAD_INPUT, "patch %u: no outline (alpha mask)", m);
+        faces->masks[faces->patch_count] = &masks[texture];
+        faces->patches[faces->patch_count++] = patch;
+    }
+    if (faces->patch_count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no patches; make some with lapped-param");
+    return HATCH_OK;
+}
+
+/* Joins all patches' positions in one mesh. first: per patch, its first vertex. */
+static enum hatch_status gather(const struct faces *faces, struct hatch_arena *scratch, struct hatch_mesh *all,
+                                size_t *first, struct hatch_err *err)
+{
+    size_t vertices = 0, face_count = 0;
+    for (uint32_t p = 0; p < faces->patch_count; p++) {
+        first[p] = vertices;
+        vertices += faces->patches[p]->mesh.vertex_count;
+        face_count += faces->patches[p]->mesh.face_count;
+    }
+    if (vertices >= UINT32_MAX || face_count >= UINT32_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "%zu vertices and %zu faces are too many", vertices, face_count);
+    HATCH_TRY(hatch_mesh_make(scratch, (uint32_t)vertices, 1, all, err));
+    for (uint32_t p = 0; p < faces->patch_count; p++)
+        memcpy(&all->attributes[0].data[3 * first[p]], faces->patches[p]->mesh.attributes[0].data,
+               (size_t)faces->patches[p]->mesh.vertex_count * 3 * sizeof(float));
+    return HATCH_OK;
+}
+
+/* Sorts the three points and records their corners. */
+static void set_points(const uint32_t points[3], struct face *face)
+{
+    for (uint8_t c = 0; c < 3; c++) {
+        int rank = 0;
+        for (uint8_t other = 0; other < 3; other++)
+            rank += points[other] < points[c] || (points[other] == points[c] && other < c);
+        face->point[rank] = points[c];
+        face->corner[rank] = c;
+    }
+}
+
+static enum hatch_status fill(const struct hatch_scene *scene, const uint32_t *group, struct hatch_arena *scratch,
+                              struct faces *faces, struct hatch_err *err)
+{
+    struct hatch_mesh all;
+    uint32_t points;
+    size_t *first = HATCH_NEW(scratch, size_t, faces->patch_count, err), total = 0;
+    if (!first)
+        return HATCH_LIMIT;
+    HATCH_TRY(gather(faces, scratch, &all, first, err));
+    uint32_t *point;
+    HATCH_TRY(HATCH_ALLOC(scratch, &point, all.vertex_count, err));
+    HATCH_TRY(hatch_mesh_weld(&all, scratch, point, &points, err));
+    for (uint32_t p = 0; p < faces->patch_count; p++)
+        total += faces->patches[p]->mesh.face_count;
+    HATCH_TRY(HATCH_ALLOC(scratch, &faces->list, total, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &faces->first, total + 1, err));
+    for (uint32_t p = 0; p < faces->patch_count; p++) {
+        const struct hatch_mesh *mesh = &faces->patches[p]->mesh;
+        for (uint32_t f = 0; f < mesh->face_count; f++) {
+            struct face *face = &faces->list[faces->count++];
+            uint32_t corners[3];
+            for (size_t c = 0; c < 3; c++)
+                corners[c] = point[first[p] + mesh->indices[3 * (size_t)f + c]];
+            *face = (struct face){.group = group[faces->patches[p] - scene->meshes], .patch = p, .face = f};
+            set_points(corners, face);
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Finds the faces of all patches that nodes of the scene use.
+ *   masks  per texture, as for hatch_measure_lapped
+ *   faces  out: in scratch
+ * HATCH_BAD_INPUT when there is no patch, or one has no texture coordinates or outline. */
+static enum hatch_status find_faces(const struct hatch_scene *scene, const struct hatch_image *masks,
+                                    struct hatch_arena *scratch, struct faces *faces, struct hatch_err *err)
+{
+    struct faces made = {.count = 0};
+    uint32_t *group;
+    HATCH_TRY(HATCH_ALLOC(scratch, &group, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.patches, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.masks, scene->mesh_count, err));
+    HATCH_TRY(find_patches(scene, masks, group, &made, err));
+    HATCH_TRY(fill(scene, group, scratch, &made, err));
+    qsort(made.list, made.count, sizeof *made.list, compare);
+    for (uint32_t s = 0; s < made.count; s++)
+        if (s == 0 || !coincide(&made.list[s - 1], &made.list[s]))
+            made.first[made.surface_count++] = s;
+    made.first[made.surface_count] = made.count;
+    *faces = made;
+    return HATCH_OK;
+}
+
 struct work {
-    struct hatch_lapped_faces faces;
+    struct faces faces;
     struct hatch_arena *scratch;
     struct hatch_lapped_figures *out;
 };
@@ -42,8 +191,7 @@ static double opacity_at(const struct hatch_image *mask, const double uv[2])
 }
 
 /* weights: barycentric, in the order of the face's points. */
-static double face_opacity(const struct hatch_lapped_faces *faces, const struct hatch_lapped_face *face,
-                           const double weights[3])
+static double face_opacity(const struct faces *faces, const struct face *face, const double weights[3])
 {
     const struct hatch_mesh *mesh = &faces->patches[face->patch]->mesh;
     const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_1", 2);
@@ -63,7 +211,7 @@ static void take_sample(struct work *w, uint32_t surface_face, const double weig
     double transparency = 1;
     bool opaque = false;
     for (uint32_t s = w->faces.first[surface_face + 1]; s > w->faces.first[surface_face] && !opaque; s--) {
-        const struct hatch_lapped_face *face = &w->faces.list[s - 1];
+        const struct face *face = &w->faces.list[s - 1];
         double opacity = face_opacity(&w->faces, face, weights);
         opaque = opacity >= OPAQUE;
         transparency *= opaque ? 0 : 1 - opacity;
@@ -100,14 +248,14 @@ static uint32_t find_face(const double *area_up_to, uint32_t count, double area)
 
 static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_t seed, struct hatch_err *err)
 {
-    const struct hatch_lapped_faces *faces = &w->faces;
+    const struct faces *faces = &w->faces;
     double *area_up_to = HATCH_NEW(w->scratch, double, faces->surface_count, err), area = 0;
     uint8_t *seen = area_up_to ? HATCH_NEW(w->scratch, uint8_t, faces->patch_count, err) : NULL;
     uint32_t covered = 0;
     if (!seen)
         return HATCH_LIMIT;
     for (uint32_t f = 0; f < faces->surface_count; f++) {
-        const struct hatch_lapped_face *face = &faces->list[faces->first[f]];
+        const struct face *face = &faces->list[faces->first[f]];
         double p[3][3], normal[3];
         hatch_mesh_corners(&faces->patches[face->patch]->mesh, face->face, p);
         hatch_vec_triangle(p[0], p[1], p[2], normal);
@@ -172,7 +320,7 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
     double area = 0, uv_area = 0;
     uint32_t first = lists->stretches;
     for (uint32_t s = begin; s < end; s++) {
-        const struct hatch_lapped_face *face = &w->faces.list[s];
+        const struct face *face = &w->faces.list[s];
         const struct hatch_mesh *mesh = &w->faces.patches[face->patch]->mesh;
         struct hatch_stretch stretch;
         if (!hatch_measure_stretch(mesh, hatch_mesh_find(mesh, "TEXCOORD_0", 2), face->face, &stretch))
@@ -197,11 +345,9 @@ static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct l
 static enum hatch_status measure_stretch(struct work *w, struct hatch_err *err)
 {
     struct lists lists = {.angles = 0};
-    lists.stretch = HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err);
-    lists.area = lists.stretch ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
-    lists.angle = lists.area ? HATCH_NEW(w->scratch, struct hatch_weighted, w->faces.count, err) : NULL;
-    if (!lists.angle)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.stretch, w->faces.count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.area, w->faces.count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &lists.angle, w->faces.count, err));
     for (uint32_t begin = 0, end; begin < w->faces.count; begin = end) {
         for (end = begin; end < w->faces.count && w->faces.list[end].group == w->faces.list[begin].group;)
             end++;
@@ -224,7 +370,7 @@ enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const st
     struct hatch_lapped_figures made = {.patches = 0};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work w = {.scratch = scratch, .out = &made};
-    enum hatch_status status = hatch_lapped_faces_find(scene, masks, scratch, &w.faces, err);
+    enum hatch_status status = find_faces(scene, masks, scratch, &w.faces, err);
     if (status == HATCH_OK) {
         made.patches = w.faces.patch_count;
         made.faces = w.faces.surface_count;

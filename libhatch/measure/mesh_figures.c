@@ -123,11 +123,10 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
     if (!uv)
         return HATCH_OK;
     static const double shares[3] = {0.05, 0.5, 0.95};
-    struct hatch_stretch *list = HATCH_NEW(w->scratch, struct hatch_stretch, w->mesh->face_count, err);
-    struct hatch_weighted *values =
-        list ? HATCH_NEW(w->scratch, struct hatch_weighted, w->mesh->face_count, err) : NULL;
-    if (!values)
-        return HATCH_LIMIT;
+    struct hatch_stretch *list;
+    struct hatch_weighted *values;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &list, w->mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &values, w->mesh->face_count, err));
     double kept = 0, degenerate = 0, mirrored = 0, uv_area = 0;
     uint32_t count = 0;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
@@ -160,14 +159,14 @@ static enum hatch_status measure(struct work *w, struct hatch_err *err)
     const struct hatch_mesh *mesh = w->mesh;
     struct hatch_mesh_figures *out = w->out;
     struct hatch_arena *scratch = w->scratch;
-    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    uint8_t *flags = vertex_to_point ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
-    w->point = flags ? HATCH_NEW(scratch, uint32_t, (size_t)mesh->face_count * 3, err) : NULL;
-    w->dropped = w->point ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
-    w->point_used = w->dropped ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, err) : NULL;
-    w->sets = w->point_used ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!w->sets)
-        return HATCH_LIMIT;
+    uint32_t *vertex_to_point;
+    uint8_t *flags;
+    HATCH_TRY(HATCH_ALLOC(scratch, &vertex_to_point, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &flags, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->point, (size_t)mesh->face_count * 3, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->dropped, mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->point_used, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->sets, mesh->vertex_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &out->points, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     find_used(w, flags);

@@ -1,7 +1,6 @@
 #include "measure/tam_figures.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "filter/blur.h"
 #include "image/color.h"

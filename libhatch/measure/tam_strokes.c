@@ -1,6 +1,5 @@
 /* Figures that need the strokes: nesting by stroke, a stroke's darkness, evenness. */
 #include <assert.h>
-#include <math.h>
 
 #include "base/random.h"
 #include "measure/tam_figures.h"

@@ -1,6 +1,5 @@
 /* Cleaning works on points (welded positions), so that it treats unwelded meshes as the surfaces that they are.
  * Vertices stay apart; only those that no face uses are dropped. */
-#include <string.h>
 
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
@@ -20,9 +19,8 @@ static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, str
     const struct hatch_connectivity faces = {w->point, w->mesh->face_count, w->point_count, w->dropped};
     struct hatch_edges edges;
     HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &edges, err));
-    uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)w->mesh->face_count * 3, err);
-    if (!partner)
-        return HATCH_LIMIT;
+    uint32_t *partner;
+    HATCH_TRY(HATCH_ALLOC(scratch, &partner, (size_t)w->mesh->face_count * 3, err));
     hatch_edges_partners(&edges, NULL, w->mesh->face_count, partner);
     struct hatch_orientation result = {.flipped = w->flipped};
     HATCH_TRY(hatch_mesh_orient(w->mesh, &faces, partner, scratch, &result, err));
@@ -70,10 +68,9 @@ static enum hatch_status build(struct work *w, struct hatch_arena *arena, struct
     uint32_t faces = mesh->face_count - w->notes.degenerate_dropped - w->notes.duplicates_dropped;
     if (faces == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
-    uint32_t *new_vertex = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    uint32_t *origin = new_vertex ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!origin)
-        return HATCH_LIMIT;
+    uint32_t *new_vertex, *origin;
+    HATCH_TRY(HATCH_ALLOC(scratch, &new_vertex, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &origin, mesh->vertex_count, err));
     uint32_t vertices = number_vertices(w, new_vertex, origin);
     w->notes.unreferenced_dropped = mesh->vertex_count - vertices;
     HATCH_TRY(hatch_mesh_gather(mesh, origin, vertices, faces, arena, out, err));
@@ -86,12 +83,11 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena, struct
 {
     const struct hatch_mesh *mesh = w->mesh;
     size_t corners = (size_t)mesh->face_count * 3;
-    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    w->point = vertex_to_point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    w->dropped = w->point ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
-    w->flipped = w->dropped ? HATCH_NEW(scratch, uint8_t, mesh->face_count, err) : NULL;
-    if (!w->flipped)
-        return HATCH_LIMIT;
+    uint32_t *vertex_to_point;
+    HATCH_TRY(HATCH_ALLOC(scratch, &vertex_to_point, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->point, corners, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->dropped, mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->flipped, mesh->face_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, vertex_to_point, &w->point_count, err));
     if (mesh->attribute_count == 1) /* vertices at one position may differ in other attributes */
         w->notes.vertices_apart = mesh->vertex_count - w->point_count;

@@ -37,9 +37,8 @@ enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t fac
     while (capacity < (size_t)face_count * 2)
         capacity *= 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* hash table: face + 1, or 0 */
-    if (!slots)
-        return HATCH_LIMIT;
+    uint32_t *slots;
+    HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* hash table: face + 1, or 0 */
     uint32_t found = 0;
     for (uint32_t f = 0; f < face_count; f++) {
         if (dropped[f])

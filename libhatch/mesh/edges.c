@@ -66,11 +66,9 @@ enum hatch_status hatch_edges_find(const struct hatch_connectivity *faces, struc
     assert(faces->face_count <= UINT32_MAX / 3 - 1);
     size_t all = (size_t)faces->face_count * 3;
     struct hatch_edges found;
-    found.first = HATCH_NEW(arena, uint32_t, all + 1, err);
-    found.sides = found.first ? HATCH_NEW(arena, uint32_t, all, err) : NULL;
-    found.edge_of = found.sides ? HATCH_NEW(arena, uint32_t, all, err) : NULL;
-    if (!found.edge_of)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &found.first, all + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &found.sides, all, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &found.edge_of, all, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *listed = HATCH_NEW(scratch, uint32_t, all, err);
     uint32_t *starts = listed ? HATCH_NEW(scratch, uint32_t, (size_t)faces->point_count + 1, err) : NULL;

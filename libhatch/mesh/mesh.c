@@ -10,9 +10,7 @@ enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_cou
                                   struct hatch_mesh *mesh, struct hatch_err *err)
 {
     struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
-    made.indices = HATCH_NEW(arena, uint32_t, (size_t)face_count * 3, err);
-    if (!made.indices)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.indices, (size_t)face_count * 3, err));
     float *positions;
     HATCH_TRY(hatch_mesh_add(arena, &made, "POSITION", 3, &positions, err));
     *mesh = made;
@@ -27,9 +25,8 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
     if (mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_MAX)
         return hatch_fail(err, HATCH_LIMIT, "attribute %s: a mesh has at most %u attributes", name,
                           HATCH_MESH_ATTRIBUTES_MAX);
-    float *floats = HATCH_NEW(arena, float, (size_t)mesh->vertex_count *components, err);
-    if (!floats)
-        return HATCH_LIMIT;
+    float *floats;
+    HATCH_TRY(HATCH_ALLOC(arena, &floats, (size_t)mesh->vertex_count * components, err));
     struct hatch_mesh_attribute *attribute = &mesh->attributes[mesh->attribute_count++];
     memcpy(attribute->name, name, strlen(name) + 1);
     attribute->components = components;
@@ -43,9 +40,7 @@ enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_
                                     struct hatch_err *err)
 {
     struct hatch_mesh made = {.vertex_count = vertex_count, .face_count = face_count};
-    made.indices = HATCH_NEW(arena, uint32_t, (size_t)face_count * 3, err);
-    if (!made.indices)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.indices, (size_t)face_count * 3, err));
     for (uint32_t i = 0; i < from->attribute_count; i++) {
         const struct hatch_mesh_attribute *attribute = &from->attributes[i];
         size_t n = attribute->components;

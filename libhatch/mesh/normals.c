@@ -31,9 +31,8 @@ static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edg
                                           struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t faces = w->mesh->face_count;
-    uint32_t *partner = HATCH_NEW(scratch, uint32_t, (size_t)faces * 3, err);
-    if (!partner)
-        return HATCH_LIMIT;
+    uint32_t *partner;
+    HATCH_TRY(HATCH_ALLOC(scratch, &partner, (size_t)faces * 3, err));
     hatch_edges_partners(edges, sharp, faces, partner);
     w->class_count = hatch_mesh_corner_fans(w->point, partner, faces, w->class_of);
     return HATCH_OK;
@@ -45,9 +44,8 @@ static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count,
     const struct hatch_connectivity faces = {w->point, w->mesh->face_count, point_count, NULL};
     struct hatch_edges edges;
     HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &edges, err));
-    uint8_t *sharp = HATCH_NEW(scratch, uint8_t, edges.count, err);
-    if (!sharp)
-        return HATCH_LIMIT;
+    uint8_t *sharp;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sharp, edges.count, err));
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
         sharp[e] =
@@ -112,9 +110,7 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena, 
 static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct hatch_mesh *out, struct hatch_err *err)
 {
-    w->sum = HATCH_NEW(scratch, double, (size_t)w->class_count * 3, err);
-    if (!w->sum)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->sum, (size_t)w->class_count * 3, err));
     sum_normals(w);
     return build(w, arena, scratch, out, err);
 }
@@ -123,11 +119,10 @@ static enum hatch_status add_normals(struct work *w, float crease_rad, struct ha
                                      struct hatch_arena *scratch, struct hatch_mesh *out, struct hatch_err *err)
 {
     size_t corners = (size_t)w->mesh->face_count * 3;
-    uint32_t *vertex_to_point = HATCH_NEW(scratch, uint32_t, w->mesh->vertex_count, err);
-    w->point = vertex_to_point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    w->class_of = w->point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    if (!w->class_of)
-        return HATCH_LIMIT;
+    uint32_t *vertex_to_point;
+    HATCH_TRY(HATCH_ALLOC(scratch, &vertex_to_point, w->mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->point, corners, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->class_of, corners, err));
     uint32_t point_count;
     HATCH_TRY(hatch_mesh_weld(w->mesh, scratch, vertex_to_point, &point_count, err));
     hatch_mesh_corner_points(w->mesh, vertex_to_point, w->point);

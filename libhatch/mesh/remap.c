@@ -9,10 +9,9 @@
 static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
                                          struct hatch_remap *remap, struct hatch_err *err)
 {
-    uint32_t *point = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    uint32_t *value = point ? HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err) : NULL, unused;
-    if (!value)
-        return HATCH_LIMIT;
+    uint32_t *point, *value, unused;
+    HATCH_TRY(HATCH_ALLOC(scratch, &point, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &value, mesh->vertex_count, err));
     struct hatch_mesh others = {.vertex_count = mesh->vertex_count, .attribute_count = 1};
     others.attributes[0].data = values;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &unused, err));
@@ -31,10 +30,9 @@ static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *v
 static enum hatch_status make(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
                               struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
-    struct hatch_remap made = {.number = HATCH_NEW(arena, uint32_t, mesh->vertex_count, err)};
-    made.first = made.number ? HATCH_NEW(arena, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!made.first)
-        return HATCH_LIMIT;
+    struct hatch_remap made = {0};
+    HATCH_TRY(HATCH_ALLOC(arena, &made.number, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = number_vertices(mesh, values, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
@@ -53,9 +51,8 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
                                           struct hatch_remap *remap, struct hatch_err *err)
 {
     const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
-    float *values = HATCH_NEW(arena, float, 3 * (size_t)mesh->vertex_count, err);
-    if (!values)
-        return HATCH_LIMIT;
+    float *values;
+    HATCH_TRY(HATCH_ALLOC(arena, &values, 3 * (size_t)mesh->vertex_count, err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
     return make(mesh, values, arena, arena, remap, err);

@@ -26,12 +26,11 @@ enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *clas
 {
     size_t most = corner_count + vertex_count;
     struct hatch_splits made = {.count = vertex_count};
-    made.class_at = HATCH_NEW(scratch, uint32_t, most, err);
-    made.origin = made.class_at ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
-    made.indices = made.origin ? HATCH_NEW(scratch, uint32_t, corner_count, err) : NULL;
-    uint32_t *next = made.indices ? HATCH_NEW(scratch, uint32_t, most, err) : NULL;
-    if (!next)
-        return HATCH_LIMIT;
+    uint32_t *next;
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.class_at, most, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.origin, most, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made.indices, corner_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &next, most, err));
     memset(made.class_at, 0xff, most * sizeof *made.class_at);
     for (uint32_t v = 0; v < vertex_count; v++)
         made.origin[v] = v;

@@ -65,10 +65,10 @@ enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_
     const float *position = mesh->attributes[0].data, *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     struct hatch_remap remap;
     HATCH_TRY(hatch_remap_by_texcoord(mesh, scratch, &remap, err));
-    double *sums = HATCH_NEW(scratch, double, 7 * (size_t)remap.count, err);
-    float *made = sums ? HATCH_NEW(scratch, float, 6 * (size_t)mesh->vertex_count, err) : NULL;
-    if (!made)
-        return HATCH_LIMIT;
+    double *sums;
+    float *made;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sums, 7 * (size_t)remap.count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &made, 6 * (size_t)mesh->vertex_count, err));
     for (size_t f = 0; f < mesh->face_count; f++)
         add_face(mesh->indices + 3 * f, position, texcoord, remap.number, sums);
     for (size_t v = 0; v < mesh->vertex_count; v++) {

@@ -43,9 +43,8 @@ enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_ar
     while (capacity < (size_t)mesh->vertex_count * 2)
         capacity *= 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t *slots = HATCH_NEW(scratch, uint32_t, capacity, err); /* first vertex of a point, or EMPTY */
-    if (!slots)
-        return HATCH_LIMIT;
+    uint32_t *slots;
+    HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* first vertex of a point, or EMPTY */
     memset(slots, 0xff, capacity * sizeof *slots);
     uint32_t count = 0;
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {

@@ -1,5 +1,4 @@
 /* Cuts near faces into pieces, as vertices for the GPU. */
-#include <math.h>
 #include <string.h>
 
 #include "near/subdivide.h"

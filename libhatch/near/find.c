@@ -113,17 +113,13 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
     struct hatch_pose pose = scene->pose; /* hatch_pose_vertices writes to its scratch arrays only */
     if (made.positions)
         return HATCH_OK;
-    made.positions = HATCH_NEW(posed, double, 3 * (size_t)scene->meshes[from->mesh].mesh->vertex_count, err);
-    if (!made.positions)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(posed, &made.positions, 3 * (size_t)scene->meshes[from->mesh].mesh->vertex_count, err));
     hatch_pose_vertices(&pose, from->node, from->mesh, made.positions, NULL);
     int list_count = hatch_near_lists(frame, item, lists);
     for (int list = 0; list < list_count; list++) {
         const struct hatch_near_faces *faces = &lists[list].faces;
         size_t blocks = (faces->count + (size_t)HATCH_NEAR_BLOCK - 1) / HATCH_NEAR_BLOCK;
-        made.blocks[list] = HATCH_NEW(posed, struct hatch_near_sphere, blocks, err);
-        if (!made.blocks[list])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(posed, &made.blocks[list], blocks, err));
         for (size_t block = 0; block < blocks; block++)
             set_block(scene, &made, faces, HATCH_NEAR_BLOCK * block, &made.blocks[list][block]);
     }
@@ -135,10 +131,9 @@ enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t
 static enum hatch_status make_points(const struct hatch_mesh *mesh, struct hatch_arena *kept,
                                      struct hatch_near_shape *shape, struct hatch_err *err)
 {
-    uint32_t count, *points = HATCH_NEW(kept, uint32_t, mesh->vertex_count, err);
-    shape->marks = points ? HATCH_NEW(kept, uint32_t, mesh->vertex_count, err) : NULL;
-    if (!shape->marks)
-        return HATCH_LIMIT;
+    uint32_t count, *points;
+    HATCH_TRY(HATCH_ALLOC(kept, &points, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(kept, &shape->marks, mesh->vertex_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, kept, points, &count, err));
     shape->points = points;
     return HATCH_OK;
@@ -214,8 +209,7 @@ static enum hatch_status make_room(const struct hatch_near_frame *frame, const s
     size_t count = 0;
     for (uint32_t i = 0; i < (target->faces.count + HATCH_NEAR_BLOCK - 1) / HATCH_NEAR_BLOCK; i++)
         count += box ? sphere_meets(&blocks[i], box) : sphere_touches(frame, &blocks[i], reach);
-    *faces = HATCH_NEW(&frame->near->frame, uint32_t, HATCH_NEAR_BLOCK * count, err);
-    return *faces ? HATCH_OK : HATCH_LIMIT;
+    return HATCH_ALLOC(&frame->near->frame, faces, HATCH_NEAR_BLOCK * count, err);
 }
 
 enum hatch_status hatch_near_choose(struct hatch_near_frame *frame, const struct hatch_near_target *target,

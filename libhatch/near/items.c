@@ -1,7 +1,3 @@
-#include "near/near.h"
-
-#include <math.h>
-
 #include "near/parts.h"
 
 #define NEAREST 0x1p-60 /* least distance of the near plane: for an eye on the surface */
@@ -29,10 +25,8 @@ static struct hatch_near_frame frame_of(struct hatch_near *near, const struct ha
 static enum hatch_status set_ranges(const struct hatch_near_faces *faces, const struct hatch_near_choice *choice,
                                     struct hatch_arena *arena, struct hatch_near_cut *cut, struct hatch_err *err)
 {
-    cut->counts = HATCH_NEW(arena, int, choice->near_count + (size_t)1, err);
-    cut->offsets = cut->counts ? HATCH_NEW(arena, const void *, choice->near_count + (size_t)1, err) : NULL;
-    if (!cut->offsets)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &cut->counts, choice->near_count + (size_t)1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &cut->offsets, choice->near_count + (size_t)1, err));
     uint32_t begin = 0;
     for (uint32_t i = 0; i <= choice->near_count; i++) {
         uint32_t end = i < choice->near_count ? choice->near_faces[i] : faces->count;
@@ -142,12 +136,10 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
     if (!touches_any(&frame))
         return HATCH_OK;
     begin_frame(near, scene, options->max_memory);
+    struct hatch_near_choice *choices;
     if (!near->shapes)
-        near->shapes = HATCH_NEW(&near->kept, struct hatch_near_shape, scene->item_count, err);
-    struct hatch_near_choice *choices =
-        HATCH_NEW(&near->frame, struct hatch_near_choice, HATCH_NEAR_LISTS * (size_t)scene->item_count, err);
-    if (!near->shapes || !choices)
-        return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(&near->kept, &near->shapes, scene->item_count, err));
+    HATCH_TRY(HATCH_ALLOC(&near->frame, &choices, HATCH_NEAR_LISTS * (size_t)scene->item_count, err));
     HATCH_TRY(choose(&frame, choices, err));
     if (view->near_is_automatic && !view->orthographic)
         view->near = near->plane = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);

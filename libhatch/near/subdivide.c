@@ -1,6 +1,5 @@
 #include "near/subdivide.h"
 
-#include <math.h>
 #include <stddef.h>
 
 #include "math/vector.h"

@@ -10,9 +10,7 @@ enum hatch_status hatch_canvas_make(const struct hatch_canvas_options *options, 
     struct hatch_canvas made = {.style = style, .brush = options->brush, .size_px = size_px, .levels = options->levels};
     for (uint32_t level = 0; level < options->levels; level++) {
         size_t pixels = (size_t)(size_px >> level) * (size_px >> level);
-        made.paper[level] = HATCH_NEW(arena, float, pixels, err);
-        if (!made.paper[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &made.paper[level], pixels, err));
         for (size_t i = 0; i < pixels; i++)
             made.paper[level][i] = 1;
         if (options->color && !(made.rgb[level] = HATCH_NEW(arena, float, 3 * pixels, err)))
@@ -21,16 +19,12 @@ enum hatch_status hatch_canvas_make(const struct hatch_canvas_options *options, 
             made.rgb[level][i] = 1;
         if (!options->ids)
             continue;
-        made.id[level] = HATCH_NEW(arena, float, pixels, err);
-        made.along[level] = HATCH_NEW(arena, float, pixels, err);
-        if (!made.id[level] || !made.along[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &made.id[level], pixels, err));
+        HATCH_TRY(HATCH_ALLOC(arena, &made.along[level], pixels, err));
     }
     HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.footprint, err));
     HATCH_TRY(hatch_footprint_make(arena, size_px, style->length_max, style->width_px, &made.before, err));
-    made.change = HATCH_NEW(arena, float, made.footprint.capacity, err);
-    if (!made.change)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.change, made.footprint.capacity, err));
     *canvas = made;
     return HATCH_OK;
 }

@@ -25,9 +25,8 @@ static enum hatch_status join_ids(const struct hatch_canvas *canvas, uint32_t le
     size_t pixels = (size_t)image->width * image->height;
     uint32_t inks = image->channel_count, channels = inks + 2;
     const float *ink = image->pixels;
-    float *joined = HATCH_NEW(scratch, float, channels *pixels, err);
-    if (!joined)
-        return HATCH_LIMIT;
+    float *joined;
+    HATCH_TRY(HATCH_ALLOC(scratch, &joined, channels * pixels, err));
     for (size_t i = 0; i < pixels; i++) {
         for (uint32_t c = 0; c < inks; c++)
             joined[channels * i + c] = ink[inks * i + c];

@@ -1,11 +1,9 @@
 #include "placement/fill.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #include "placement/column.h"
-#include "placement/potential.h"
 #include "placement/place.h"
 
 /* After this many choices in a row without a stroke that darkens the image, or without one short enough, the image
@@ -35,9 +33,8 @@ static enum hatch_status make_pyramids(struct filler *f, struct hatch_arena *are
         f->pyramids[level][0] = f->canvas.paper[level];
         for (uint32_t p = 1, size = hatch_canvas_size(&f->canvas, level); size >> p; p++) {
             size_t pixels = (size_t)(size >> p) * (size >> p);
-            float *paper = HATCH_NEW(arena, float, pixels, err);
-            if (!paper)
-                return HATCH_LIMIT;
+            float *paper;
+            HATCH_TRY(HATCH_ALLOC(arena, &paper, pixels, err));
             for (size_t i = 0; i < pixels; i++)
                 paper[i] = 1;
             f->pyramids[level][p] = paper;
@@ -110,9 +107,8 @@ static enum hatch_status add_stroke(struct filler *f, struct hatch_stroke *strok
 {
     if (f->strokes.count == f->scale_capacity) {
         uint32_t capacity = f->scale_capacity ? 2 * f->scale_capacity : 1024;
-        float *larger = HATCH_NEW(f->arena, float, capacity, err);
-        if (!larger)
-            return HATCH_LIMIT;
+        float *larger;
+        HATCH_TRY(HATCH_ALLOC(f->arena, &larger, capacity, err));
         if (f->scale)
             memcpy(larger, f->scale, f->scale_capacity * sizeof *larger);
         f->scale = larger;

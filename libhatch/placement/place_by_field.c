@@ -1,7 +1,5 @@
 #include "placement/place.h"
 
-#include <math.h>
-
 #include "base/random.h"
 
 #define SHORTLIST 6u

@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "placement/place.h"
 
 /* A candidate on the tile, independent of the size of an image. */

@@ -1,6 +1,5 @@
 #include "placement/potential.h"
 
-#include <math.h>
 #include <string.h>
 
 static float *ink_shares(float *share, uint32_t parts)
@@ -39,26 +38,21 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     if (made.size > 512)
         made.size = 512;
     size_t cells = (size_t)made.size * made.size;
-    made.potential = HATCH_NEW(arena, float, cells, err);
-    made.row = HATCH_NEW(arena, float, made.size + 2, err);
-    made.used = HATCH_NEW(arena, bool, made.size, err);
-    made.share = HATCH_NEW(arena, float, HATCH_POTENTIAL_PARTS *(HATCH_POTENTIAL_PARTS + 1) / 2, err);
-    if (!made.potential || !made.row || !made.used || !made.share)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.potential, cells, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.row, made.size + 2, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.used, made.size, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.share, HATCH_POTENTIAL_PARTS * (HATCH_POTENTIAL_PARTS + 1) / 2, err));
     for (uint32_t parts = 1; parts <= HATCH_POTENTIAL_PARTS; parts++)
         fill_ink_shares(brush, parts, ink_shares(made.share, parts));
     for (uint32_t size = made.size; size >= 2; size /= 2) {
-        float *octave = HATCH_NEW(arena, float, (size_t)size *size, err);
-        if (!octave)
-            return HATCH_LIMIT;
+        float *octave;
+        HATCH_TRY(HATCH_ALLOC(arena, &octave, (size_t)size * size, err));
         made.octave[made.octaves++] = octave;
     }
     for (uint32_t level = 0; level < levels; level++) {
         uint32_t size = canvas_size_px >> level, grid = size < made.size ? size : made.size;
         made.grid[level] = grid;
-        made.darkness[level] = HATCH_NEW(arena, float, (size_t)grid *grid, err);
-        if (!made.darkness[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &made.darkness[level], (size_t)grid * grid, err));
     }
     *field = made;
     return HATCH_OK;

@@ -1,7 +1,6 @@
 #include "placement/replay.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -261,12 +260,9 @@ static enum hatch_status make_lists(struct replay *r, struct hatch_arena *scratc
         HATCH_TRY(
             hatch_potential_make(scratch, options->size_px, options->levels, options->brush, &r->field[level], err));
     for (uint32_t level = 0; level < options->levels; level++) {
-        r->entered[level] = HATCH_NEW(scratch, uint16_t, r->count, err);
-        if (!r->entered[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(scratch, &r->entered[level], r->count, err));
     }
-    r->order = HATCH_NEW(scratch, struct ordered_stroke, r->count, err);
-    return r->order ? HATCH_OK : HATCH_LIMIT;
+    return HATCH_ALLOC(scratch, &r->order, r->count, err);
 }
 
 /* Sets column, level and delay of the strokes, and removes those that no image holds. */

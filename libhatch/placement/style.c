@@ -1,6 +1,5 @@
 #include "placement/style.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/text.h"

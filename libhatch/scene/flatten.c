@@ -112,9 +112,8 @@ enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct ha
                           "the meshes of all nodes have %llu faces and %llu vertices, too many for one mesh",
                           (unsigned long long)total.faces, (unsigned long long)total.vertices);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    float *world = HATCH_NEW(scratch, float, (size_t)scene->node_count * 16, err);
-    if (!world)
-        return HATCH_LIMIT;
+    float *world;
+    HATCH_TRY(HATCH_ALLOC(scratch, &world, (size_t)scene->node_count * 16, err));
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     struct flat f = {.scene = scene, .world = world};
     enum hatch_status status = flatten(&f, total, arena, err);

@@ -27,11 +27,10 @@ enum hatch_status hatch_scene_add_ground(struct hatch_scene *scene, double share
 {
     const struct hatch_shape_options how = {.faces = FACES, .seed = 1};
     struct hatch_bounds bounds;
-    struct hatch_node *nodes = HATCH_NEW(arena, struct hatch_node, scene->node_count + (size_t)1, err);
-    struct hatch_scene_mesh *meshes =
-        nodes ? HATCH_NEW(arena, struct hatch_scene_mesh, scene->mesh_count + (size_t)1, err) : NULL;
-    if (!meshes)
-        return HATCH_LIMIT;
+    struct hatch_node *nodes;
+    struct hatch_scene_mesh *meshes;
+    HATCH_TRY(HATCH_ALLOC(arena, &nodes, scene->node_count + (size_t)1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &meshes, scene->mesh_count + (size_t)1, err));
     HATCH_TRY(hatch_scene_measure(scene, scratch, &bounds, err));
     if (scene->node_count)
         memcpy(nodes, scene->nodes, scene->node_count * sizeof *nodes);

@@ -29,9 +29,7 @@ static enum hatch_status concatenate(const struct hatch_scene_mesh *from, uint32
                                      struct hatch_patch_mesh *patches, struct hatch_mesh *joined, struct hatch_err *err)
 {
     uint64_t vertices = 0, faces = 0;
-    patches->first_vertex = HATCH_NEW(arena, uint32_t, count + (size_t)1, err);
-    if (!patches->first_vertex)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &patches->first_vertex, count + (size_t)1, err));
     for (uint32_t i = 0; i < count; i++) {
         patches->first_vertex[i] = (uint32_t)vertices;
         vertices += from[i].mesh.vertex_count;
@@ -113,9 +111,7 @@ static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *
 static enum hatch_status order_faces(struct joining *joining, struct hatch_arena *arena, struct hatch_err *err)
 {
     struct hatch_patch_mesh *patches = joining->patches;
-    patches->layer_end = HATCH_NEW(arena, uint32_t, patches->layer_count, err);
-    if (!patches->layer_end)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &patches->layer_end, patches->layer_count, err));
     for (uint32_t i = 0; i < patches->patch_count; i++)
         if (joining->layer[i] + 1 < patches->layer_count)
             patches->layer_end[joining->layer[i] + 1] += 3 * joining->from[i].mesh.face_count;
@@ -143,10 +139,8 @@ static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t coun
     HATCH_TRY(hatch_remap_attributes(joined, joining.weld.first, arena, surface, err));
     HATCH_TRY(hatch_keys_make(scratch, &joining.pairs, err));
     HATCH_TRY(hatch_keys_make(scratch, &joining.faces, err));
-    joining.layer_of = HATCH_NEW(scratch, uint32_t, joined->face_count, err);
-    joining.layer = joining.layer_of ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    if (!joining.layer)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &joining.layer_of, joined->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &joining.layer, count, err));
     HATCH_TRY(find_faces(&joining, surface, err));
     return order_faces(&joining, arena, err);
 }
@@ -179,11 +173,12 @@ static void renumber_nodes(struct hatch_scene *scene, const uint32_t *new_index)
 static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct hatch_patch_mesh *patches, struct hatch_err *err)
 {
-    uint32_t *new_index = HATCH_NEW(scratch, uint32_t, scene->mesh_count, err);
-    uint8_t *begins = new_index ? HATCH_NEW(scratch, uint8_t, scene->mesh_count + (size_t)1, err) : NULL;
-    struct hatch_scene_mesh *meshes = begins ? HATCH_NEW(arena, struct hatch_scene_mesh, scene->mesh_count, err) : NULL;
-    if (!meshes)
-        return HATCH_LIMIT;
+    uint32_t *new_index;
+    uint8_t *begins;
+    struct hatch_scene_mesh *meshes;
+    HATCH_TRY(HATCH_ALLOC(scratch, &new_index, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &begins, scene->mesh_count + (size_t)1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &meshes, scene->mesh_count, err));
     for (uint32_t i = 0; i < scene->node_count; i++) {
         const struct hatch_node *node = &scene->nodes[i];
         if (node->mesh_count)
@@ -215,9 +210,8 @@ static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena 
 enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
                                      struct hatch_patch_mesh **patches, struct hatch_err *err)
 {
-    struct hatch_patch_mesh *made = HATCH_NEW(arena, struct hatch_patch_mesh, scene->mesh_count, err);
-    if (!made)
-        return HATCH_LIMIT;
+    struct hatch_patch_mesh *made;
+    HATCH_TRY(HATCH_ALLOC(arena, &made, scene->mesh_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = join_all(scene, arena, scratch, made, err);
     hatch_arena_rewind(scratch, mark);

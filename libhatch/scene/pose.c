@@ -17,11 +17,9 @@ enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_
         targets = more > targets ? more : targets;
     }
     struct hatch_pose made = {.scene = scene, .animation = HATCH_NONE};
-    made.world = HATCH_NEW(arena, float, 16u * (size_t)scene->node_count, err);
-    made.joints = made.world ? HATCH_NEW(arena, float, 16u * (size_t)joints, err) : NULL;
-    made.weights = made.joints ? HATCH_NEW(arena, double, targets, err) : NULL;
-    if (!made.weights)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.world, 16u * (size_t)scene->node_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.joints, 16u * (size_t)joints, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.weights, targets, err));
     *pose = made;
     return HATCH_OK;
 }
@@ -145,9 +143,8 @@ static enum hatch_status each_corner(struct hatch_pose *pose, uint32_t node, uin
 {
     const struct hatch_mesh *shape = &pose->scene->meshes[mesh].mesh;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *positions = HATCH_NEW(scratch, double, 3 * (size_t)shape->vertex_count, err);
-    if (!positions)
-        return HATCH_LIMIT;
+    double *positions;
+    HATCH_TRY(HATCH_ALLOC(scratch, &positions, 3 * (size_t)shape->vertex_count, err));
     hatch_pose_vertices(pose, node, mesh, positions, NULL);
     for (size_t corner = 0; corner < 3 * (size_t)shape->face_count; corner++)
         visit(context, positions + 3 * (size_t)shape->indices[corner]);

@@ -39,9 +39,7 @@ static enum hatch_status append_skins(const struct hatch_scene *from, uint32_t f
 {
     for (uint32_t i = 0; i < from->skin_count; i++) {
         struct hatch_skin skin = from->skins[i];
-        skin.joints = HATCH_NEW(arena, uint32_t, skin.joint_count, err);
-        if (!skin.joints)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &skin.joints, skin.joint_count, err));
         for (uint32_t j = 0; j < skin.joint_count; j++)
             skin.joints[j] = from->skins[i].joints[j] + first_node;
         to->skins[to->skin_count++] = skin;
@@ -55,10 +53,8 @@ static enum hatch_status append_animations(const struct hatch_scene *from, uint3
     for (uint32_t i = 0; i < from->animation_count; i++) {
         const struct hatch_animation *more = &from->animations[i];
         struct hatch_animation *all = &to->animations[i];
-        struct hatch_animation_channel *channels =
-            HATCH_NEW(arena, struct hatch_animation_channel, all->channel_count + more->channel_count, err);
-        if (!channels)
-            return HATCH_LIMIT;
+        struct hatch_animation_channel *channels;
+        HATCH_TRY(HATCH_ALLOC(arena, &channels, all->channel_count + more->channel_count, err));
         if (all->channel_count)
             memcpy(channels, all->channels, all->channel_count * sizeof *channels);
         for (uint32_t c = 0; c < more->channel_count; c++) {
@@ -108,20 +104,15 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
         all.skin_count += scenes[i].skin_count;
         all.animation_count += scenes[i].animation_count;
     }
-    *made = (struct hatch_scene){.nodes = HATCH_NEW(arena, struct hatch_node, all.node_count, err)};
-    if (!made->nodes)
-        return HATCH_LIMIT;
-    made->meshes = HATCH_NEW(arena, struct hatch_scene_mesh, all.mesh_count, err);
-    made->materials = HATCH_NEW(arena, struct hatch_material, all.material_count, err);
-    made->textures = HATCH_NEW(arena, struct hatch_texture, all.texture_count, err);
-    made->cameras = HATCH_NEW(arena, struct hatch_camera, all.camera_count, err);
-    made->lights = HATCH_NEW(arena, struct hatch_light, all.light_count, err);
-    made->skins = HATCH_NEW(arena, struct hatch_skin, all.skin_count, err);
-    made->animations = HATCH_NEW(arena, struct hatch_animation, all.animation_count, err);
-    return made->meshes && made->materials && made->textures && made->cameras && made->lights && made->skins &&
-                   made->animations
-               ? HATCH_OK
-               : HATCH_LIMIT;
+    *made = (struct hatch_scene){0};
+    HATCH_TRY(HATCH_ALLOC(arena, &made->nodes, all.node_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->meshes, all.mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->materials, all.material_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->textures, all.texture_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->cameras, all.camera_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->lights, all.light_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->skins, all.skin_count, err));
+    return HATCH_ALLOC(arena, &made->animations, all.animation_count, err);
 }
 
 enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,

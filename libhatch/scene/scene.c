@@ -12,10 +12,8 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
                                       struct hatch_scene *scene, struct hatch_err *err)
 {
     struct hatch_scene made = {.mesh_count = 1, .node_count = 1};
-    made.meshes = HATCH_NEW(arena, struct hatch_scene_mesh, 1, err);
-    made.nodes = made.meshes ? HATCH_NEW(arena, struct hatch_node, 1, err) : NULL;
-    if (!made.nodes)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.meshes, 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.nodes, 1, err));
     made.meshes[0] = (struct hatch_scene_mesh){
         .mesh = *mesh,
         .material = HATCH_NONE,

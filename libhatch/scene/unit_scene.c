@@ -39,10 +39,8 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
         count += scene->nodes[i].mesh_count;
     struct hatch_unit_scene made = {.scene = scene, .bounds = *bounds};
     HATCH_TRY(hatch_pose_make(scene, arena, &made.pose, err));
-    made.meshes = HATCH_NEW(arena, struct hatch_unit_mesh, scene->mesh_count, err);
-    made.items = made.meshes ? HATCH_NEW(arena, struct hatch_item, count, err) : NULL;
-    if (!made.items)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.meshes, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.items, count, err));
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct hatch_unit_mesh *mesh = &made.meshes[i];
         mesh->mesh = &scene->meshes[i].mesh;

@@ -101,18 +101,14 @@ enum hatch_status hatch_coverage_make(const struct hatch_seed_point *points, uin
     size_t texels = (size_t)side * side;
     struct hatch_coverage made = {.side = side};
     struct reach reach = reach_of(stroke, side);
-    made.first = HATCH_NEW(arena, uint32_t, texels + 2, err); /* one more, used while filling */
-    if (!made.first)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, texels + 2, err)); /* one more, used while filling */
     add_all(points, count, &reach, made.first + 1, NULL, NULL);
     uint64_t total = 0;
     for (size_t t = 0; t <= texels + 1; t++)
         made.first[t] = (uint32_t)(total += made.first[t]);
     if (total > UINT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "too many strokes overlap: the coverage lists would pass 2^32 entries");
-    made.copies = HATCH_NEW_UNSET(arena, struct hatch_coverage_copy, total, err);
-    if (!made.copies)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.copies, total, err));
     add_all(points, count, &reach, NULL, made.first + 1, made.copies);
     *coverage = made;
     return HATCH_OK;

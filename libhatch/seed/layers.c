@@ -106,9 +106,7 @@ enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena 
 {
     struct hatch_text rest = hatch_text_of(file), line, key;
     struct hatch_layers found = {0};
-    found.lines = HATCH_NEW(arena, struct hatch_layer_line, HATCH_RPTAM_LAYERS_MAX, err);
-    if (!found.lines)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &found.lines, HATCH_RPTAM_LAYERS_MAX, err));
     for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
         const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
         if (comment)

@@ -56,9 +56,8 @@ enum hatch_status hatch_life_make(const struct hatch_seed_set *set, const struct
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t count = set->count, staying = 0, fading = count;
-    struct stroke *strokes = HATCH_NEW(scratch, struct stroke, 4 * (size_t)count, err);
-    if (!strokes)
-        return HATCH_LIMIT;
+    struct stroke *strokes;
+    HATCH_TRY(HATCH_ALLOC(scratch, &strokes, 4 * (size_t)count, err));
     for (uint32_t i = 0; i < 4 * count; i++) {
         const struct hatch_seed_point *point = &points[i / 4];
         bool stays = i % 4 == hatch_life_tile(set, i / 4);

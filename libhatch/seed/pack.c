@@ -183,9 +183,7 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
 static enum hatch_status list_all(const struct hatch_rptam *rptam, struct hatch_arena *scratch,
                                   struct hatch_coverage **all, struct hatch_err *err)
 {
-    *all = HATCH_NEW(scratch, struct hatch_coverage, rptam->layer_count, err);
-    if (!*all)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, all, rptam->layer_count, err));
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer *layer = &rptam->layers[i];
         const struct hatch_rptam_layer_style *style = &layer->style;

@@ -139,32 +139,3 @@ double hatch_rptam_transmittance(const struct hatch_rptam_pattern *pattern, cons
     double u = uv[0] * pattern->scale, v = uv[1] * pattern->scale;
     return pattern->lists ? transmittance_of_listed(pattern, u, v) : transmittance_of_all(pattern, u, v);
 }
-
-double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, const double uv[2], double depth,
-                             double amount, bool all)
-{
-    struct hatch_rptam_pattern pattern;
-    hatch_rptam_pattern_make(rptam, layer, depth, amount, all, &pattern);
-    return 1 - hatch_rptam_transmittance(&pattern, uv);
-}
-
-double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth, const double *amounts,
-                       bool all)
-{
-    double transmittance = 1;
-    for (uint32_t i = 0; i < rptam->layer_count; i++)
-        transmittance *= 1 - hatch_rptam_layer_ink(rptam, i, uv, depth, amounts[i], all);
-    return 1 - transmittance;
-}
-
-void hatch_rptam_amounts(const struct hatch_rptam *rptam, double darkness, double *amounts)
-{
-    double at = rptam->darkest > 0 ? darkness / rptam->darkest * HATCH_RPTAM_TONE_STEPS : 0;
-    at = fmin(fmax(at, 0), HATCH_RPTAM_TONE_STEPS);
-    uint32_t step = (uint32_t)fmin(at, HATCH_RPTAM_TONE_STEPS - 1);
-    double progress = rptam->progress[step] + (at - step) * (rptam->progress[step + 1] - rptam->progress[step]);
-    for (uint32_t i = 0; i < rptam->layer_count; i++) {
-        const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
-        amounts[i] = fmin(fmax((progress - style->low) / (style->high - style->low), 0), 1);
-    }
-}

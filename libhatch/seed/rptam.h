@@ -90,11 +90,6 @@ enum hatch_status hatch_rptam_make(const struct hatch_seeds *seeds, const struct
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_rptam *rptam,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the amount of each layer for a tone.
- *   darkness  target mean darkness, clamped to 0 .. rptam->darkest
- *   amounts   out: layer_count entries, 0 .. 1 */
-void hatch_rptam_amounts(const struct hatch_rptam *rptam, double darkness, double *amounts);
-
 /* One layer at a depth and an amount, to be evaluated at many positions. */
 struct hatch_rptam_pattern {
     const struct hatch_rptam_layer *layer;
@@ -116,14 +111,5 @@ void hatch_rptam_pattern_make(const struct hatch_rptam *rptam, uint32_t layer, d
 
 /* Returns the transmittance at uv, 0 .. 1. */
 double hatch_rptam_transmittance(const struct hatch_rptam_pattern *pattern, const double uv[2]);
-
-/* Returns the ink of one layer at uv, 0 .. 1: 1 - transmittance. Arguments as for hatch_rptam_pattern_make. */
-double hatch_rptam_layer_ink(const struct hatch_rptam *rptam, uint32_t layer, const double uv[2], double depth,
-                             double amount, bool all);
-
-/* Returns the ink of all layers at uv, 0 .. 1; their transmittances multiply.
- *   amounts  layer_count entries */
-double hatch_rptam_ink(const struct hatch_rptam *rptam, const double uv[2], double depth, const double *amounts,
-                       bool all);
 
 #endif

@@ -57,11 +57,9 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
         return hatch_fail(
             err, HATCH_LIMIT, "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
             layer_style->length_px, layer_style->width_px, layer_style->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
-    made.points = HATCH_NEW(arena, struct hatch_seed_point, set->count, err);
-    made.positions = made.points ? hatch_arena_array(arena, set->count, sizeof *made.positions, err) : NULL;
-    made.life = made.positions ? HATCH_NEW(arena, uint8_t, 4 * (size_t)set->count, err) : NULL;
-    if (!made.life)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.points, set->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.positions, set->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.life, 4 * (size_t)set->count, err));
     hatch_seed_points(set, made.points);
     for (uint32_t i = 0; i < set->count; i++) {
         made.positions[i][0] = (double)made.points[i].u * 0x1p-64;
@@ -152,12 +150,11 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
 {
     uint32_t capacity = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
     bool complete[HATCH_RPTAM_LAYERS_MAX] = {false};
-    curve->progress = HATCH_NEW(scratch, double, capacity, err);
-    curve->darkness = curve->progress ? HATCH_NEW(scratch, double, capacity, err) : NULL;
-    double *base = curve->darkness ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    double *transmittance = base ? HATCH_NEW(scratch, double, TONE_POINTS, err) : NULL;
-    if (!transmittance)
-        return HATCH_LIMIT;
+    double *base, *transmittance;
+    HATCH_TRY(HATCH_ALLOC(scratch, &curve->progress, capacity, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &curve->darkness, capacity, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &base, TONE_POINTS, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &transmittance, TONE_POINTS, err));
     curve->count = 1; /* at progress 0 */
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;

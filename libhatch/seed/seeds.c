@@ -26,9 +26,7 @@ static enum hatch_status read_layer(struct hatch_text line, uint32_t number, str
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu digits, want %u to %u", number, line.length,
                           HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
     set->count = (uint32_t)line.length;
-    set->crumbs = HATCH_NEW(arena, uint8_t, line.length, err);
-    if (!set->crumbs)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &set->crumbs, line.length, err));
     for (size_t i = 0; i < line.length; i++) {
         if (line.at[i] < '0' || line.at[i] > '3')
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u, column %zu: want 0, 1, 2 or 3", number, i + 1);
@@ -42,9 +40,7 @@ enum hatch_status hatch_seeds_read(struct hatch_bytes file, struct hatch_arena *
 {
     struct hatch_text rest = hatch_text_of(file), line;
     struct hatch_seeds found = {0};
-    found.layers = HATCH_NEW(arena, struct hatch_seed_set, HATCH_SEED_LAYERS_MAX, err);
-    if (!found.layers)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &found.layers, HATCH_SEED_LAYERS_MAX, err));
     for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
         if (line.length == 0 || line.at[0] == '#')
             continue;

@@ -40,10 +40,8 @@ static enum hatch_status sort_into_cells(const struct hatch_seed_point *points, 
     while (ldexp(hatch_spread_bound(count), cells->bits + 1) <= 1.0)
         cells->bits++;
     size_t cell_count = (size_t)1 << 2 * cells->bits;
-    cells->first = HATCH_NEW(scratch, uint32_t, cell_count + 2, err);
-    cells->index = cells->first ? HATCH_NEW(scratch, uint32_t, count, err) : NULL;
-    if (!cells->index)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &cells->first, cell_count + 2, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &cells->index, count, err));
     uint32_t *next = cells->first + 1; /* shifted by one; filling index turns it into first */
     for (uint32_t i = 0; i < count; i++)
         next[cell_of(cells, &points[i]) + 1]++;

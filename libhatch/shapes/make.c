@@ -1,5 +1,3 @@
-#include "shapes/shapes.h"
-
 #include <assert.h>
 #include <math.h>
 
@@ -166,9 +164,8 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
     assert(options->jitter >= 0 && options->jitter <= 1);
     assert(options->noise >= 0 && options->noise <= 1);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct surfaces *s = HATCH_NEW(scratch, struct surfaces, 1, err);
-    if (!s)
-        return HATCH_LIMIT;
+    struct surfaces *s;
+    HATCH_TRY(HATCH_ALLOC(scratch, &s, 1, err));
     struct hatch_parametric parts[HATCH_SHAPE_SURFACES_MAX];
     s->count = hatch_shape_surfaces(shape, parts);
     for (uint32_t g = 0; g < s->count; g++) {

@@ -1,7 +1,6 @@
 #include "stroke/brush.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "base/random.h"
 #include "image/color.h"
@@ -126,9 +125,7 @@ static void draw_grain(struct hatch_brush *brush)
 static enum hatch_status accumulate(struct hatch_arena *arena, struct hatch_brush *brush, struct hatch_err *err)
 {
     uint32_t rows = brush->height + 1;
-    brush->cumulative = HATCH_NEW(arena, float, (size_t)brush->width *rows, err);
-    if (!brush->cumulative)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &brush->cumulative, (size_t)brush->width * rows, err));
     for (uint32_t x = 0; x < brush->width; x++) {
         float sum = 0;
         for (uint32_t y = 0; y < brush->height; y++) {
@@ -144,14 +141,10 @@ enum hatch_status hatch_brush_make(enum hatch_brush_kind kind, struct hatch_aren
 {
     assert(kind < HATCH_BRUSH_IMAGE);
     struct hatch_brush made = {.kind = kind, .width = ENVELOPE_WIDTH, .height = ENVELOPE_HEIGHT};
-    made.alpha = HATCH_NEW(arena, float, made.width *made.height, err);
-    if (!made.alpha)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.alpha, made.width * made.height, err));
     draw_envelope(&made);
     if (kind == HATCH_BRUSH_PENCIL || kind == HATCH_BRUSH_CRAYON || kind == HATCH_BRUSH_CHARCOAL) {
-        made.grain = HATCH_NEW(arena, float, HATCH_GRAIN_SIZE *HATCH_GRAIN_SIZE, err);
-        if (!made.grain)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(arena, &made.grain, HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE, err));
         draw_grain(&made);
     }
     HATCH_TRY(accumulate(arena, &made, err));
@@ -184,9 +177,7 @@ enum hatch_status hatch_brush_from_image(const struct hatch_image *image, struct
 {
     size_t pixels = (size_t)image->width * image->height;
     struct hatch_brush made = {.kind = HATCH_BRUSH_IMAGE, .width = image->width, .height = image->height};
-    made.alpha = HATCH_NEW(arena, float, pixels, err);
-    if (!made.alpha)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.alpha, pixels, err));
     int alpha = varying_alpha(image, pixels);
     float darkest = 0;
     for (size_t i = 0; i < pixels; i++) {

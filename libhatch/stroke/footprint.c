@@ -1,7 +1,6 @@
 #include "stroke/footprint.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "stroke/frame.h"
 #include "stroke/path.h"
@@ -24,12 +23,10 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
     if (!(whole < INFINITY) || !(pixels < UINT32_MAX / 2))
         return hatch_fail(err, HATCH_LIMIT, "a stroke of %g pixels is too large", pixels);
     made.capacity = (uint32_t)pixels;
-    made.at = HATCH_NEW(arena, uint32_t, made.capacity, err);
-    made.alpha = HATCH_NEW(arena, float, made.capacity, err);
-    made.along = HATCH_NEW(arena, float, made.capacity, err);
-    made.entry_of = HATCH_NEW(arena, uint32_t, (size_t)size_px * size_px, err);
-    if (!made.at || !made.alpha || !made.along || !made.entry_of)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.at, made.capacity, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.alpha, made.capacity, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.along, made.capacity, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.entry_of, (size_t)size_px * size_px, err));
     *footprint = made;
     return HATCH_OK;
 }

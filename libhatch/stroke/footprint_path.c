@@ -1,7 +1,6 @@
 /* Footprints of drawn paths: each pixel belongs to the nearest piece of the line, which gives its position along and
  * across; then the path is treated like a straight line. */
 #include <assert.h>
-#include <math.h>
 #include <stdbool.h>
 
 #include "stroke/footprint.h"

@@ -1,7 +1,5 @@
 #include "stroke/frame.h"
 
-#include <math.h>
-
 #include "base/random.h"
 
 #define CAP_SAMPLES 8u

@@ -1,7 +1,6 @@
 #include "stroke/path.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #define CURVE_PIECES_MAX 4096.0
@@ -11,9 +10,8 @@ static enum hatch_status grow(struct hatch_path_builder *b, struct hatch_err *er
     if (b->count == HATCH_PATH_POINTS_MAX)
         return hatch_fail(err, HATCH_LIMIT, "a line has more than %u points", HATCH_PATH_POINTS_MAX);
     uint32_t capacity = b->capacity ? 2 * b->capacity : 64;
-    double *larger = HATCH_NEW(b->arena, double, 2 * (size_t)capacity, err);
-    if (!larger)
-        return HATCH_LIMIT;
+    double *larger;
+    HATCH_TRY(HATCH_ALLOC(b->arena, &larger, 2 * (size_t)capacity, err));
     if (b->count)
         memcpy(larger, b->xy, 2 * (size_t)b->count * sizeof *larger);
     b->xy = larger;
@@ -78,10 +76,10 @@ static void find_middle(const struct hatch_path_builder *b, double *middle, doub
 static enum hatch_status make_path(const struct hatch_path_builder *b, const double *middle, struct hatch_arena *arena,
                                    const struct hatch_path **path, struct hatch_err *err)
 {
-    struct hatch_path *made = HATCH_NEW(arena, struct hatch_path, 1, err);
-    float *xy = made ? HATCH_NEW(arena, float, 2 * (size_t)b->count, err) : NULL;
-    if (!xy)
-        return HATCH_LIMIT;
+    struct hatch_path *made;
+    float *xy;
+    HATCH_TRY(HATCH_ALLOC(arena, &made, 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &xy, 2 * (size_t)b->count, err));
     *made = (struct hatch_path){0, xy};
     for (uint32_t i = 0; i < b->count; i++) {
         float x = (float)(b->xy[2 * i] - middle[0]), y = (float)(b->xy[2 * i + 1] - middle[1]);

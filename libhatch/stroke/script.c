@@ -1,6 +1,5 @@
 #include "stroke/script.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -202,10 +201,10 @@ static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *
         count += rest.at[i] == ' ' && count < UINT32_MAX;
     if (count < 2 || count > HATCH_PATH_POINTS_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "path: %u points, want 2 to %u", count, HATCH_PATH_POINTS_MAX);
-    struct hatch_path *path = HATCH_NEW(arena, struct hatch_path, 1, err);
-    float *xy = path ? HATCH_NEW(arena, float, 2 * (size_t)count, err) : NULL;
-    if (!xy)
-        return HATCH_LIMIT;
+    struct hatch_path *path;
+    float *xy;
+    HATCH_TRY(HATCH_ALLOC(arena, &path, 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &xy, 2 * (size_t)count, err));
     for (uint32_t i = 0; i < 2 * count; i++) {
         double number;
         if (!hatch_text_number(take_until(&rest, i % 2 ? ' ' : ','), &number) ||

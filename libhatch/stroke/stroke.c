@@ -7,9 +7,8 @@ enum hatch_status hatch_stroke_list_add(struct hatch_stroke_list *list, struct h
 {
     if (list->count == list->capacity) {
         uint32_t capacity = list->capacity ? list->capacity * 2 : 1024;
-        struct hatch_stroke *items = HATCH_NEW(arena, struct hatch_stroke, capacity, err);
-        if (!items)
-            return HATCH_LIMIT;
+        struct hatch_stroke *items;
+        HATCH_TRY(HATCH_ALLOC(arena, &items, capacity, err));
         if (list->count)
             memcpy(items, list->items, list->count * sizeof *items);
         list->items = items;

@@ -9,14 +9,13 @@
 static enum hatch_status allocate(const struct hatch_surface_work *w, struct hatch_surface *s, struct hatch_err *err)
 {
     size_t faces = s->face_count, points = s->point_count;
-    s->components = HATCH_NEW(w->arena, struct hatch_component, s->component_count, err);
-    s->points = s->components ? HATCH_NEW(w->arena, double, points * 3, err) : NULL;
-    s->corners = s->points ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
-    s->opposite = s->corners ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
-    s->point_component = s->opposite ? HATCH_NEW(w->arena, uint32_t, points, err) : NULL;
-    s->corner_vertex = s->point_component ? HATCH_NEW(w->arena, uint32_t, faces * 3, err) : NULL;
-    s->face_source = s->corner_vertex ? HATCH_NEW(w->arena, uint32_t, faces, err) : NULL;
-    return s->face_source ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->components, s->component_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->points, points * 3, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->corners, faces * 3, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->opposite, faces * 3, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->point_component, points, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->corner_vertex, faces * 3, err));
+    return HATCH_ALLOC(w->arena, &s->face_source, faces, err);
 }
 
 /* Orders the faces by component.
@@ -86,10 +85,9 @@ static void join_sides(const struct hatch_surface_work *w, struct hatch_surface 
 enum hatch_status hatch_surface_build_components(const struct hatch_surface_work *w, struct hatch_surface *surface,
                                                  struct hatch_err *err)
 {
-    uint32_t *new_face = HATCH_NEW(w->scratch, uint32_t, w->mesh->face_count, err);
-    uint32_t *new_point = new_face ? HATCH_NEW(w->scratch, uint32_t, w->fan_count, err) : NULL;
-    if (!new_point)
-        return HATCH_LIMIT;
+    uint32_t *new_face, *new_point;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &new_face, w->mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &new_point, w->fan_count, err));
     surface->component_count = w->component_count;
     surface->point_count = w->fan_count;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
@@ -149,10 +147,10 @@ void hatch_surface_normalize(struct hatch_surface *s)
 enum hatch_status hatch_surface_find_topology(struct hatch_surface *s, struct hatch_arena *scratch,
                                               struct hatch_err *err)
 {
-    uint32_t *loop = HATCH_NEW(scratch, uint32_t, s->point_count, err);
-    uint8_t *on_border = loop ? HATCH_NEW(scratch, uint8_t, s->point_count, err) : NULL;
-    if (!on_border)
-        return HATCH_LIMIT;
+    uint32_t *loop;
+    uint8_t *on_border;
+    HATCH_TRY(HATCH_ALLOC(scratch, &loop, s->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &on_border, s->point_count, err));
     hatch_sets_init(loop, s->point_count);
     for (uint32_t c = 0; c < s->component_count; c++) {
         struct hatch_component *component = &s->components[c];

@@ -1,6 +1,5 @@
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 #include "math/vector.h"
 #include "surface/frames.h"
@@ -50,11 +49,9 @@ static enum hatch_status measure_corners(const struct hatch_surface *surface, st
                                          struct corners *measured, struct hatch_frames *frames, struct hatch_err *err)
 {
     size_t count = (size_t)surface->face_count * 3;
-    measured->angle = HATCH_NEW_UNSET(scratch, double, count, err);
-    measured->cot = measured->angle ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
-    measured->normal = measured->cot ? HATCH_NEW_UNSET(scratch, double, count, err) : NULL;
-    if (!measured->normal)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &measured->angle, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &measured->cot, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &measured->normal, count, err));
     for (uint32_t f = 0; f < surface->face_count; f++)
         measure_face(surface, f, measured, frames->area);
     for (uint32_t p = 0; p < surface->point_count; p++)
@@ -184,16 +181,15 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
                                   struct hatch_frames *frames, struct hatch_err *err)
 {
     size_t points = surface->point_count, entries = surface->ring_first[surface->point_count];
-    frames->normal = HATCH_NEW(arena, double, points * 3, err);
-    frames->axis = frames->normal ? HATCH_NEW_UNSET(arena, double, points * 3, err) : NULL;
-    frames->angle_rad = frames->axis ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->transport_rad = frames->angle_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->weight = frames->transport_rad ? HATCH_NEW_UNSET(arena, double, entries, err) : NULL;
-    frames->twin = frames->weight ? HATCH_NEW_UNSET(arena, uint32_t, entries, err) : NULL;
-    frames->corner_entry = frames->twin ? HATCH_NEW_UNSET(arena, uint32_t, (size_t)surface->face_count * 3, err) : NULL;
-    frames->area = frames->corner_entry ? HATCH_NEW(arena, double, points, err) : NULL;
-    frames->folded = frames->area ? HATCH_NEW(arena, bool, points, err) : NULL;
-    return frames->folded ? HATCH_OK : HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &frames->normal, points * 3, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->axis, points * 3, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->angle_rad, entries, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->transport_rad, entries, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->weight, entries, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->twin, entries, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &frames->corner_entry, (size_t)surface->face_count * 3, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &frames->area, points, err));
+    return HATCH_ALLOC(arena, &frames->folded, points, err);
 }
 
 enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct hatch_arena *arena,

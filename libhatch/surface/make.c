@@ -1,5 +1,3 @@
-#include "surface/surface.h"
-
 #include "math/vector.h"
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
@@ -10,11 +8,10 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
                                     struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
-    uint32_t *vertex_to_point = HATCH_NEW(w->scratch, uint32_t, mesh->vertex_count, err);
-    w->point = vertex_to_point ? HATCH_NEW(w->scratch, uint32_t, (size_t)mesh->face_count * 3, err) : NULL;
-    w->dropped = w->point ? HATCH_NEW(w->scratch, uint8_t, mesh->face_count, err) : NULL;
-    if (!w->dropped)
-        return HATCH_LIMIT;
+    uint32_t *vertex_to_point;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &vertex_to_point, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->point, (size_t)mesh->face_count * 3, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->dropped, mesh->face_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, w->scratch, vertex_to_point, &w->position_count, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
@@ -29,10 +26,9 @@ static enum hatch_status count_vertices(struct hatch_surface_work *w, struct hat
                                         struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = w->mesh;
-    uint8_t *vertex_used = HATCH_NEW(w->scratch, uint8_t, mesh->vertex_count, err);
-    uint8_t *point_used = vertex_used ? HATCH_NEW(w->scratch, uint8_t, w->position_count, err) : NULL;
-    if (!point_used)
-        return HATCH_LIMIT;
+    uint8_t *vertex_used, *point_used;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &vertex_used, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &point_used, w->position_count, err));
     uint32_t vertices = 0, points = 0;
     for (uint32_t i = 0; i < mesh->face_count * 3; i++) {
         if (w->dropped[i / 3])
@@ -77,12 +73,10 @@ static enum hatch_status connect_faces(struct hatch_surface_work *w, struct hatc
 {
     const struct hatch_connectivity faces = {w->point, w->mesh->face_count, w->position_count, w->dropped};
     size_t corners = (size_t)faces.face_count * 3;
-    w->flipped = HATCH_NEW(w->scratch, uint8_t, faces.face_count, err);
-    w->component = w->flipped ? HATCH_NEW(w->scratch, uint32_t, faces.face_count, err) : NULL;
-    w->fan = w->component ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
-    w->partner = w->fan ? HATCH_NEW(w->scratch, uint32_t, corners, err) : NULL;
-    if (!w->partner)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->flipped, faces.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->component, faces.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->fan, corners, err));
+    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->partner, corners, err));
     HATCH_TRY(hatch_edges_find(&faces, w->scratch, w->scratch, &w->edges, err));
     HATCH_TRY(join_faces(w, notes, err));
     w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces.face_count, w->fan);

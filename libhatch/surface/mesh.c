@@ -40,10 +40,9 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     struct hatch_splits splits;
     struct hatch_mesh made;
     HATCH_TRY(hatch_splits_make(s->corner_vertex, s->corners, corners, source->vertex_count, scratch, &splits, err));
-    uint32_t *number = HATCH_NEW(scratch, uint32_t, splits.count, err), count = 0;
-    uint32_t *point = number ? HATCH_NEW(arena, uint32_t, splits.count, err) : NULL;
-    if (!point)
-        return HATCH_LIMIT;
+    uint32_t *number, *point, count = 0;
+    HATCH_TRY(HATCH_ALLOC(scratch, &number, splits.count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &point, splits.count, err));
     for (uint32_t v = 0; v < splits.count; v++) {
         if (splits.class_at[v] == HATCH_NO_CLASS)
             continue;
@@ -54,9 +53,8 @@ static enum hatch_status build(const struct hatch_surface *s, const struct hatch
     HATCH_TRY(hatch_mesh_gather(source, splits.origin, count, s->face_count, arena, &made, err));
     for (size_t i = 0; i < corners; i++)
         made.indices[i] = number[splits.indices[i]];
-    uint8_t *orientations = HATCH_NEW(scratch, uint8_t, count, err);
-    if (!orientations)
-        return HATCH_LIMIT;
+    uint8_t *orientations;
+    HATCH_TRY(HATCH_ALLOC(scratch, &orientations, count, err));
     find_orientations(s, source, made.indices, orientations);
     flip_normals(orientations, &made);
     *mesh = made;

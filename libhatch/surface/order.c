@@ -61,9 +61,7 @@ enum hatch_status hatch_surface_order_points(const struct hatch_surface *surface
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     struct numbering numbering = {.surface = surface, .order = order, .state = number};
-    numbering.queue = HATCH_NEW_UNSET(arena, uint32_t, surface->point_count, err);
-    if (!numbering.queue)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &numbering.queue, surface->point_count, err));
     memset(number, 0, surface->point_count * sizeof *number);
     number_points(&numbering);
     for (uint32_t p = 0; p < surface->point_count; p++)

@@ -82,15 +82,15 @@ enum hatch_status hatch_surface_make_rings(struct hatch_surface *s, struct hatch
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t entries = count_entries(s);
-    s->ring_first = HATCH_NEW(arena, uint32_t, (size_t)s->point_count + 1, err);
-    s->ring_point = s->ring_first ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
-    s->ring_face = s->ring_point ? HATCH_NEW(arena, uint32_t, entries, err) : NULL;
-    s->ring_flipped = s->ring_face ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
-    s->ring_turned = s->ring_flipped ? HATCH_NEW(arena, uint8_t, entries, err) : NULL;
-    uint32_t *first_corner = s->ring_turned ? HATCH_NEW(scratch, uint32_t, s->point_count, err) : NULL;
-    uint8_t *corner_flipped = first_corner ? HATCH_NEW(scratch, uint8_t, (size_t)s->face_count * 3, err) : NULL;
-    if (!corner_flipped)
-        return HATCH_LIMIT;
+    uint32_t *first_corner;
+    uint8_t *corner_flipped;
+    HATCH_TRY(HATCH_ALLOC(arena, &s->ring_first, (size_t)s->point_count + 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &s->ring_point, entries, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &s->ring_face, entries, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &s->ring_flipped, entries, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &s->ring_turned, entries, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &first_corner, s->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &corner_flipped, (size_t)s->face_count * 3, err));
     for (uint32_t corner = 3 * s->face_count; corner-- > 0;)
         first_corner[s->corners[corner]] = corner;
     for (uint32_t p = 0; p < s->point_count; p++)

@@ -1,7 +1,5 @@
 #include "tam/exact.h"
 
-#include <string.h>
-
 #include "tam/runs.h"
 #include "tam/taps.h"
 

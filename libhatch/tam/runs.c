@@ -140,10 +140,8 @@ static enum hatch_status scan_level(struct job *job, struct hatch_pool *pool, st
                                     struct hatch_err *err)
 {
     size_t texels = (size_t)job->size * job->size;
-    job->darkest = HATCH_NEW(scratch, uint8_t, texels, err);
-    job->fault = HATCH_NEW(scratch, uint32_t, job->size, err);
-    if (!job->darkest || !job->fault)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &job->darkest, texels, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &job->fault, job->size, err));
     hatch_parallel_for(pool, task_count(job), scan, job);
     for (uint32_t y = 0; y < job->size; y++)
         if (job->fault[y])
@@ -191,19 +189,15 @@ static enum hatch_status encode_levels(const struct hatch_tam *tam, struct hatch
         struct job *job = &jobs[level];
         *job = (struct job){.tam = tam, .level = level, .size = hatch_mip_size(tam->size_px, level)};
         size_t texels = (size_t)job->size * job->size;
-        job->codes = HATCH_NEW_UNSET(scratch, uint8_t, texels * tam->tones, err);
-        job->count = HATCH_NEW(scratch, uint32_t, texels, err);
-        made->first[level] = HATCH_NEW(arena, uint32_t, texels + 1, err);
-        if (!job->codes || !job->count || !made->first[level])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &job->codes, texels * tam->tones, err));
+        HATCH_TRY(HATCH_ALLOC(scratch, &job->count, texels, err));
+        HATCH_TRY(HATCH_ALLOC(arena, &made->first[level], texels + 1, err));
         HATCH_TRY(scan_level(job, pool, scratch, err));
         HATCH_TRY(sum_counts(job->count, texels, &total, made->first[level], err));
         memcpy(job->count, made->first[level], texels * sizeof *job->count);
     }
     made->count = (uint32_t)total;
-    made->runs = HATCH_NEW(arena, struct hatch_run, made->count, err);
-    if (!made->runs)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &made->runs, made->count, err));
     for (uint32_t level = 0; level < made->level_count; level++) {
         jobs[level].runs = made->runs;
         hatch_parallel_for(pool, task_count(&jobs[level]), fill, &jobs[level]);

@@ -1,7 +1,6 @@
 #include "tam/thresholds.h"
 
 #include <assert.h>
-#include <string.h>
 
 #include "base/random.h"
 #include "tam/steps.h"
@@ -189,10 +188,8 @@ static void mask_row(void *context, uint32_t y)
 static enum hatch_status make_levels(struct job *job, struct hatch_pool *pool, struct hatch_arena *scratch,
                                      struct sums *sums, struct hatch_err *err)
 {
-    job->rows = HATCH_NEW(scratch, struct sums, job->tam->size_px, err);
-    job->filled_x = HATCH_NEW_UNSET(scratch, uint8_t, (size_t)job->tam->size_px * job->tam->size_px * 8, err);
-    if (!job->rows || !job->filled_x)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &job->rows, job->tam->size_px, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &job->filled_x, (size_t)job->tam->size_px * job->tam->size_px * 8, err));
     for (uint32_t level = job->texels->level_count; level-- > 0;) {
         job->level = level;
         job->size = hatch_mip_size(job->texels->width, level);

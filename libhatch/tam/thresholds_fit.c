@@ -1,5 +1,4 @@
 #include <assert.h>
-#include <string.h>
 
 #include "tam/steps.h"
 #include "tam/thresholds.h"
@@ -103,9 +102,8 @@ enum hatch_status hatch_steps_fit(const struct hatch_tam *tam, const struct hatc
 {
     assert(bins >= 1 && bins <= HATCH_THRESHOLD_BINS);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct costs *costs = HATCH_NEW(scratch, struct costs, 1, err);
-    if (!costs)
-        return HATCH_LIMIT;
+    struct costs *costs;
+    HATCH_TRY(HATCH_ALLOC(scratch, &costs, 1, err));
     uint8_t code[HATCH_TAM_TONES_MAX];
     hatch_step_codes(tam, code);
     for (uint32_t level = 0; level < tam->levels; level++)

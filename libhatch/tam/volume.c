@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #define PIECE 256u
 
@@ -137,9 +136,8 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
                                      struct hatch_volume_figures *figures, struct hatch_err *err)
 {
     uint32_t count = 0, layers = texels->layers;
-    struct slice *slices = HATCH_NEW(arena, struct slice, (size_t)levels * HATCH_VOLUME_TONES_MAX, err);
-    if (!slices)
-        return HATCH_LIMIT;
+    struct slice *slices;
+    HATCH_TRY(HATCH_ALLOC(arena, &slices, (size_t)levels * HATCH_VOLUME_TONES_MAX, err));
     for (uint32_t level = 0; level < levels; level++) {
         uint32_t depth = layers ? layers : hatch_mip_size(texels->depth, level);
         for (uint32_t index = 0; index < depth; index++)

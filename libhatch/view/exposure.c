@@ -1,7 +1,5 @@
 #include "view/exposure.h"
 
-#include <math.h>
-
 #define BRIGHTEST_SHARE 0.05
 
 /* Histogram of vertices by the logarithm of their light: STEPS bins per octave. */
@@ -58,10 +56,10 @@ static enum hatch_status add_item(struct exposure *exposure, const struct hatch_
                                   const struct hatch_item *item, struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t count = scene->meshes[item->mesh].surface->vertex_count;
-    double *positions = HATCH_NEW(scratch, double, 3 * count, err);
-    float *normals = HATCH_NEW(scratch, float, 3 * count, err);
-    if (!positions || !normals)
-        return HATCH_LIMIT;
+    double *positions;
+    float *normals;
+    HATCH_TRY(HATCH_ALLOC(scratch, &positions, 3 * count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &normals, 3 * count, err));
     hatch_item_surface(scene, item, positions, normals);
     for (size_t v = 0; v < count; v++)
         add_vertex(exposure, positions + 3 * v, normals + 3 * v);
@@ -82,9 +80,8 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
                                  struct hatch_arena *scratch, double *factor, struct hatch_err *err)
 {
     static const struct hatch_key_light none;
-    struct exposure *exposure = HATCH_NEW(scratch, struct exposure, 1, err);
-    if (!exposure)
-        return HATCH_LIMIT;
+    struct exposure *exposure;
+    HATCH_TRY(HATCH_ALLOC(scratch, &exposure, 1, err));
     /* Scales the strongest light to 1, as the strengths of all lights may be too small for floats. */
     double strongest = hatch_lights_strongest(&scene->pose, &scene->bounds);
     double prescale = strongest > 0 ? 1 / strongest : 1;

@@ -1,7 +1,5 @@
 #include "view/light.h"
 
-#include <math.h>
-
 #include "image/color.h"
 #include "math/vector.h"
 

@@ -1,7 +1,5 @@
 #include "view/orbit.h"
 
-#include <math.h>
-
 #define POLE_RAD 1.5607 /* π/2 - 0.01 */
 
 /* Computes the view from the center, angles and distance. */

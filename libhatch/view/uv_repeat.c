@@ -1,6 +1,5 @@
 #include "view/uv_repeat.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "mesh/fans.h"
@@ -44,10 +43,10 @@ static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *
 {
     const struct hatch_mesh *mesh = survey->mesh;
     uint32_t point_count;
-    uint32_t *points = HATCH_NEW(scratch, uint32_t, mesh->vertex_count, err);
-    struct texture_vertex *sorted = HATCH_NEW(scratch, struct texture_vertex, mesh->vertex_count, err);
-    if (!points || !sorted)
-        return HATCH_LIMIT;
+    uint32_t *points;
+    struct texture_vertex *sorted;
+    HATCH_TRY(HATCH_ALLOC(scratch, &points, mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &sorted, mesh->vertex_count, err));
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, points, &point_count, err));
     hatch_sets_init(survey->parent, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
@@ -183,11 +182,9 @@ static enum hatch_status make_survey(struct hatch_unit_scene *scene, const struc
     const struct hatch_mesh *mesh = scene->meshes[item->mesh].mesh;
     size_t count = mesh->vertex_count;
     *survey = (struct survey){.mesh = mesh, .texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2)};
-    survey->positions = HATCH_NEW(scratch, double, 3 * count, err);
-    survey->parent = HATCH_NEW(scratch, uint32_t, count, err);
-    survey->charts = HATCH_NEW(scratch, struct chart, count, err);
-    if (!survey->positions || !survey->parent || !survey->charts)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &survey->positions, 3 * count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &survey->parent, count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &survey->charts, count, err));
     hatch_pose_vertices(&scene->pose, item->node, item->mesh, survey->positions, NULL);
     for (size_t v = 0; v < count; v++)
         hatch_bounds_to_unit(&scene->bounds, survey->positions + 3 * v, survey->positions + 3 * v);
@@ -207,9 +204,7 @@ static enum hatch_status set_item(struct hatch_unit_scene *scene, const struct h
         add_face(&survey, face, how);
     if (!(survey.all_weight > 0))
         return HATCH_OK;
-    survey.repeats = HATCH_NEW(arena, float, 2 * (size_t)survey.mesh->vertex_count, err);
-    if (!survey.repeats)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &survey.repeats, 2 * (size_t)survey.mesh->vertex_count, err));
     choose_all(&survey, how, item);
     item->repeats = survey.repeats;
     return HATCH_OK;
@@ -228,9 +223,8 @@ static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struc
 {
     struct survey all = {.mesh = NULL};
     /* Per item: length of a unit of texture coordinates; 0: no patches. */
-    double *steps = HATCH_NEW(scratch, double, scene->item_count, err);
-    if (!steps)
-        return HATCH_LIMIT;
+    double *steps;
+    HATCH_TRY(HATCH_ALLOC(scratch, &steps, scene->item_count, err));
     for (uint32_t i = 0; i < scene->item_count; i++) {
         const struct hatch_item *item = &scene->items[i];
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);

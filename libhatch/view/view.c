@@ -1,6 +1,5 @@
 #include "view/view.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "math/vector.h"

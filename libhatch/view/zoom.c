@@ -1,8 +1,6 @@
 /* Zooming to the face in the middle of a picture. */
 #include "view/view.h"
 
-#include <math.h>
-
 #include "math/vector.h"
 
 /* The view axis. */

@@ -1,6 +1,7 @@
 /* Flicker in a zoom by one octave in 120 frames, in doubles: no more than that of a fixed texture plus that of the
  * strokes that must appear to keep their density. */
 #include "arenas.h"
+#include "rptam_ink.h"
 #include "rptam_model.h"
 
 enum { SIZE = 90, FRAMES = 120, SHOWN = 48 };
@@ -16,7 +17,7 @@ static double draw(int t, bool fixed, double amount, double *picture)
     for (int i = 0; i < SIZE * SIZE; i++) {
         double x = (i % SIZE + 0.5) / SIZE - 0.5, y = (i / SIZE + 0.5) / SIZE - 0.5;
         const double uv[2] = {0.37 + span * x, 0.71 + span * y};
-        picture[i] = hatch_rptam_layer_ink(&rptam, 0, uv, fixed ? 0.2 - 0.5 * SHOWN / FRAMES : depth, amount, false);
+        picture[i] = rptam_layer_ink(&rptam, 0, uv, fixed ? 0.2 - 0.5 * SHOWN / FRAMES : depth, amount, false);
         sum += picture[i];
     }
     return sum / (SIZE * SIZE);

@@ -1,6 +1,7 @@
 /* Strokes at a larger depth are a subset of those at a smaller one, and none appears while zooming out: in doubles, for
  * seed sets of all cycles. */
 #include "arenas.h"
+#include "rptam_ink.h"
 #include "rptam_model.h"
 
 enum { TILES = 4, STEPS = 24 };
@@ -14,7 +15,7 @@ static double ink_at(uint32_t seed, uint32_t tile_u, uint32_t tile_v, double dep
 {
     const struct hatch_seed_point *place = &rptam.layers[0].points[seed];
     const double uv[2] = {tile_u + (double)place->u * 0x1p-64, tile_v + (double)place->v * 0x1p-64};
-    return hatch_rptam_layer_ink(&rptam, 0, uv, depth, amount, all);
+    return rptam_layer_ink(&rptam, 0, uv, depth, amount, all);
 }
 
 static const struct {

@@ -1,5 +1,6 @@
 /* The tone of recursive procedural tonal art maps over an octave of zoom, in doubles. */
 #include "arenas.h"
+#include "rptam_ink.h"
 
 #include <math.h>
 
@@ -36,7 +37,7 @@ static double mean_ink(double depth, double tone)
     enum { POINTS = 121393, STRIDE = 75025 }; /* Fibonacci lattice: no rows that strokes could fall between */
     double amounts[HATCH_RPTAM_LAYERS_MAX], sum = 0;
     struct hatch_rptam_pattern patterns[4];
-    hatch_rptam_amounts(&rptam, tone, amounts);
+    rptam_amounts(&rptam, tone, amounts);
     for (uint32_t k = 0; k < 4; k++)
         hatch_rptam_pattern_make(&rptam, k, depth, amounts[k], false, &patterns[k]);
     for (uint64_t i = 0; i < POINTS; i++) { /* four dense tiles each way */
@@ -97,7 +98,7 @@ START_TEST(no_stroke_appears_while_zooming_out)
                               (double)layer->points[i / 16].v * 0x1p-64 + i / 4 % 4};
         double last = 1, ink = 1;
         for (int step = 0; step <= 40; step++, last = ink) {
-            ink = hatch_rptam_layer_ink(&rptam, 0, uv, step / 20.0, exp2(-step / 40.0), true);
+            ink = rptam_layer_ink(&rptam, 0, uv, step / 20.0, exp2(-step / 40.0), true);
             ck_assert_msg(ink <= last + 1e-9, "stroke %u, step %d: %g after %g", i, step, ink, last);
         }
         gone += ink < 0.01;
@@ -117,8 +118,8 @@ START_TEST(patterns_repeat_over_forty_octaves)
         for (int octave = -40; octave <= 40; octave += 5) {
             const double at[2] = {0.013 * i, 0.7 - 0.009 * i};
             const double uv[2] = {ldexp(at[0], octave), ldexp(at[1], octave)};
-            ck_assert_double_eq_tol(hatch_rptam_ink(&rptam, uv, octave + 0.4, amounts, false),
-                                    hatch_rptam_ink(&rptam, at, 0.4, amounts, true), 1e-9);
+            ck_assert_double_eq_tol(rptam_ink(&rptam, uv, octave + 0.4, amounts, false),
+                                    rptam_ink(&rptam, at, 0.4, amounts, true), 1e-9);
         }
 }
 END_TEST

@@ -1,5 +1,6 @@
 /* Inputs on which a plain implementation of recursive procedural tonal art maps fails and this one does not. */
 #include "render_frame.h"
+#include "rptam_ink.h"
 #include "rptam_model.h"
 #include "rptam_raster.h"
 
@@ -33,8 +34,8 @@ START_TEST(ink_is_continuous_between_levels)
             model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
             for (int i = 0; i < 20000; i++) {
                 const double uv[2] = {i * 0.6180339887 - 5000, i * 0.7548776662 - 9000};
-                double inside = hatch_rptam_layer_ink(&rptam, 0, uv, 2 - 1e-9, amounts[a], false);
-                double outside = hatch_rptam_layer_ink(&rptam, 0, uv, 2, amounts[a], false);
+                double inside = rptam_layer_ink(&rptam, 0, uv, 2 - 1e-9, amounts[a], false);
+                double outside = rptam_layer_ink(&rptam, 0, uv, 2, amounts[a], false);
                 ck_assert_double_eq_tol(inside, outside, 1e-5);
                 sum += inside;
             }
@@ -137,9 +138,9 @@ START_TEST(strokes_may_be_larger_than_the_tile)
     model_make(&model, &frame.args.keep, &frame.args.scratch, &rptam);
     for (int i = 0; i < 20000; i++) {
         const double uv[2] = {i * 0.6180339887, i * 0.7548776662}, depth = 0.001 * i;
-        double ink = hatch_rptam_layer_ink(&rptam, 0, uv, depth, 1, false);
+        double ink = rptam_layer_ink(&rptam, 0, uv, depth, 1, false);
         ck_assert(ink >= 0 && ink <= 1);
-        ck_assert_double_eq_tol(ink, hatch_rptam_layer_ink(&rptam, 0, uv, depth, 1, true), 1e-12);
+        ck_assert_double_eq_tol(ink, rptam_layer_ink(&rptam, 0, uv, depth, 1, true), 1e-12);
     }
     hatch_arena_free(&frame.args.keep);
     hatch_arena_free(&frame.args.scratch);

@@ -11,6 +11,7 @@
 #include "math/vector.h"
 #include "mesh/mesh.h"
 #include "view/view.h"
+#include "rptam_ink.h"
 #include "seed/rptam.h"
 
 /* Values interpolated over a face. */
@@ -168,7 +169,7 @@ static inline double raster_ink(const struct raster *raster, const struct raster
 {
     double amounts[HATCH_RPTAM_LAYERS_MAX], paper = 1, move[2][2];
     double dark = 1 - fmin(pixel->point.light, 1);
-    hatch_rptam_amounts(rptam, low + (high - low) * dark, amounts);
+    rptam_amounts(rptam, low + (high - low) * dark, amounts);
     for (int k = 0; k < 2; k++)
         raster_move(raster, pixel, pixel->point.along[k], move[k]);
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
@@ -178,7 +179,7 @@ static inline double raster_ink(const struct raster *raster, const struct raster
         double across = fabs(move[0][0] * move[1][1] - move[0][1] * move[1][0]) / along;
         double depth = log2(layer->style.tile_px / across);
         if (fabs(depth) < 60)
-            paper *= 1 - hatch_rptam_layer_ink(rptam, i, pixel->point.uv, depth, amounts[i], true);
+            paper *= 1 - rptam_layer_ink(rptam, i, pixel->point.uv, depth, amounts[i], true);
     }
     return 1 - paper;
 }

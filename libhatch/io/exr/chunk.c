@@ -9,10 +9,8 @@
 enum hatch_status hatch_exr_chunks_begin(struct hatch_exr_chunks *chunks, struct hatch_arena *scratch,
                                          struct hatch_err *err)
 {
-    chunks->raw = HATCH_NEW(scratch, uint8_t, chunks->raw_max, err);
-    chunks->filtered = HATCH_NEW(scratch, uint8_t, chunks->raw_max, err);
-    if (!chunks->raw || !chunks->filtered)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &chunks->raw, chunks->raw_max, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &chunks->filtered, chunks->raw_max, err));
     chunks->decompressor = libdeflate_alloc_decompressor();
     return chunks->decompressor ? HATCH_OK : hatch_fail(err, HATCH_LIMIT, "out of memory for decompression");
 }

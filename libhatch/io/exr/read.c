@@ -1,7 +1,6 @@
 #include "io/exr/exr.h"
 
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/chunk.h"
@@ -238,9 +237,7 @@ static enum hatch_status read_attributes(const struct reading *r, int part, stru
 static enum hatch_status make_levels(const struct reading *r, const struct layout *layout, struct hatch_mipmap *mipmap)
 {
     memcpy(mipmap->name, layout->name, strlen(layout->name) + 1);
-    mipmap->levels = HATCH_NEW(r->arena, struct hatch_image, layout->level_count, r->err);
-    if (!mipmap->levels)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(r->arena, &mipmap->levels, layout->level_count, r->err));
     mipmap->level_count = layout->level_count;
     for (uint32_t i = 0; i < layout->level_count; i++) {
         struct hatch_image *level = &mipmap->levels[i];
@@ -249,9 +246,7 @@ static enum hatch_status make_levels(const struct reading *r, const struct layou
         level->channel_count = layout->channel_count;
         memcpy(level->channels, layout->channels, sizeof level->channels);
         size_t count = (size_t)level->width * level->height * level->channel_count;
-        level->pixels = HATCH_NEW_UNSET(r->arena, float, count, r->err);
-        if (!level->pixels)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC_UNSET(r->arena, &level->pixels, count, r->err));
     }
     return HATCH_OK;
 }
@@ -408,10 +403,10 @@ static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *
     int count = 0;
     TRY_EXR(r, exr_get_count(r->context, &count));
     HATCH_TRY(check_parts(r, count));
-    struct hatch_mipmap *made = HATCH_NEW(r->arena, struct hatch_mipmap, (size_t)count, r->err);
-    struct part *parts = made ? HATCH_NEW(r->arena, struct part, (size_t)count, r->err) : NULL;
-    if (!parts)
-        return HATCH_LIMIT;
+    struct hatch_mipmap *made;
+    struct part *parts;
+    HATCH_TRY(HATCH_ALLOC(r->arena, &made, (size_t)count, r->err));
+    HATCH_TRY(HATCH_ALLOC(r->arena, &parts, (size_t)count, r->err));
     for (int part = 0; part < count; part++) {
         parts[part].number = part;
         parts[part].mipmap = &made[part];

@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <libdeflate.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/stream.h"
@@ -84,12 +83,9 @@ enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part
     const struct hatch_image *finest = &base->levels[0];
     assert(part_count > 0 && base->level_count > 0);
     assert(base->level_count == 1 || base->level_count == hatch_mip_chain_length(finest->width, finest->height));
-    struct hatch_exr_writer *made = HATCH_NEW(arena, struct hatch_exr_writer, 1, err);
-    if (!made)
-        return HATCH_LIMIT;
-    made->parts = HATCH_NEW(arena, struct part, part_count, err);
-    if (!made->parts)
-        return HATCH_LIMIT;
+    struct hatch_exr_writer *made;
+    HATCH_TRY(HATCH_ALLOC(arena, &made, 1, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->parts, part_count, err));
     made->width = finest->width;
     made->height = finest->height;
     made->level_count = base->level_count;
@@ -277,17 +273,14 @@ static enum hatch_status add_part(struct hatch_exr_writer *writer, uint32_t inde
 {
     struct part *part = &writer->parts[index];
     HATCH_TRY(keep_label(part, mipmap, err));
-    part->chunk_sizes = HATCH_NEW(&part->arena, uint32_t, writer->chunk_count, err);
-    if (!part->chunk_sizes)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(&part->arena, &part->chunk_sizes, writer->chunk_count, err));
     HATCH_TRY(pack_chunks(writer, index, mipmap, work, err));
     size_t size = work->packed.size;
     if (atomic_fetch_add(&writer->packed_bytes, size) + size > writer->limit_bytes)
         return hatch_fail(err, HATCH_LIMIT, "compressed images exceed the memory limit of %zu bytes",
                           writer->limit_bytes);
-    uint8_t *packed = HATCH_NEW_UNSET(&part->arena, uint8_t, size, err);
-    if (!packed)
-        return HATCH_LIMIT;
+    uint8_t *packed;
+    HATCH_TRY(HATCH_ALLOC_UNSET(&part->arena, &packed, size, err));
     part->packed = (struct hatch_bytes){memcpy(packed, work->packed.data, size), size};
     return HATCH_OK;
 }
@@ -411,9 +404,8 @@ enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch
 
 static enum hatch_status join(struct hatch_exr_writer *writer, struct hatch_buffer *file, struct hatch_err *err)
 {
-    struct hatch_bytes *pieces = HATCH_NEW(file->arena, struct hatch_bytes, writer->part_count, err);
-    if (!pieces)
-        return HATCH_LIMIT;
+    struct hatch_bytes *pieces;
+    HATCH_TRY(HATCH_ALLOC(file->arena, &pieces, writer->part_count, err));
     size_t overhead = (size_t)writer->part_count * (writer->chunk_count * sizeof(uint64_t) + 1024u);
     HATCH_TRY(hatch_buffer_reserve(file, writer->packed_bytes + overhead, err));
     HATCH_TRY(hatch_exr_pieces(writer, file, pieces, err));

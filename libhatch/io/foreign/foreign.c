@@ -1,7 +1,6 @@
 #include "io/foreign/foreign.h"
 
 #include <dlfcn.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "io/exr/exr.h"
@@ -48,9 +47,8 @@ static enum hatch_status fail_plugin(const char *message, struct hatch_err *err)
 static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    float *linear = HATCH_NEW(scratch, float, SRGB_CODES, err);
-    if (!linear)
-        return HATCH_LIMIT;
+    float *linear;
+    HATCH_TRY(HATCH_ALLOC(scratch, &linear, SRGB_CODES, err));
     for (uint32_t code = 0; code < SRGB_CODES; code++)
         linear[code] = hatch_srgb_to_linear((float)code / (SRGB_CODES - 1));
     size_t texels = (size_t)image->width * image->height;

@@ -25,10 +25,8 @@ struct children {
 static enum hatch_status find_children(struct hatch_glb *glb, struct children *children)
 {
     uint32_t count = glb->scene->node_count;
-    children->first = HATCH_NEW(glb->scratch, uint32_t, (size_t)count + 1, glb->err);
-    children->next = children->first ? HATCH_NEW(glb->scratch, uint32_t, count, glb->err) : NULL;
-    if (!children->next)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &children->first, (size_t)count + 1, glb->err));
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &children->next, count, glb->err));
     for (uint32_t i = 0; i <= count; i++)
         children->first[i] = HATCH_NONE;
     for (uint32_t i = count; i-- > 0;) {

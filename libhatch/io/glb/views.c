@@ -44,9 +44,8 @@ uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MES
 static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_mesh *mesh,
                                     const struct hatch_mesh_attribute *targets, uint32_t target, bool bounds)
 {
-    float *data = HATCH_NEW(glb->scratch, float, (size_t)mesh->vertex_count * 3, glb->err);
-    if (!data)
-        return HATCH_LIMIT;
+    float *data;
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &data, (size_t)mesh->vertex_count * 3, glb->err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(&data[3 * v], &targets->data[targets->components * v + 3 * target], 3 * sizeof *data);
     add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
@@ -202,13 +201,9 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     const size_t sizes[] = {scene->mesh_count, scene->mesh_count,    scene->mesh_count,
                             scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        *lists[i] = HATCH_NEW(glb->scratch, uint32_t, sizes[i], glb->err);
-        if (!*lists[i])
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(glb->scratch, lists[i], sizes[i], glb->err));
     }
-    glb->views = HATCH_NEW(glb->scratch, struct hatch_glb_view, count_views(scene), glb->err);
-    if (!glb->views)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->views, count_views(scene), glb->err));
     HATCH_TRY(plan_meshes(glb));
     plan_motion(glb);
     glb->accessor_count = glb->view_count;

@@ -1,6 +1,5 @@
 /* The GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
 #include <assert.h>
-#include <string.h>
 
 #include "io/glb/parts.h"
 

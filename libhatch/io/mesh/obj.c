@@ -216,9 +216,8 @@ static enum hatch_status gather(struct obj *o, int kind, float **out, struct hat
     for (uint32_t v = 0; v < o->vertex_count; v++)
         if (corners[v].index[kind] == ABSENT)
             return HATCH_OK;
-    float *data = HATCH_NEW(o->scratch, float, (size_t)o->vertex_count *width, err);
-    if (!data)
-        return HATCH_LIMIT;
+    float *data;
+    HATCH_TRY(HATCH_ALLOC(o->scratch, &data, (size_t)o->vertex_count * width, err));
     for (uint32_t v = 0; v < o->vertex_count; v++)
         memcpy(&data[(size_t)v * width], &values(o, kind)[(size_t)corners[v].index[kind] * width],
                width * sizeof *data);
@@ -229,9 +228,8 @@ static enum hatch_status gather(struct obj *o, int kind, float **out, struct hat
 static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     uint32_t count = value_count(o, V);
-    uint8_t *seen = HATCH_NEW(o->scratch, uint8_t, count, err);
-    if (!seen)
-        return HATCH_LIMIT;
+    uint8_t *seen;
+    HATCH_TRY(HATCH_ALLOC(o->scratch, &seen, count, err));
     for (uint32_t v = 0; v < o->vertex_count; v++)
         seen[vertex_corners(o)[v].index[V]] = 1;
     for (uint32_t i = 0; i < count; i++)

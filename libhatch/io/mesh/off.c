@@ -88,9 +88,8 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3]
     int64_t counts[2];
     HATCH_TRY(read_header(&text, err));
     HATCH_TRY(read_counts(&text, counts, err));
-    float *positions = HATCH_NEW(scratch, float, (size_t)counts[0] * 3, err);
-    if (!positions)
-        return HATCH_LIMIT;
+    float *positions;
+    HATCH_TRY(HATCH_ALLOC(scratch, &positions, (size_t)counts[0] * 3, err));
     for (int64_t v = 0; v < counts[0]; v++) {
         if (!find_word(&text))
             return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld vertices", (long long)v,

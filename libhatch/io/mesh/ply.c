@@ -133,18 +133,12 @@ static enum hatch_status allocate_vertices(struct ply *p, struct hatch_err *err)
     if (p->element->count > INT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d vertices", INT32_MAX);
     p->vertex_count = (uint32_t)p->element->count;
-    p->positions = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
-    if (!p->positions)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(p->scratch, &p->positions, (size_t)p->vertex_count * 3, err));
     if (has[HATCH_PLY_NX] && has[HATCH_PLY_NY] && has[HATCH_PLY_NZ]) {
-        p->normals = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 3, err);
-        if (!p->normals)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(p->scratch, &p->normals, (size_t)p->vertex_count * 3, err));
     }
     if (has[HATCH_PLY_U] && has[HATCH_PLY_V]) {
-        p->texcoords = HATCH_NEW(p->scratch, float, (size_t)p->vertex_count * 2, err);
-        if (!p->texcoords)
-            return HATCH_LIMIT;
+        HATCH_TRY(HATCH_ALLOC(p->scratch, &p->texcoords, (size_t)p->vertex_count * 2, err));
     }
     return HATCH_OK;
 }
@@ -264,9 +258,8 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
-    struct ply *p = HATCH_NEW(scratch, struct ply, 1, err);
-    if (!p)
-        return HATCH_LIMIT;
+    struct ply *p;
+    HATCH_TRY(HATCH_ALLOC(scratch, &p, 1, err));
     p->scratch = p->corners.arena = scratch;
     p->faces = hatch_faces_in(scratch);
     p->origin = origin;

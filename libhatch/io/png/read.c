@@ -2,7 +2,6 @@
 
 #include <png.h>
 #include <setjmp.h>
-#include <stdbool.h>
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)
@@ -126,9 +125,8 @@ static enum hatch_status convert_to_floats(struct reading *r)
 {
     struct hatch_image *image = &r->image;
     uint32_t top = r->depth == 16 ? 65535u : 255u;
-    float *linear = HATCH_NEW(r->scratch, float, top + 1, r->err);
-    if (!linear)
-        return HATCH_LIMIT;
+    float *linear;
+    HATCH_TRY(HATCH_ALLOC(r->scratch, &linear, top + 1, r->err));
     for (uint32_t code = 0; code <= top; code++)
         linear[code] = hatch_srgb_to_linear((float)code / (float)top);
     uint32_t channels = image->channel_count;

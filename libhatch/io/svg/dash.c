@@ -1,5 +1,4 @@
 /* Dashes (SVG 2, section 13.5.6). */
-#include <math.h>
 #include <string.h>
 
 #include "io/svg/parts.h"

@@ -1,5 +1,4 @@
 /* Numbers, lengths and transforms of SVG. */
-#include <math.h>
 #include <string.h>
 
 #include "io/svg/parts.h"

@@ -1,6 +1,5 @@
 /* The pen, and path data (SVG 2, section 9.3). */
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 #include "io/svg/parts.h"

@@ -1,9 +1,5 @@
-#include "io/svg/svg.h"
-
-#include <math.h>
 #include <string.h>
 
-#include "io/svg/parts.h"
 #include "io/svg/sheet.h"
 #include "io/svg/tree.h"
 
@@ -288,9 +284,7 @@ static enum hatch_status read_drawing(struct drawing *d, struct hatch_bytes file
     struct hatch_text sheet = {(const char *)d->tree.sheet.data, d->tree.sheet.size};
     HATCH_TRY(hatch_svg_sheet_read(sheet, scratch, &d->sheet, err));
     d->notes.others = d->tree.others + d->sheet.others;
-    d->styles = HATCH_NEW(scratch, struct hatch_svg_style, HATCH_SVG_DEPTH_MAX + 2, err);
-    if (!d->styles)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(scratch, &d->styles, HATCH_SVG_DEPTH_MAX + 2, err));
     if (read_page(d, d->tree.root->attributes, err) != HATCH_OK)
         return hatch_fail_at(err, "line %u: ", d->tree.root->line);
     return draw_element(d, d->tree.root, err);

@@ -166,9 +166,7 @@ static struct hatch_svg_node *next_of(struct hatch_svg_node *node)
 static enum hatch_status list_ids(struct hatch_svg_tree *tree, struct hatch_arena *arena, struct hatch_err *err)
 {
     uint32_t at = 0;
-    tree->named = HATCH_NEW(arena, struct hatch_svg_node *, tree->named_count, err);
-    if (!tree->named)
-        return HATCH_LIMIT;
+    HATCH_TRY(HATCH_ALLOC(arena, &tree->named, tree->named_count, err));
     for (struct hatch_svg_node *node = tree->root; node; node = next_of(node))
         if (*id_of(node))
             tree->named[at++] = node;

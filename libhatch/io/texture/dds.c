@@ -1,6 +1,5 @@
 /* DDS with the DX10 header ("DDS File Layout" and "DDS_HEADER_DXT10", Microsoft). */
 #include <assert.h>
-#include <stdbool.h>
 
 #include "io/texture/container.h"
 

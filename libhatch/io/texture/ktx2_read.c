@@ -1,5 +1,3 @@
-#include <stdbool.h>
-#include <string.h>
 #include <zstd.h>
 
 #include "io/texture/container.h"
@@ -157,9 +155,8 @@ static enum hatch_status read_level(struct hatch_reader *reader, const struct he
     if (unpacked != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu", level,
                           (unsigned long long)length, (unsigned long long)unpacked, size);
-    uint8_t *texels = HATCH_NEW(arena, uint8_t, size, err);
-    if (!texels)
-        return HATCH_LIMIT;
+    uint8_t *texels;
+    HATCH_TRY(HATCH_ALLOC(arena, &texels, size, err));
     texture->texels[level] = texels;
     const uint8_t *from = reader->data + offset;
     if (packed)

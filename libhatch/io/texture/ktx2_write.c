@@ -1,7 +1,6 @@
 /* KTX File Format Specification 2.0 (Khronos), sections 3 to 5, and the Khronos Data Format
  * Specification 1.3, section 5, for the data format descriptor. */
 #include <assert.h>
-#include <string.h>
 
 #include "io/texture/container.h"
 #include "io/texture/parts.h"

@@ -4,8 +4,6 @@
  * uniformly random circuit. */
 #include "seed/cycle/parts.h"
 
-#include <string.h>
-
 /* Chooses a random exit of a vertex.
  *   exits  bit mask
  *   keep   an exit to choose only if there is no other; 4: none */

@@ -1,5 +1,3 @@
-#include "seed/cycle/cycle.h"
-
 #include <assert.h>
 
 #include "seed/cycle/parts.h"
@@ -24,9 +22,8 @@ static enum hatch_status make_circuit(const struct hatch_cycle_options *options,
         order++;
     order -= all ? 1 : 0;
     size_t edge_count = (size_t)4 << 2 * order;
-    uint8_t *edges = HATCH_NEW(scratch, uint8_t, edge_count, err);
-    if (!edges)
-        return HATCH_LIMIT;
+    uint8_t *edges;
+    HATCH_TRY(HATCH_ALLOC(scratch, &edges, edge_count, err));
     for (size_t edge = 0; edge < edge_count && all; edge++)
         edges[edge] = 1;
     if (!all)

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "render_frame.h"
+#include "rptam_ink.h"
 #include "rptam_model.h"
 
 enum { SIZE = 96 };
@@ -39,7 +40,7 @@ static double model_ink(const double uv[2], double unit_px, const double *amount
     double left = 1;
     for (uint32_t i = 0; i < rptam.layer_count; i++) {
         double depth = log2(rptam.layers[i].style.tile_px / unit_px);
-        left *= 1 - hatch_rptam_layer_ink(&rptam, i, uv, depth, amounts[i], true);
+        left *= 1 - rptam_layer_ink(&rptam, i, uv, depth, amounts[i], true);
     }
     return 1 - left;
 }
@@ -52,7 +53,7 @@ static double compare(double span, double tone)
     double amounts[HATCH_RPTAM_LAYERS_MAX], worst = 0;
     frame.shown.style.curve.low = frame.shown.style.curve.high = tone;
     frame_draw(&frame, "rptam", &view, SIZE, SIZE, 1, &picture);
-    hatch_rptam_amounts(&rptam, tone, amounts);
+    rptam_amounts(&rptam, tone, amounts);
     for (uint32_t y = 0; y < SIZE; y++)
         for (uint32_t x = 0; x < SIZE; x++) {
             const double uv[2] = {0.5 + span * ((x + 0.5) / SIZE - 0.5), 0.5 + span * ((y + 0.5) / SIZE - 0.5)};
@@ -228,7 +229,7 @@ START_TEST(the_largest_number_of_layers_matches_the_model)
         how.angle_rad[i] = i;
     model_make(&how, &frame.args.keep, &frame.args.scratch, &rptam);
     begin_plane();
-    hatch_rptam_amounts(&rptam, rptam.darkest / 8, amounts);
+    rptam_amounts(&rptam, rptam.darkest / 8, amounts);
     ck_assert_double_gt(amounts[0], 0.99);
     ck_assert_double_eq(amounts[HATCH_RPTAM_LAYERS_MAX / 2], 0);
     for (int tone = 1; tone <= 8; tone += 7) {

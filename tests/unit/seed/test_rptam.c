@@ -2,6 +2,7 @@
  * measured in tests/prop/test_rptam_tone.c. */
 #include "arenas.h"
 #include "fail_alloc.h"
+#include "rptam_ink.h"
 #include "rptam_model.h"
 
 static struct hatch_seeds seeds;
@@ -66,8 +67,8 @@ START_TEST(a_stroke_keeps_its_variant_over_levels)
     for (int level = -3; level <= 3; level++)
         for (uint32_t i = 0; i < 2000; i++) {
             const double uv[2] = {(double)hatch_random_unit(1, 0, i), (double)hatch_random_unit(1, 1, i)};
-            double before = hatch_rptam_layer_ink(&rptam, 0, uv, level - 1e-9, 1, false);
-            worst = fmax(worst, fabs(before - hatch_rptam_layer_ink(&rptam, 0, uv, level + 1e-9, 1, false)));
+            double before = rptam_layer_ink(&rptam, 0, uv, level - 1e-9, 1, false);
+            worst = fmax(worst, fabs(before - rptam_layer_ink(&rptam, 0, uv, level + 1e-9, 1, false)));
         }
     ck_assert_double_lt(worst, 1e-3);
 }
@@ -85,7 +86,7 @@ START_TEST(strokes_differ)
         for (int i = 0; i < POSITIONS; i++) {
             const double uv[2] = {rptam.layers[0].positions[seed][0] + (i % 5 - 2) * 0.0007,
                                   rptam.layers[0].positions[seed][1] + (i / 5 - 1) * 0.0005};
-            ink[seed][i] = hatch_rptam_layer_ink(&rptam, 0, uv, 0, 1, false);
+            ink[seed][i] = rptam_layer_ink(&rptam, 0, uv, 0, 1, false);
         }
     for (uint32_t seed = 0; seed < 64; seed++) {
         uint32_t alike = 0;
