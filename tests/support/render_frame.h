@@ -80,9 +80,8 @@ static inline void frame_open_scene(const struct hatch_patch_mesh *patches, cons
 {
     struct hatch_err *error = &frame->err;
     struct hatch_arena *lasting = &frame->args.keep, *temporary = &frame->args.scratch;
-    const struct scene_source source = {&frame->scene, patches, *bounds};
     HATCH_TEST_OK(gpu_context_open_headless(&frame->context, 2, error), error);
-    HATCH_TEST_OK(scene_upload(&source, lasting, temporary, &frame->on_gpu, error), error);
+    HATCH_TEST_OK(scene_upload(&frame->scene, patches, bounds, lasting, temporary, &frame->on_gpu, error), error);
     HATCH_TEST_OK(scene_set_pose(&frame->on_gpu, HATCH_NONE, 0, temporary, error), error);
     memset(&frame->asset, 0, sizeof frame->asset);
     if (map)

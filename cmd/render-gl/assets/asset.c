@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdio.h>
 
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/texture.h"
@@ -94,12 +93,6 @@ void assets_free(struct assets *assets)
         free_tones(&assets->uploaded[i].tones);
         assets->uploaded[i].kind = NULL;
     }
-}
-
-void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size)
-{
-    snprintf(text, size, "%s%s%s", tones->layered ? "#define LAYERED 1\n" : "", tones->exact ? "#define EXACT 1\n" : "",
-             anisotropy > 1 && !tones->exact ? "#define ANISOTROPIC 1\n" : "");
 }
 
 void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block)

@@ -84,12 +84,6 @@ enum hatch_status assets_upload(struct assets *assets, const struct asset_kind *
 /* Releases the uploads. */
 void assets_free(struct assets *assets);
 
-/* Writes the #define lines with which shaders must be compiled to read these tones.
- *   anisotropy  1 (none) .. 16
- *   text        out: zero-terminated
- *   size        of text in bytes, at least 128 */
-void asset_tones_defines(const struct asset_tones *tones, float anisotropy, char *text, size_t size);
-
 /* Binds the tones for shaders and writes their number and targets into the frame's block.
  *   anisotropy  1 (none) .. 16
  *   side        samples along a pixel's side; the mip level is that of the whole pixel, so that strokes keep their

@@ -12,7 +12,6 @@ struct drawing {
     const struct frame_shader *shader;
     uint32_t index;
     const struct hatch_item *unit;
-    const struct hatch_unit_mesh *mesh;
     const struct scene_item *item;
     const struct hatch_near_item *near; /* NULL: none of its faces is near */
     uint32_t variant;                   /* enum frame_variant, joined */
@@ -49,7 +48,6 @@ static struct drawing drawing_of(const struct frame *frame, const struct frame_s
                             .shader = shader,
                             .index = index,
                             .unit = unit,
-                            .mesh = &frame->scene->unit.meshes[unit->mesh],
                             .item = &frame->scene->items[index],
                             .near = hatch_near_item_at(&frame->near.found, index),
                             .variant = variant_of(frame, shading, index)};
@@ -165,7 +163,7 @@ static void draw_patches_at_once(const struct drawing *drawing)
  * outline into the target's alpha; pass 1 replaces the colour by that alpha, and later passes add to it. */
 static void draw_patches_in_passes(const struct drawing *drawing)
 {
-    const struct hatch_patch_mesh *patches = drawing->mesh->patches;
+    const struct hatch_patch_mesh *patches = drawing->frame->scene->unit.meshes[drawing->unit->mesh].patches;
     uint32_t begin = 0;
     for (uint32_t layer = 0; layer < patches->layer_count; layer++) {
         uint32_t end = patches->layer_end[layer];

@@ -240,21 +240,21 @@ static void upload_scene(struct job *job)
     const struct options *options = job->options;
     struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
     const char *name = scene_name(job);
-    struct scene_source source = {.scene = &job->values, .patches = job->patches};
+    struct hatch_bounds bounds;
     struct hatch_pose pose;
     struct hatch_err err;
     set_span(job);
     cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
-    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &source.bounds, &err), name, &err);
-    if (source.bounds.empty)
+    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
+    if (bounds.empty)
         cmd_warn(name, "the scene has no visible faces");
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)
         cmd_warn(name, "%u lights are left out: at most %u are used", left_out, HATCH_LIGHTS_MAX);
     job->fixed_view.aspect = (double)options->width / options->height;
-    cmd_check(make_view(job, &pose, &source.bounds, &job->fixed_view, &err), name, &err);
+    cmd_check(make_view(job, &pose, &bounds, &job->fixed_view, &err), name, &err);
     open_context(job);
-    cmd_check(scene_upload(&source, keep, scratch, &job->scene, &err), name, &err);
+    cmd_check(scene_upload(&job->values, job->patches, &bounds, keep, scratch, &job->scene, &err), name, &err);
     material_upload(&job->args, name, options->base_tone && !options->modulate_path, job->gpu.size_max_px, &job->scene);
     if (options->pixel_light)
         normals_upload(&job->args, name, job->gpu.size_max_px, &job->scene);

@@ -110,16 +110,17 @@ static void make_item(const struct scene *scene, uint32_t index, struct scene_it
         item->surface_array = make_vertex_array(vertices, mesh->surface_indices);
 }
 
-enum hatch_status scene_upload(const struct scene_source *source, struct hatch_arena *arena,
+enum hatch_status scene_upload(const struct hatch_scene *from, const struct hatch_patch_mesh *patches,
+                               const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct scene *scene, struct hatch_err *err)
 {
     struct scene made;
-    HATCH_TRY(hatch_unit_scene_make(source->scene, source->patches, &source->bounds, arena, &made.unit, err));
-    made.meshes = HATCH_NEW(arena, struct scene_mesh, source->scene->mesh_count, err);
+    HATCH_TRY(hatch_unit_scene_make(from, patches, bounds, arena, &made.unit, err));
+    made.meshes = HATCH_NEW(arena, struct scene_mesh, from->mesh_count, err);
     made.items = made.meshes ? HATCH_NEW(arena, struct scene_item, made.unit.item_count, err) : NULL;
     if (!made.items)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; i < source->scene->mesh_count; i++)
+    for (uint32_t i = 0; i < from->mesh_count; i++)
         HATCH_TRY(upload_mesh(&made.unit, i, scratch, &made.meshes[i], err));
     for (uint32_t i = 0; i < made.unit.item_count; i++)
         make_item(&made, i, &made.items[i]);

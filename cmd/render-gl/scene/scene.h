@@ -50,17 +50,14 @@ struct scene {
     struct scene_item *items;  /* one per unit.items */
 };
 
-/* A scene in memory, from which scene_upload makes one on the GPU. */
-struct scene_source {
-    const struct hatch_scene *scene;        /* kept by reference */
-    const struct hatch_patch_mesh *patches; /* one per mesh; NULL: no mesh is lapped; kept by reference */
-    struct hatch_bounds bounds;             /* of all poses that will be drawn */
-};
-
-/* Uploads all meshes and lists the items. The scene is not posed: call scene_set_pose next.
- *   arena  holds the lists
+/* Uploads all meshes of a scene in memory and lists the items. The scene is not posed: call scene_set_pose next.
+ *   from     kept by reference
+ *   patches  one per mesh; NULL: no mesh is lapped; kept by reference
+ *   bounds   of all poses that will be drawn
+ *   arena    holds the lists
  * HATCH_LIMIT when memory, on the GPU or not, does not suffice. */
-enum hatch_status scene_upload(const struct scene_source *source, struct hatch_arena *arena,
+enum hatch_status scene_upload(const struct hatch_scene *from, const struct hatch_patch_mesh *patches,
+                               const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Builds the vertices of a mesh.

@@ -1,5 +1,6 @@
 #include "render-gl/technique/technique.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
@@ -59,10 +60,11 @@ enum hatch_status shaded_prepare_with(struct technique_context *context, struct 
                                       const char *defines, struct hatch_err *err)
 {
     struct shaded_state *state = instance->state;
+    const struct asset_tones *tones = instance->tones;
+    bool anisotropic = tones && !tones->exact && context->frame->style.anisotropy > 1;
     char all[SHADED_DEFINES_BYTES] = "";
-    if (instance->tones)
-        asset_tones_defines(instance->tones, context->frame->style.anisotropy, all, sizeof all);
-    strncat(all, defines, sizeof all - strlen(all) - 1);
+    snprintf(all, sizeof all, "%s%s%s%s", tones && tones->layered ? "#define LAYERED 1\n" : "",
+             tones && tones->exact ? "#define EXACT 1\n" : "", anisotropic ? "#define ANISOTROPIC 1\n" : "", defines);
     if (strcmp(all, state->defines) != 0) {
         memset(&state->shader, 0, sizeof state->shader);
         memcpy(state->defines, all, sizeof all);
