@@ -24,14 +24,10 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
 
     struct cmd_report report;
     cmd_report_begin(&report, args, columns);
-    cmd_report_number(&report, difference.max);
-    cmd_report_number(&report, difference.mean);
-    cmd_report_number(&report, difference.bias);
-    cmd_report_number(&report, difference.rmse);
-    cmd_report_number(&report, difference.psnr_db);
-    cmd_report_number(&report, difference.differing);
-    for (size_t i = 0; i < BOXES; i++)
-        cmd_report_number(&report, low[i]);
+    const double whole[] = {difference.max,  difference.mean,    difference.bias,
+                            difference.rmse, difference.psnr_db, difference.differing};
+    cmd_report_numbers(&report, whole, sizeof whole / sizeof *whole);
+    cmd_report_numbers(&report, low, BOXES);
     cmd_report_write(&report, output);
     bool passed = options->max_difference < 0 || difference.max <= options->max_difference;
     return passed ? HATCH_OK : HATCH_DIFFERS;

@@ -19,13 +19,10 @@ static void report_row(struct cmd_report *report, const char *name, const struct
     cmd_report_number(report, f->index_sum);
     cmd_report_integer(report, f->singularities);
     cmd_report_number(report, f->smoothness);
-    for (int i = 0; i < 3; i++)
-        cmd_report_number(report, f->confidence[i]);
-    for (int i = 0; i < 3; i++)
-        cmd_report_number(report, f->uv_degrees[i]);
+    cmd_report_numbers(report, f->confidence, 3);
+    cmd_report_numbers(report, f->uv_degrees, 3);
     cmd_report_integer(report, f->compared);
-    for (int i = 0; i < 4; i++)
-        cmd_report_number(report, f->degrees[i]);
+    cmd_report_numbers(report, f->degrees, 4);
 }
 
 static void measure(struct cmd_args *args, const struct stat_options *options, const char *path,

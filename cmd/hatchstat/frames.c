@@ -67,12 +67,9 @@ static void measure(struct cmd_args *args, bool srgb, int count, struct figures 
 
 static void put_row(struct cmd_report *report, const char *name, const struct figures *figures, double drift)
 {
+    const double numbers[] = {figures->mean, drift, figures->change, figures->pop, figures->pop_low};
     cmd_report_text(report, name);
-    cmd_report_number(report, figures->mean);
-    cmd_report_number(report, drift);
-    cmd_report_number(report, figures->change);
-    cmd_report_number(report, figures->pop);
-    cmd_report_number(report, figures->pop_low);
+    cmd_report_numbers(report, numbers, sizeof numbers / sizeof *numbers);
 }
 
 /* Means over the frames that have the figure; maxima of drift and pop_box8. */

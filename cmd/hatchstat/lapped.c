@@ -44,10 +44,8 @@ static void put(struct cmd_report *report, const struct hatch_lapped_figures *f)
     cmd_report_number(report, f->opacity_min);
     cmd_report_integer(report, f->flipped);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        for (int k = 0; k < HATCH_LAPPED_SHARES; k++)
-            cmd_report_number(report, lists[i][k]);
-    for (int k = 0; k < HATCH_LAPPED_MAX; k++)
-        cmd_report_number(report, f->angle_area_deg[k]);
+        cmd_report_numbers(report, lists[i], HATCH_LAPPED_SHARES);
+    cmd_report_numbers(report, f->angle_area_deg, HATCH_LAPPED_MAX);
 }
 
 /* Warns of each limit that is exceeded; NaN exceeds every limit. */

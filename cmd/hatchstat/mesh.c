@@ -54,10 +54,8 @@ static void report_row(struct cmd_report *report, const char *name, uint32_t fil
     cmd_report_integer(report, f->has_uv);
     cmd_report_number(report, f->uv.degenerate_share);
     cmd_report_number(report, f->uv.mirrored_share);
-    for (int k = 0; k < 3; k++)
-        cmd_report_number(report, f->uv.angle[k]);
-    for (int k = 0; k < 3; k++)
-        cmd_report_number(report, f->uv.area[k]);
+    cmd_report_numbers(report, f->uv.angle, 3);
+    cmd_report_numbers(report, f->uv.area, 3);
 }
 
 static void measure(struct cmd_args *args, const char *path, struct cmd_report *report)

@@ -21,8 +21,7 @@ static void report_row(struct cmd_report *report, uint32_t layer, const struct h
     cmd_report_number(report, f->distance_bayer);
     cmd_report_number(report, f->complete ? f->discrepancy : (double)NAN);
     cmd_report_number(report, f->correlation);
-    for (uint32_t ring = 0; ring < HATCH_SEED_RINGS; ring++)
-        cmd_report_number(report, f->complete ? f->power[ring] : (double)NAN);
+    cmd_report_numbers(report, f->complete ? f->power : NULL, HATCH_SEED_RINGS);
 }
 
 enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)

@@ -79,7 +79,8 @@ static void measure_strokes(struct cmd_args *args, const struct stat_options *op
                                                 &subject->stroke_darkness[level], &err),
                   name, &err);
     cmd_check(hatch_measure_tam_nesting(tam, &subject->strokes, &args->scratch, &summary->missing, &err), name, &err);
-    cmd_check(HATCH_ALLOC(&args->keep, &subject->evenness, (size_t)tam->tones *HATCH_EVENNESS_BOXES, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &subject->evenness, (size_t)tam->tones * HATCH_EVENNESS_BOXES, &err), NULL,
+              &err);
     cmd_check(hatch_measure_evenness(tam, &subject->strokes, (uint32_t)options->throws, &args->scratch,
                                      subject->evenness, &err),
               name, &err);
@@ -94,12 +95,6 @@ static double allowed_error(const struct subject *subject, uint32_t level, const
     return level >= subject->tam.levels ? NAN : fmax(stroke, limit);
 }
 
-static void put_numbers(struct cmd_report *report, const double *numbers, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++)
-        cmd_report_number(report, numbers ? numbers[i] : NAN);
-}
-
 static void put_image(struct cmd_report *report, const struct subject *subject, uint32_t tone, uint32_t level,
                       const struct hatch_tam_image_figures *f, struct summary *summary)
 {
@@ -109,15 +104,15 @@ static void put_image(struct cmd_report *report, const struct subject *subject, 
     cmd_report_integer(report, level);
     cmd_report_integer(report, f->size_px);
     const double tones[] = {(double)subject->tam.target[tone], f->mean, f->error, allowed};
-    put_numbers(report, tones, 4);
+    cmd_report_numbers(report, tones, 4);
     cmd_report_text(report, by);
     cmd_report_number(report, subject->stroke_darkness[level]);
     cmd_report_integer(report, f->lighter_pixels);
     cmd_report_number(report, NAN);
-    put_numbers(report, f->seam_z, 2);
-    put_numbers(report, f->spread, HATCH_EVENNESS_BOXES);
+    cmd_report_numbers(report, f->seam_z, 2);
+    cmd_report_numbers(report, f->spread, HATCH_EVENNESS_BOXES);
     const double *even = level || !subject->evenness ? NULL : subject->evenness + tone * HATCH_EVENNESS_BOXES;
-    put_numbers(report, even, HATCH_EVENNESS_BOXES);
+    cmd_report_numbers(report, even, HATCH_EVENNESS_BOXES);
     cmd_report_number(report, f->chroma);
     cmd_report_number(report, f->hue_error_deg);
 
@@ -140,22 +135,22 @@ static void put_summary(struct cmd_report *report, const struct subject *subject
 {
     const double seam[] = {s->seam[0] / s->images, s->seam[1] / s->images};
     cmd_report_text(report, "all");
-    put_numbers(report, NULL, 1);
+    cmd_report_numbers(report, NULL, 1);
     cmd_report_integer(report, subject->tam.size_px);
-    put_numbers(report, NULL, 2);
+    cmd_report_numbers(report, NULL, 2);
     cmd_report_number(report, s->error);
-    put_numbers(report, NULL, 1);
+    cmd_report_numbers(report, NULL, 1);
     cmd_report_text(report, s->failed ? "no" : "yes");
-    put_numbers(report, NULL, 1);
+    cmd_report_numbers(report, NULL, 1);
     cmd_report_integer(report, s->lighter);
     if (subject->has_strokes)
         cmd_report_integer(report, s->missing);
     else
-        put_numbers(report, NULL, 1);
-    put_numbers(report, seam, 2);
-    put_numbers(report, s->spread, HATCH_EVENNESS_BOXES);
-    put_numbers(report, s->even, HATCH_EVENNESS_BOXES);
-    put_numbers(report, NULL, 1);
+        cmd_report_numbers(report, NULL, 1);
+    cmd_report_numbers(report, seam, 2);
+    cmd_report_numbers(report, s->spread, HATCH_EVENNESS_BOXES);
+    cmd_report_numbers(report, s->even, HATCH_EVENNESS_BOXES);
+    cmd_report_numbers(report, NULL, 1);
     cmd_report_number(report, s->hue_error);
 }
 

@@ -1,7 +1,6 @@
 #include <string.h>
 
 #include "shared/field.h"
-#include "shared/scene.h"
 #include "lapped_param.h"
 #include "mesh/splits.h"
 

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "shared/scene.h"
 #include "shared/surface.h"
 #include "io/glb/glb.h"
 #include "lapped_param.h"

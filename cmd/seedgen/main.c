@@ -4,7 +4,6 @@
 
 #include "seed/spread.h"
 #include "shared/cmd.h"
-#include "seed/seeds.h"
 
 static int64_t count = 64, layers = 1, candidates = 0, nodes_max = 200000000;
 static int method = HATCH_CYCLE_ANY;

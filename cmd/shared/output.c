@@ -105,8 +105,7 @@ static void *allocate(size_t size)
     void *block = calloc(1, size);
     if (!block) {
         struct hatch_err err;
-        hatch_fail(&err, HATCH_LIMIT, "out of memory");
-        cmd_die(NULL, &err);
+        cmd_check(hatch_fail(&err, HATCH_LIMIT, "out of memory"), NULL, &err);
     }
     return block;
 }

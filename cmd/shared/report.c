@@ -80,6 +80,12 @@ void cmd_report_number(struct cmd_report *report, double number)
     end_cell(report);
 }
 
+void cmd_report_numbers(struct cmd_report *report, const double *numbers, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        cmd_report_number(report, numbers ? numbers[i] : (double)NAN);
+}
+
 void cmd_report_integer(struct cmd_report *report, uint64_t number)
 {
     struct hatch_err err;

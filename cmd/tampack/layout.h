@@ -33,11 +33,4 @@ struct pack_layout {
 /* In the order of the option's choices. */
 extern const struct pack_layout pack_layouts[];
 
-/* Makes the name of an output file, in args->keep.
- *   path    of --output: a name or an existing folder
- *   input   path of the map, which names the files in a folder; NULL or "-": standard input
- *   ending  with the dot */
-const char *pack_file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
-                           const char *ending);
-
 #endif

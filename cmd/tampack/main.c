@@ -1,5 +1,7 @@
 /* tampack: packs a tonal art map into the textures that engines load. */
 #include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
 
 #include "shared/map.h"
 #include "layout.h"
@@ -42,6 +44,54 @@ static void warn(const struct pack_layout *how, const struct hatch_tam *tam, con
         cmd_warn(cmd_input_name(input), "stroke ids are left out: only --layout exr holds them");
 }
 
+static bool is_folder(const char *path)
+{
+    struct stat info;
+    size_t length = strlen(path);
+    return (length && path[length - 1] == '/') || (stat(path, &info) == 0 && S_ISDIR(info.st_mode));
+}
+
+static const char *after_last_slash(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* The length of a name without its ending; a leading dot does not begin an ending. */
+static size_t stem_length(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && dot != name ? (size_t)(dot - name) : strlen(name);
+}
+
+static const char *input_stem(const char *input)
+{
+    bool is_standard = !input || strcmp(input, "-") == 0;
+    return is_standard ? "tam" : after_last_slash(input);
+}
+
+/* Makes the name of an output file, in args->keep.
+ *   path    of --output: a name or an existing folder
+ *   input   path of the map, which names the files in a folder; NULL or "-": standard input
+ *   ending  with the dot */
+static const char *file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
+                             const char *ending)
+{
+    struct hatch_buffer name = {.arena = &args->keep};
+    struct hatch_err err;
+    const char *file = after_last_slash(path);
+    bool folder = is_folder(path);
+    const char *stem = folder ? input_stem(input) : file;
+    size_t stem_size = stem_length(stem);
+    bool has_ending = !folder && stem[stem_size];
+    int before = folder ? (int)strlen(path) : (int)(file - path);
+    bool needs_slash = folder && path[strlen(path) - 1] != '/';
+    cmd_check(hatch_buffer_print(&name, &err, "%.*s%s%.*s%s%s", before, path, needs_slash ? "/" : "", (int)stem_size,
+                                 stem, suffix, has_ending ? stem + stem_size : ending),
+              NULL, &err);
+    return (const char *)name.data;
+}
+
 /* One output file. */
 struct file {
     const struct pack_job *job;
@@ -69,17 +119,16 @@ static struct cmd_output *open_file(const struct pack_job *job, const struct pac
 {
     char suffix[64];
     how->suffix(&job->tam, index, suffix, sizeof suffix);
-    return cmd_open_output(pack_file_name(job->args, job->args->output, input, suffix, how->ending), true);
+    return cmd_open_output(file_name(job->args, job->args->output, input, suffix, how->ending), true);
 }
 
 static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how, const char *input)
 {
     struct hatch_err err;
     uint32_t count = how->count(&job->tam);
-    if (count > CMD_OUTPUTS_MAX) {
-        hatch_fail(&err, HATCH_LIMIT, "%u files, more than %u", count, CMD_OUTPUTS_MAX);
-        cmd_die(cmd_input_name(input), &err);
-    }
+    if (count > CMD_OUTPUTS_MAX)
+        cmd_check(hatch_fail(&err, HATCH_LIMIT, "%u files, more than %u", count, CMD_OUTPUTS_MAX),
+                  cmd_input_name(input), &err);
     if (count > 1 && !job->args->output)
         cmd_usage("--layout %s makes %u files: give a name or a folder with -o", how->name, count);
     return count;

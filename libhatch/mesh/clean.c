@@ -107,8 +107,7 @@ enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena
     struct hatch_mesh out;
     enum hatch_status status = clean(&w, arena, scratch, &out, err);
     hatch_arena_rewind(scratch, mark);
-    if (status != HATCH_OK)
-        return status;
+    HATCH_TRY(status);
     notes->degenerate_dropped += w.notes.degenerate_dropped;
     notes->duplicates_dropped += w.notes.duplicates_dropped;
     notes->unreferenced_dropped += w.notes.unreferenced_dropped;

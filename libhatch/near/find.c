@@ -1,6 +1,5 @@
 /* Finds near faces. */
 #include <math.h>
-#include <string.h>
 
 #include "math/box.h"
 #include "math/vector.h"

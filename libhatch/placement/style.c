@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "base/text.h"
 #include "image/color.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295

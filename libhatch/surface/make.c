@@ -106,8 +106,7 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
     struct hatch_surface_notes changes = {0};
     enum hatch_status status = make(&work, &made, &changes, err);
     hatch_arena_rewind(scratch, mark);
-    if (status != HATCH_OK)
-        return status;
+    HATCH_TRY(status);
     *surface = made;
     *notes = changes;
     return HATCH_OK;

@@ -1,12 +1,178 @@
 #include "tam/thresholds.h"
 
 #include <assert.h>
+#include <math.h>
 
 #include "base/random.h"
-#include "tam/steps.h"
+#include "tam/runs.h"
 
 #define FULL 255u
 #define CROSSING_STROKES_MAX 4u /* more steps of a texel in one bin are a shade of grey, not strokes */
+
+struct step {
+    uint32_t x;      /* tone code, 0 .. 255 */
+    uint32_t height; /* added darkness, 1 .. 255 */
+};
+
+/* Computes the tone code at which each column begins: half-way from the column before it, rounded to nearest and
+ * ties down, so that sampling at the tone of a column yields its image.
+ *   code  out: one entry per column */
+static void step_codes(const struct hatch_tam *tam, uint8_t *code)
+{
+    for (uint32_t c = 0; c < tam->tones; c++) {
+        double before = c ? (double)tam->target[c - 1] : 0;
+        double middle = (before + (double)tam->target[c]) / 2 * 255;
+        code[c] = (uint8_t)fmax(0, ceil(middle - 0.5 - 1e-3));
+    }
+}
+
+/* Lists the steps of a texel and returns their number.
+ *   code   from step_codes
+ *   texel  index in the level
+ *   steps  out: room for one per column of the map */
+static uint32_t steps_of_texel(const struct hatch_runs *runs, const uint8_t *code, uint32_t level, size_t texel,
+                               struct step *steps)
+{
+    const struct hatch_run *run = runs->runs + runs->first[level][texel];
+    uint32_t count = runs->first[level][texel + 1] - runs->first[level][texel], before = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        steps[i] = (struct step){code[run[i].column], run[i].darkness - before};
+        before = run[i].darkness;
+    }
+    return count;
+}
+
+/* Converts bin borders to tone codes: bin b has the codes first[b] .. first[b + 1] - 1.
+ *   border  bins + 1 tones
+ *   first   out: bins + 1 entries */
+static void bin_codes(const float *border, uint32_t bins, uint32_t *first)
+{
+    for (uint32_t b = 0; b <= bins; b++)
+        first[b] = b < bins ? (uint32_t)ceil((double)border[b] * 255 - 1e-3) : 256;
+}
+
+#define CODES 256u
+#define PAIRS_MAX 4000000u /* pairs of steps to sum over; of more, evenly spaced texels are used */
+#define COST_SCALE 64u     /* fixed point, so that sums do not depend on their order */
+
+struct costs {
+    uint64_t sums[CODES][CODES]; /* [a][b], a <= b: cost of steps at a and b in one bin; later that of a bin a .. b */
+    uint64_t least[HATCH_THRESHOLD_BINS + 1][CODES + 1]; /* [n][end]: least cost of n bins for the codes below end */
+    uint32_t from[HATCH_THRESHOLD_BINS + 1][CODES + 1];  /* [n][end]: first code of the last of these bins */
+};
+
+static void add(struct costs *costs, uint32_t a, uint32_t b, uint64_t cost)
+{
+    costs->sums[a < b ? a : b][a < b ? b : a] += cost;
+}
+
+/* Adds the cost of merging the steps of one texel. Two steps become one at the x of either, with probabilities in
+ * proportion to their heights: the expected area between both functions is 2 dy1 dy2 / (dy1 + dy2) times their
+ * distance. */
+static void add_within(struct costs *costs, const struct step *steps, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t j = i + 1; j < count; j++) {
+            uint64_t a = steps[i].height, b = steps[j].height;
+            add(costs, steps[i].x, steps[j].x, (steps[j].x - steps[i].x) * (2 * COST_SCALE * a * b / (a + b)));
+        }
+}
+
+/* Adds the cost of interpolating between the steps of neighbouring texels: half-way both are at the mean x; averaged
+ * from one texel to the other the area is (dy1 + dy2) / 6 times their distance. */
+static void add_across(struct costs *costs, const struct step *steps, uint32_t count, const struct step *others,
+                       uint32_t other_count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t j = 0; j < other_count; j++) {
+            uint32_t a = steps[i].x, b = others[j].x;
+            uint64_t heights = steps[i].height + others[j].height;
+            add(costs, a, b, (a < b ? b - a : a - b) * (COST_SCALE * heights / 6));
+        }
+}
+
+static void add_texel(struct costs *costs, const struct hatch_runs *runs, const uint8_t *code, uint32_t level,
+                      uint32_t size, size_t texel)
+{
+    struct step steps[CODES], others[CODES];
+    size_t x = texel % size, y = texel / size;
+    const size_t neighbours[] = {y * size + (x + 1) % size, (y + 1) % size * size + x};
+    uint32_t count = steps_of_texel(runs, code, level, texel, steps);
+    add_within(costs, steps, count);
+    for (int i = 0; i < 2; i++)
+        add_across(costs, steps, count, others, steps_of_texel(runs, code, level, neighbours[i], others));
+}
+
+static void add_level(struct costs *costs, const struct hatch_tam *tam, const struct hatch_runs *runs,
+                      const uint8_t *code, uint32_t level)
+{
+    uint32_t size = hatch_mip_size(tam->size_px, level);
+    size_t texels = (size_t)size * size;
+    double pairs = 0;
+    for (size_t i = 0; i < texels; i++) {
+        double count = runs->first[level][i + 1] - runs->first[level][i];
+        pairs += 2.5 * count * count;
+    }
+    /* An odd stride visits all columns of texels. */
+    size_t stride = 1 + 2 * (size_t)(pairs / 2 / PAIRS_MAX);
+    for (size_t i = 0; i < texels; i += stride)
+        add_texel(costs, runs, code, level, size, i);
+}
+
+/* sums[a][b] becomes the cost of a bin that holds the codes a .. b. */
+static void sum_up(struct costs *costs)
+{
+    for (uint32_t length = 2; length <= CODES; length++)
+        for (uint32_t a = 0, b = length - 1; b < CODES; a++, b++)
+            costs->sums[a][b] +=
+                costs->sums[a + 1][b] + costs->sums[a][b - 1] - (length > 2 ? costs->sums[a + 1][b - 1] : 0);
+}
+
+/* Computes the cheapest division of the codes below end into bins, for every number of bins and every end. Among
+ * equally cheap ones the last wins, so bins are narrower towards the dark. */
+static void divide(struct costs *costs, uint32_t bins)
+{
+    memset(costs->least, 0xff, sizeof costs->least);
+    costs->least[0][0] = 0;
+    for (uint32_t bin = 1; bin <= bins; bin++)
+        for (uint32_t end = bin; end <= CODES; end++)
+            for (uint32_t from = bin - 1; from < end; from++) {
+                uint64_t before = costs->least[bin - 1][from];
+                if (before == UINT64_MAX || before + costs->sums[from][end - 1] > costs->least[bin][end])
+                    continue;
+                costs->least[bin][end] = before + costs->sums[from][end - 1];
+                costs->from[bin][end] = from;
+            }
+}
+
+/* Fits bin borders to the steps of a map by dynamic programming over the tone codes. They minimise the expected
+ * error of merging the steps of a bin and of interpolating between neighbouring texels.
+ *   bins    1 .. HATCH_THRESHOLD_BINS
+ *   border  out: bins + 1 tones from 0 to 1, rising
+ * HATCH_LIMIT when memory does not suffice. */
+static enum hatch_status fit_steps(const struct hatch_tam *tam, const struct hatch_runs *runs, uint32_t bins,
+                                   struct hatch_arena *scratch, float *border, struct hatch_err *err)
+{
+    assert(bins >= 1 && bins <= HATCH_THRESHOLD_BINS);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct costs *costs;
+    HATCH_TRY(HATCH_ALLOC(scratch, &costs, 1, err));
+    uint8_t code[HATCH_TAM_TONES_MAX];
+    step_codes(tam, code);
+    for (uint32_t level = 0; level < tam->levels; level++)
+        add_level(costs, tam, runs, code, level);
+    for (uint32_t a = 0; a < CODES; a++)
+        costs->sums[a][a] = 0;
+    sum_up(costs);
+    divide(costs, bins);
+    border[bins] = 1;
+    for (uint32_t bin = bins, end = CODES; bin > 0; bin--) {
+        end = costs->from[bin][end];
+        border[bin - 1] = (float)end / 255;
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
 
 /* Work on one level; a task is a row. */
 struct job {
@@ -14,8 +180,8 @@ struct job {
     const struct hatch_threshold_options *options;
     const struct hatch_runs *runs;
     const struct hatch_texels *texels;
-    const uint8_t *code;   /* of hatch_step_codes */
-    const uint32_t *first; /* of hatch_bin_codes */
+    const uint8_t *code;   /* of step_codes */
+    const uint32_t *first; /* of bin_codes */
     uint32_t level, size;
     uint8_t *filled_x; /* x for bins without a step, eight per texel */
     struct sums {
@@ -31,7 +197,7 @@ static uint8_t *value_of(const struct job *job, uint32_t level, size_t texel, ui
 }
 
 /* The area between a step function of count steps and the single step that replaces them. */
-static uint64_t area_between(const struct hatch_step *steps, uint32_t count, uint32_t x, uint32_t height)
+static uint64_t area_between(const struct step *steps, uint32_t count, uint32_t x, uint32_t height)
 {
     uint64_t area = 0;
     uint32_t sum = 0;
@@ -46,8 +212,8 @@ static uint64_t area_between(const struct hatch_step *steps, uint32_t count, uin
 /* The x of a random step, with a probability in proportion to its height. Where a few strokes cross, all texels of
  * the crossing use the same random number, on every level; a number per texel would let a stroke appear in dots.
  * More steps are a shade of grey, and a number per texel dithers it. */
-static uint32_t pick_x(const struct job *job, const struct hatch_step *steps, uint32_t count, uint32_t height,
-                       uint32_t bin, size_t texel)
+static uint32_t pick_x(const struct job *job, const struct step *steps, uint32_t count, uint32_t height, uint32_t bin,
+                       size_t texel)
 {
     uint64_t stream = bin, key = 0, i = 0;
     if (count > CROSSING_STROKES_MAX) {
@@ -65,8 +231,8 @@ static uint32_t pick_x(const struct job *job, const struct hatch_step *steps, ui
 
 static void merge_texel(const struct job *job, size_t texel, struct sums *sums)
 {
-    struct hatch_step steps[HATCH_TAM_TONES_MAX];
-    uint32_t count = hatch_steps_of_texel(job->runs, job->code, job->level, texel, steps), from = 0;
+    struct step steps[HATCH_TAM_TONES_MAX];
+    uint32_t count = steps_of_texel(job->runs, job->code, job->level, texel, steps), from = 0;
     uint64_t error = 0;
     for (uint32_t bin = 0; bin < job->options->bins; bin++) {
         uint32_t to = from, height = 0;
@@ -234,9 +400,9 @@ static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_th
     if (options->border)
         memcpy(made->border, options->border, (options->bins + 1) * sizeof *made->border);
     else
-        HATCH_TRY(hatch_steps_fit(tam, &runs, options->bins, scratch, made->border, err));
-    hatch_step_codes(tam, code);
-    hatch_bin_codes(made->border, options->bins, first);
+        HATCH_TRY(fit_steps(tam, &runs, options->bins, scratch, made->border, err));
+    step_codes(tam, code);
+    bin_codes(made->border, options->bins, first);
     struct job job = {
         .tam = tam, .options = options, .runs = &runs, .texels = &made->texels, .code = code, .first = first};
     HATCH_TRY(make_levels(&job, pool, scratch, &sums, err));

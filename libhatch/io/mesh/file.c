@@ -131,8 +131,7 @@ enum hatch_status hatch_mesh_read(struct hatch_mesh_file file, struct hatch_aren
     }
     if (status == HATCH_OK)
         status = hatch_mesh_check(&made, err);
-    if (status != HATCH_OK)
-        return status;
+    HATCH_TRY(status);
     *mesh = made;
     *notes = noted;
     if (origin)

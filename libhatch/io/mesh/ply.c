@@ -1,19 +1,187 @@
 /* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and
  * triangle strips. Only read_number, skip_property and the size checks depend on the form. */
-#include "io/mesh/ply.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "io/mesh/polygon.h"
+#include "io/mesh/text.h"
+
+#define PLY_ELEMENTS_MAX 16u
+#define PLY_PROPERTIES_MAX 64u
+
+enum ply_type { PLY_NONE, PLY_INT8, PLY_UINT8, PLY_INT16, PLY_UINT16, PLY_INT32, PLY_UINT32, PLY_FLOAT32, PLY_FLOAT64 };
+
+/* Meaning of a property; PLY_SKIP: not read. */
+enum ply_use { PLY_SKIP, PLY_X, PLY_Y, PLY_Z, PLY_NX, PLY_NY, PLY_NZ, PLY_U, PLY_V, PLY_INDICES, PLY_USES };
+
+struct ply_property {
+    enum ply_type type;
+    enum ply_type count_type; /* of a list; PLY_NONE for a single number */
+    enum ply_use use;
+};
+
+enum ply_kind { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIPS };
+
+struct ply_element {
+    enum ply_kind kind;
+    char name[32];
+    uint64_t count;
+    uint32_t property_count;
+    struct ply_property properties[PLY_PROPERTIES_MAX];
+};
+
+struct ply_header {
+    bool ascii, big_endian;
+    uint32_t element_count;
+    struct ply_element elements[PLY_ELEMENTS_MAX];
+};
+
+/* Bytes of a binary number; 0 for PLY_NONE. */
+static size_t size_of(enum ply_type type)
+{
+    static const size_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[type];
+}
+
+static enum ply_type type_of(struct hatch_text word)
+{
+    static const struct {
+        const char *name;
+        enum ply_type type;
+    } names[] = {
+        {"char", PLY_INT8},     {"int8", PLY_INT8},       {"uchar", PLY_UINT8},    {"uint8", PLY_UINT8},
+        {"short", PLY_INT16},   {"int16", PLY_INT16},     {"ushort", PLY_UINT16},  {"uint16", PLY_UINT16},
+        {"int", PLY_INT32},     {"int32", PLY_INT32},     {"uint", PLY_UINT32},    {"uint32", PLY_UINT32},
+        {"float", PLY_FLOAT32}, {"float32", PLY_FLOAT32}, {"double", PLY_FLOAT64}, {"float64", PLY_FLOAT64},
+    };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (hatch_text_is(word, names[i].name))
+            return names[i].type;
+    return PLY_NONE;
+}
+
+static enum ply_use use_of(enum ply_kind kind, bool list, struct hatch_text word)
+{
+    static const struct {
+        const char *name;
+        enum ply_use use;
+    } names[] = {
+        {"x", PLY_X}, {"y", PLY_Y}, {"z", PLY_Z}, {"nx", PLY_NX}, {"ny", PLY_NY},       {"nz", PLY_NZ},
+        {"u", PLY_U}, {"v", PLY_V}, {"s", PLY_U}, {"t", PLY_V},   {"texture_u", PLY_U}, {"texture_v", PLY_V},
+    };
+    if ((kind == PLY_FACE || kind == PLY_STRIPS) && list)
+        return hatch_text_is(word, "vertex_indices") || hatch_text_is(word, "vertex_index") ? PLY_INDICES : PLY_SKIP;
+    for (size_t i = 0; kind == PLY_VERTEX && !list && i < sizeof names / sizeof *names; i++)
+        if (hatch_text_is(word, names[i].name))
+            return names[i].use;
+    return PLY_SKIP;
+}
+
+static enum hatch_status read_format(struct hatch_mesh_text *text, struct ply_header *header, struct hatch_err *err)
+{
+    struct hatch_text format = hatch_mesh_text_word(text), version = hatch_mesh_text_word(text);
+    header->ascii = hatch_text_is(format, "ascii");
+    header->big_endian = hatch_text_is(format, "binary_big_endian");
+    if ((!header->ascii && !header->big_endian && !hatch_text_is(format, "binary_little_endian")) ||
+        !hatch_text_is(version, "1.0"))
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown format %.*s", text->line,
+                          hatch_mesh_text_shown(format), format.at);
+    return HATCH_OK;
+}
+
+static enum hatch_status read_element(struct hatch_mesh_text *text, struct ply_header *header, struct hatch_err *err)
+{
+    if (header->element_count == PLY_ELEMENTS_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u elements", text->line, PLY_ELEMENTS_MAX);
+    struct hatch_text name = hatch_mesh_text_word(text), number = hatch_mesh_text_word(text);
+    struct ply_element *element = &header->elements[header->element_count];
+    int64_t count;
+    if (name.length >= sizeof element->name || !hatch_mesh_text_integer(number, &count) || count < 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: element %.*s: %.*s is not a count", text->line,
+                          hatch_mesh_text_shown(name), name.at, hatch_mesh_text_shown(number), number.at);
+    memcpy(element->name, name.at, name.length);
+    element->count = (uint64_t)count;
+    element->kind = hatch_text_is(name, "vertex")      ? PLY_VERTEX
+                    : hatch_text_is(name, "face")      ? PLY_FACE
+                    : hatch_text_is(name, "tristrips") ? PLY_STRIPS
+                                                       : PLY_OTHER;
+    header->element_count++;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_property(struct hatch_mesh_text *text, struct ply_header *header, struct hatch_err *err)
+{
+    if (header->element_count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a property before any element", text->line);
+    struct ply_element *element = &header->elements[header->element_count - 1];
+    if (element->property_count == PLY_PROPERTIES_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: more than %u properties", text->line, PLY_PROPERTIES_MAX);
+    struct ply_property property = {PLY_NONE, PLY_NONE, PLY_SKIP};
+    struct hatch_text word = hatch_mesh_text_word(text);
+    bool list = hatch_text_is(word, "list");
+    if (list) {
+        property.count_type = type_of(hatch_mesh_text_word(text));
+        word = hatch_mesh_text_word(text);
+    }
+    property.type = type_of(word);
+    struct hatch_text name = hatch_mesh_text_word(text);
+    bool integer_count = property.count_type != PLY_FLOAT32 && property.count_type != PLY_FLOAT64;
+    if (property.type == PLY_NONE || (list && property.count_type == PLY_NONE) || !integer_count || name.length == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: property %.*s has an unknown type", text->line,
+                          hatch_mesh_text_shown(name), name.at);
+    property.use = use_of(element->kind, list, name);
+    element->properties[element->property_count++] = property;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_line(struct hatch_mesh_text *text, struct ply_header *header, bool *format_seen,
+                                   struct hatch_err *err)
+{
+    struct hatch_text word = hatch_mesh_text_word(text);
+    if (hatch_text_is(word, "format")) {
+        *format_seen = true;
+        return read_format(text, header, err);
+    }
+    if (hatch_text_is(word, "element"))
+        return read_element(text, header, err);
+    if (hatch_text_is(word, "property"))
+        return read_property(text, header, err);
+    if (word.length == 0 || hatch_text_is(word, "comment") || hatch_text_is(word, "obj_info"))
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", text->line, hatch_mesh_text_shown(word),
+                      word.at);
+}
+
+/* Reads the header, including the line end_header; text is then at the body's first byte.
+ * HATCH_BAD_INPUT with the line. */
+static enum hatch_status read_header(struct hatch_mesh_text *text, struct ply_header *header, struct hatch_err *err)
+{
+    bool format_seen = false;
+    if (!hatch_text_is(hatch_mesh_text_word(text), "ply"))
+        return hatch_fail(err, HATCH_BAD_INPUT, "does not start with ply");
+    *header = (struct ply_header){.ascii = false};
+    for (;;) {
+        if (!hatch_mesh_text_next_line(text))
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: truncated before end_header", text->line);
+        struct hatch_mesh_text ahead = *text;
+        if (hatch_text_is(hatch_mesh_text_word(&ahead), "end_header"))
+            break;
+        HATCH_TRY(read_line(text, header, &format_seen, err));
+    }
+    hatch_mesh_text_next_line(text);
+    if (!format_seen)
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the header has no format", text->line);
+    return HATCH_OK;
+}
 
 struct ply {
-    struct hatch_ply_header header;
+    struct ply_header header;
     const double *origin;
-    struct hatch_mesh_text text;             /* ascii */
-    struct hatch_reader reader;              /* binary */
-    const struct hatch_ply_element *element; /* being read */
-    uint64_t item;                           /* index in element, for messages */
+    struct hatch_mesh_text text;       /* ascii */
+    struct hatch_reader reader;        /* binary */
+    const struct ply_element *element; /* being read */
+    uint64_t item;                     /* index in element, for messages */
     struct hatch_arena *scratch;
     uint32_t vertex_count;
     float *positions, *normals, *texcoords; /* NULL if the file has none */
@@ -30,22 +198,22 @@ static enum hatch_status fail(const struct ply *p, struct hatch_err *err, const 
                       (unsigned long long)p->item, what);
 }
 
-static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
+static double read_binary(struct hatch_reader *reader, enum ply_type type)
 {
     switch (type) {
-    case HATCH_PLY_INT8:
+    case PLY_INT8:
         return (int8_t)hatch_read_u8(reader);
-    case HATCH_PLY_UINT8:
+    case PLY_UINT8:
         return hatch_read_u8(reader);
-    case HATCH_PLY_INT16:
+    case PLY_INT16:
         return (int16_t)hatch_read_u16(reader);
-    case HATCH_PLY_UINT16:
+    case PLY_UINT16:
         return hatch_read_u16(reader);
-    case HATCH_PLY_INT32:
+    case PLY_INT32:
         return (int32_t)hatch_read_u32(reader);
-    case HATCH_PLY_UINT32:
+    case PLY_UINT32:
         return hatch_read_u32(reader);
-    case HATCH_PLY_FLOAT32:
+    case PLY_FLOAT32:
         return (double)hatch_read_f32(reader);
     default:
         return hatch_read_f64(reader);
@@ -53,7 +221,7 @@ static double read_binary(struct hatch_reader *reader, enum hatch_ply_type type)
 }
 
 /* Reads the next number; doubles represent the values of all types exactly. */
-static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, double *number, struct hatch_err *err)
+static enum hatch_status read_number(struct ply *p, enum ply_type type, double *number, struct hatch_err *err)
 {
     if (p->header.ascii) {
         struct hatch_text word = hatch_mesh_text_any_word(&p->text);
@@ -66,13 +234,13 @@ static enum hatch_status read_number(struct ply *p, enum hatch_ply_type type, do
 }
 
 /* The minimum bytes of an element; in ascii a digit and a separator per number. */
-static size_t min_size(const struct ply *p, const struct hatch_ply_element *element)
+static size_t min_size(const struct ply *p, const struct ply_element *element)
 {
     size_t size = 0;
     for (uint32_t i = 0; i < element->property_count; i++) {
-        const struct hatch_ply_property *property = &element->properties[i];
-        enum hatch_ply_type type = property->count_type ? property->count_type : property->type;
-        size += p->header.ascii ? 2 : hatch_ply_size(type);
+        const struct ply_property *property = &element->properties[i];
+        enum ply_type type = property->count_type ? property->count_type : property->type;
+        size += p->header.ascii ? 2 : size_of(type);
     }
     return size;
 }
@@ -81,7 +249,7 @@ static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
 {
     size_t remaining = p->header.ascii ? hatch_mesh_text_remaining(&p->text) : hatch_reader_left(&p->reader);
     size_t smallest = min_size(p, p->element);
-    if (!smallest && p->element->kind != HATCH_PLY_OTHER && p->element->count)
+    if (!smallest && p->element->kind != PLY_OTHER && p->element->count)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: no properties", p->element->name);
     if (smallest && p->element->count > remaining / smallest + 1)
         return hatch_fail(err, HATCH_BAD_INPUT,
@@ -91,13 +259,13 @@ static enum hatch_status check_count(struct ply *p, struct hatch_err *err)
 }
 
 /* Reads a list's length and checks it against the remaining bytes. */
-static enum hatch_status read_length(struct ply *p, const struct hatch_ply_property *property, uint32_t *length,
+static enum hatch_status read_length(struct ply *p, const struct ply_property *property, uint32_t *length,
                                      struct hatch_err *err)
 {
     double number;
     HATCH_TRY(read_number(p, property->count_type, &number, err));
     size_t longest = p->header.ascii ? hatch_mesh_text_remaining(&p->text) / 2 + 1
-                                     : hatch_reader_left(&p->reader) / hatch_ply_size(property->type);
+                                     : hatch_reader_left(&p->reader) / size_of(property->type);
     if (!(number >= 0 && number <= (double)longest && number < (double)INT32_MAX))
         return fail(p, err, "a list is longer than the file");
     if (floor(number) < number)
@@ -107,7 +275,7 @@ static enum hatch_status read_length(struct ply *p, const struct hatch_ply_prope
 }
 
 /* In ascii a skipped value may be any word: scanners write "nan" for an unknown quality. */
-static enum hatch_status skip_property(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
+static enum hatch_status skip_property(struct ply *p, const struct ply_property *property, struct hatch_err *err)
 {
     uint32_t length = 1;
     double number;
@@ -123,21 +291,21 @@ static enum hatch_status skip_property(struct ply *p, const struct hatch_ply_pro
 
 static enum hatch_status allocate_vertices(struct ply *p, struct hatch_err *err)
 {
-    bool has[HATCH_PLY_USES] = {false};
+    bool has[PLY_USES] = {false};
     for (uint32_t i = 0; i < p->element->property_count; i++)
         has[p->element->properties[i].use] = true;
     if (p->positions)
         return fail(p, err, "the element vertex occurs twice");
-    if (!has[HATCH_PLY_X] || !has[HATCH_PLY_Y] || !has[HATCH_PLY_Z])
+    if (!has[PLY_X] || !has[PLY_Y] || !has[PLY_Z])
         return hatch_fail(err, HATCH_BAD_INPUT, "element vertex: no properties x, y and z");
     if (p->element->count > INT32_MAX)
         return hatch_fail(err, HATCH_LIMIT, "element vertex: more than %d vertices", INT32_MAX);
     p->vertex_count = (uint32_t)p->element->count;
     HATCH_TRY(HATCH_ALLOC(p->scratch, &p->positions, (size_t)p->vertex_count * 3, err));
-    if (has[HATCH_PLY_NX] && has[HATCH_PLY_NY] && has[HATCH_PLY_NZ]) {
+    if (has[PLY_NX] && has[PLY_NY] && has[PLY_NZ]) {
         HATCH_TRY(HATCH_ALLOC(p->scratch, &p->normals, (size_t)p->vertex_count * 3, err));
     }
-    if (has[HATCH_PLY_U] && has[HATCH_PLY_V]) {
+    if (has[PLY_U] && has[PLY_V]) {
         HATCH_TRY(HATCH_ALLOC(p->scratch, &p->texcoords, (size_t)p->vertex_count * 2, err));
     }
     return HATCH_OK;
@@ -148,9 +316,9 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
     HATCH_TRY(allocate_vertices(p, err));
     for (p->item = 0; p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++) {
-            const struct hatch_ply_property *property = &p->element->properties[i];
+            const struct ply_property *property = &p->element->properties[i];
             double number;
-            if (property->use == HATCH_PLY_SKIP) {
+            if (property->use == PLY_SKIP) {
                 HATCH_TRY(skip_property(p, property, err));
                 continue;
             }
@@ -159,18 +327,18 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
             if (!isfinite(value))
                 return fail(p, err, "a number is not finite");
             size_t v = (size_t)p->item, k = (size_t)property->use;
-            if (k <= HATCH_PLY_Z)
-                p->positions[v * 3 + k - HATCH_PLY_X] = (float)(number - p->origin[k - HATCH_PLY_X]);
-            else if (k <= HATCH_PLY_NZ && p->normals)
-                p->normals[v * 3 + k - HATCH_PLY_NX] = value;
-            else if (k >= HATCH_PLY_U && p->texcoords)
-                p->texcoords[v * 2 + k - HATCH_PLY_U] = value;
+            if (k <= PLY_Z)
+                p->positions[v * 3 + k - PLY_X] = (float)(number - p->origin[k - PLY_X]);
+            else if (k <= PLY_NZ && p->normals)
+                p->normals[v * 3 + k - PLY_NX] = value;
+            else if (k >= PLY_U && p->texcoords)
+                p->texcoords[v * 2 + k - PLY_U] = value;
         }
     return HATCH_OK;
 }
 
 /* Reads a list of corners. In strips -1 begins a new strip and is stored as UINT32_MAX. */
-static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_property *property, struct hatch_err *err)
+static enum hatch_status read_corners(struct ply *p, const struct ply_property *property, struct hatch_err *err)
 {
     uint32_t length;
     HATCH_TRY(read_length(p, property, &length, err));
@@ -178,7 +346,7 @@ static enum hatch_status read_corners(struct ply *p, const struct hatch_ply_prop
     for (uint32_t i = 0; i < length; i++) {
         double number;
         HATCH_TRY(read_number(p, property->type, &number, err));
-        bool restart = p->element->kind == HATCH_PLY_STRIPS && number == -1;
+        bool restart = p->element->kind == PLY_STRIPS && number == -1;
         if (!restart && !(number >= 0 && number < p->vertex_count && floor(number) == number))
             return fail(p, err, "a corner is not a vertex index");
         uint32_t corner = restart ? UINT32_MAX : (uint32_t)number;
@@ -212,15 +380,15 @@ static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: must follow the element vertex", p->element->name);
     for (p->item = 0; p->item < p->element->count; p->item++)
         for (uint32_t i = 0; i < p->element->property_count; i++) {
-            const struct hatch_ply_property *property = &p->element->properties[i];
-            if (property->use != HATCH_PLY_INDICES) {
+            const struct ply_property *property = &p->element->properties[i];
+            if (property->use != PLY_INDICES) {
                 HATCH_TRY(skip_property(p, property, err));
                 continue;
             }
             HATCH_TRY(read_corners(p, property, err));
             const uint32_t *corner = (const uint32_t *)(const void *)p->corners.data;
             uint32_t count = (uint32_t)(p->corners.size / sizeof *corner);
-            if (p->element->kind == HATCH_PLY_STRIPS)
+            if (p->element->kind == PLY_STRIPS)
                 HATCH_TRY(add_strips(p, corner, count, err));
             else
                 HATCH_TRY(hatch_faces_add(&p->faces, p->positions, corner, corner, count, err));
@@ -242,9 +410,9 @@ static enum hatch_status read_body(struct ply *p, struct hatch_err *err)
         p->element = &p->header.elements[e];
         p->item = 0;
         HATCH_TRY(check_count(p, err));
-        if (p->element->kind == HATCH_PLY_VERTEX)
+        if (p->element->kind == PLY_VERTEX)
             HATCH_TRY(read_vertices(p, err));
-        else if (p->element->kind == HATCH_PLY_OTHER)
+        else if (p->element->kind == PLY_OTHER)
             HATCH_TRY(skip_element(p, err));
         else
             HATCH_TRY(read_faces(p, err));
@@ -264,7 +432,7 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     p->faces = hatch_faces_in(scratch);
     p->origin = origin;
     p->text = hatch_mesh_text_of(file);
-    HATCH_TRY(hatch_ply_read_header(&p->text, &p->header, err));
+    HATCH_TRY(read_header(&p->text, &p->header, err));
     p->reader = hatch_reader_of(file);
     p->reader.big_endian = p->header.big_endian;
     p->reader.at = (size_t)(p->text.at - (const char *)file.data);

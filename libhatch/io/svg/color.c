@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "image/color.h"
-#include "image/image.h"
 #include "io/svg/parts.h"
 
 static const struct {
