@@ -3,7 +3,7 @@
 
 #include "shared/map.h"
 #include "shared/texels.h"
-#include "image/blocks.h"
+#include "image/block_compress.h"
 #include "tam/volume.h"
 
 static int64_t tones = 64;

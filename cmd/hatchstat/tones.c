@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "shared/map.h"
-#include "image/blocks.h"
+#include "image/block_compress.h"
 #include "io/texture/container.h"
 #include "measure/tone_figures.h"
 #include "subject.h"

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <math.h>
 
+#include "seed/seeds_make.h"
 #include "seed/spread.h"
 #include "shared/cmd.h"
 

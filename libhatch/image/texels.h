@@ -10,7 +10,7 @@
 /* Format of the texels. */
 enum hatch_texels_code {
     HATCH_TEXELS_PLAIN, /* UNORM, 8 bits per channel */
-    HATCH_TEXELS_BC1,   /* three channels in blocks of 4x4 texels, 8 bytes each: image/blocks.h */
+    HATCH_TEXELS_BC1,   /* three channels in blocks of 4x4 texels, 8 bytes each: image/block_compress.h */
     HATCH_TEXELS_BC4,   /* one channel, 8 bytes per block */
     HATCH_TEXELS_BC7,   /* three or four channels, 16 bytes per block */
     HATCH_TEXELS_R32UI  /* one unsigned integer of 32 bits, little-endian */

@@ -1,6 +1,6 @@
 #include "fuzz.h"
 
-#include "image/blocks.h"
+#include "image/block_compress.h"
 #include "io/texture/container.h"
 #include "tam/exact.h"
 #include "tam/thresholds.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "seed/rptam.h"
-#include "seed/spread.h"
+#include "seed/seeds_make.h"
 
 static struct hatch_rptam rptam;
 

@@ -2,7 +2,7 @@
 #include "run.h"
 
 #include "rptam_model.h"
-#include "view/orbit.h"
+#include "view/orbit_control.h"
 #include "zoom_reference.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "run.h"
 #include "seed/rptam.h"
-#include "seed/spread.h"
+#include "seed/seeds_make.h"
 
 /* Parameters of a model; 0 stands for the default given. */
 struct model_how {

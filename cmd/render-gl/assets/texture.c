@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "image/blocks.h"
+#include "image/block_compress.h"
 #include "io/texture/container.h"
 #include "tam/thresholds.h"
 #include "tam/volume.h"

@@ -3,7 +3,7 @@
 
 #include "math/angle.h"
 #include "render-gl/technique/rptam.h"
-#include "seed/spread.h"
+#include "seed/seeds_make.h"
 #include "shared/style.h"
 
 #define STYLE_TILE_PX 128 /* side of the tile that a drawing style's stroke lengths refer to */

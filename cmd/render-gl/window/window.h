@@ -7,7 +7,7 @@
 #include <GLFW/glfw3.h>
 
 #include "render-gl/mode/job.h"
-#include "view/orbit.h"
+#include "view/orbit_control.h"
 
 #define WINDOW_PARAMS_MAX 32u
 

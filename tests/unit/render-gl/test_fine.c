@@ -2,7 +2,7 @@
  * the screen, with texels larger and smaller than pixels. */
 #include <math.h>
 
-#include "image/blocks.h"
+#include "image/block_compress.h"
 #include "render_frame.h"
 #include "render_map.h"
 #include "tam/thresholds.h"

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "seed/life.h"
+#include "seed/seeds_make.h"
 #include "seed/spread.h"
 
 static struct hatch_seeds seeds;

@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "fail_alloc.h"
 #include "measure/seed_figures.h"
+#include "seed/seeds_make.h"
 #include "seed/spread.h"
 
 static enum hatch_status read_text(const char *text, struct hatch_seeds *seeds, struct hatch_err *error)

@@ -1,4 +1,4 @@
-#include "view/orbit.h"
+#include "view/orbit_control.h"
 
 #define POLE_RAD 1.5607 /* π/2 - 0.01 */
 

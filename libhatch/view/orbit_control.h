@@ -1,6 +1,6 @@
 /* Interactive camera: turns around a point, zooms and pans. */
-#ifndef HATCH_VIEW_ORBIT_H
-#define HATCH_VIEW_ORBIT_H
+#ifndef HATCH_VIEW_ORBIT_CONTROL_H
+#define HATCH_VIEW_ORBIT_CONTROL_H
 
 #include "view/view.h"
 

@@ -1,8 +1,8 @@
 /* Block compression of textures, 4x4 texels per block: BC1 (S3TC) for RGB, 8 bytes per block, BC4 (RGTC1) for one
  * channel, 8 bytes, and BC7 (BPTC) for RGB or RGBA, 16 bytes, mode 6 only (Khronos Data Format Specification 1.3,
  * sections 18, 20.4 and 21; OpenGL 4.5, appendix D). Blocks that exceed the texture repeat its last texels. */
-#ifndef HATCH_IMAGE_BLOCKS_H
-#define HATCH_IMAGE_BLOCKS_H
+#ifndef HATCH_IMAGE_BLOCK_COMPRESS_H
+#define HATCH_IMAGE_BLOCK_COMPRESS_H
 
 #include "base/parallel.h"
 #include "image/texels.h"

@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "fail_alloc.h"
-#include "image/blocks.h"
+#include "image/block_compress.h"
 
 static struct hatch_arena keep;
 static struct hatch_err err;

@@ -1,5 +1,5 @@
-/* Makes random seed sets and keeps those whose seed points are spread best. */
-#include <math.h>
+#include "seed/seeds_make.h"
+
 #include <string.h>
 
 #include "seed/spread.h"
@@ -91,34 +91,5 @@ enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, st
     HATCH_TRY(status);
     *seeds = made;
     *steps = choice.steps;
-    return HATCH_OK;
-}
-
-enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch, double *within,
-                                     double *together, struct hatch_err *err)
-{
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    size_t total = 0;
-    for (uint32_t i = 0; i < seeds->layer_count; i++)
-        total += seeds->layers[i].count;
-    if (total > UINT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "%zu seed points in all layers: want less than 2^32", total);
-    struct hatch_seed_point *points = HATCH_NEW(scratch, struct hatch_seed_point, total, err);
-    enum hatch_status status = points ? HATCH_OK : HATCH_LIMIT;
-    double smallest = 1, distance = 1;
-    uint32_t count = 0;
-    for (uint32_t i = 0; status == HATCH_OK && i < seeds->layer_count; i++) {
-        const struct hatch_seed_set *set = &seeds->layers[i];
-        hatch_seed_points(set, points + count);
-        status = hatch_spread_distance(points + count, set->count, scratch, &distance, err);
-        smallest = fmin(smallest, distance / hatch_spread_bound(set->count));
-        count += set->count;
-    }
-    if (status == HATCH_OK)
-        status = hatch_spread_distance(points, count, scratch, &distance, err);
-    hatch_arena_rewind(scratch, mark);
-    HATCH_TRY(status);
-    *within = smallest;
-    *together = distance / hatch_spread_bound(count);
     return HATCH_OK;
 }

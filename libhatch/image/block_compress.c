@@ -1,4 +1,4 @@
-#include "image/blocks.h"
+#include "image/block_compress.h"
 
 #include <assert.h>
 #include <math.h>
