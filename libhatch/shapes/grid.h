@@ -15,11 +15,33 @@ struct hatch_parametric_point {
  * along every whole number, so that the borders of pieces (the patches of the teapot) stay exact. */
 struct hatch_parametric {
     void (*at)(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point);
-    const void *context;         /* for at */
+    const void *context;         /* for at: of the teapot */
+    enum hatch_shape shape;      /* for at: of other shapes */
     uint32_t u_pieces, v_pieces; /* v_pieces: at most HATCH_PARAMETRIC_PIECES_MAX */
     bool wraps_u, wraps_v;       /* the surface is closed in this direction */
     bool pole_first, pole_last;  /* v = 0 or v = v_pieces is a single point */
 };
+
+/* Numbers of the shapes, for their points and for their curvature. */
+#define HATCH_TUBE_RADIUS 0.4
+#define HATCH_FRUSTUM_SLOPE 0.25 /* of its radius, 0.75 at y = 0, downwards */
+#define HATCH_HELICOID_RISE 0.35
+#define HATCH_CATENOID_WAIST 0.5
+static const double hatch_superquadric_axes[3] = {1.0, 0.8, 0.6};
+static const double hatch_bump_axis[3] = {0.0, 0.6, 0.8};
+
+/* A graph z = f(x, y): height and derivatives. */
+struct hatch_height {
+    double z, zx, zy, zxx, zxy, zyy;
+};
+
+/* Computes the height of a saddle, wave, Monge patch or eggbox; false for other shapes. */
+bool hatch_shape_height(enum hatch_shape shape, double x, double y, struct hatch_height *height);
+
+/* Computes the radius of a bump in a direction.
+ *   cosine   of the angle between the direction and hatch_bump_axis
+ *   slope    out: first and second derivative by the cosine */
+double hatch_bump_radius(double cosine, double slope[2]);
 
 /* Lengths measured on the surface. */
 struct hatch_parametric_size {

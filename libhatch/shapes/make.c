@@ -4,10 +4,25 @@
 #include "math/vector.h"
 #include "shapes/grid.h"
 
+#define ANISOTROPY_MIN 0.01 /* below, the true direction counts as undefined */
+
 static const char *const names[HATCH_SHAPE_COUNT] = {
-    [HATCH_SHAPE_TEAPOT] = "teapot",       [HATCH_SHAPE_SPHERE] = "sphere", [HATCH_SHAPE_CYLINDER] = "cylinder",
-    [HATCH_SHAPE_CONE] = "cone",           [HATCH_SHAPE_TORUS] = "torus",   [HATCH_SHAPE_PLANE] = "plane",
-    [HATCH_SHAPE_ELLIPSOID] = "ellipsoid", [HATCH_SHAPE_SADDLE] = "saddle", [HATCH_SHAPE_WAVE] = "wave",
+    [HATCH_SHAPE_TEAPOT] = "teapot",
+    [HATCH_SHAPE_SPHERE] = "sphere",
+    [HATCH_SHAPE_CYLINDER] = "cylinder",
+    [HATCH_SHAPE_CONE] = "cone",
+    [HATCH_SHAPE_TORUS] = "torus",
+    [HATCH_SHAPE_PLANE] = "plane",
+    [HATCH_SHAPE_ELLIPSOID] = "ellipsoid",
+    [HATCH_SHAPE_SADDLE] = "saddle",
+    [HATCH_SHAPE_WAVE] = "wave",
+    [HATCH_SHAPE_FRUSTUM] = "frustum",
+    [HATCH_SHAPE_MONGE] = "monge",
+    [HATCH_SHAPE_EGGBOX] = "eggbox",
+    [HATCH_SHAPE_SUPERQUADRIC] = "superquadric",
+    [HATCH_SHAPE_BUMP] = "bump",
+    [HATCH_SHAPE_HELICOID] = "helicoid",
+    [HATCH_SHAPE_CATENOID] = "catenoid",
 };
 
 const char *hatch_shape_name(enum hatch_shape shape)
@@ -126,7 +141,8 @@ static void fill_field(enum hatch_shape shape, struct hatch_mesh *mesh)
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         double position[3], normal[3], direction[3], curvature[2];
         hatch_vec_of(&positions[v * 3], position);
-        bool defined = hatch_shape_curvature(shape, position, normal, direction, curvature);
+        bool defined = hatch_shape_curvature(shape, position, normal, direction, curvature) &&
+                       fabs(curvature[0] - curvature[1]) >= ANISOTROPY_MIN * (fabs(curvature[0]) + fabs(curvature[1]));
         if (!defined)
             hatch_vec_of(&tangents[v * 4], direction);
         hatch_vec_round(direction, &field[v * 4]);

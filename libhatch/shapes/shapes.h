@@ -23,6 +23,13 @@ enum hatch_shape {
     HATCH_SHAPE_ELLIPSOID, /* semi-axes 1, 0.7, 0.5 along x, y, z */
     HATCH_SHAPE_SADDLE,    /* z = (x² − y²)/2 over [-1,1]² */
     HATCH_SHAPE_WAVE,      /* z = sin(4x)/8 over [-1,1]² */
+    HATCH_SHAPE_FRUSTUM,   /* cone from radius 1 to radius 0.5, height 2, open */
+    HATCH_SHAPE_MONGE,     /* z = sin(2x) cos(1.5y)/4 + x²/10 over [-1,1]² */
+    HATCH_SHAPE_EGGBOX,    /* z = 0.15 sin(3x) sin(3y) over [-1,1]² */
+    HATCH_SHAPE_SUPERQUADRIC, /* x⁴ + (y/0.8)⁴ + (z/0.6)⁴ = 1 */
+    HATCH_SHAPE_BUMP,         /* sphere of radius 1 with a bump, 0.25 high, within 60° of (0, 0.6, 0.8) */
+    HATCH_SHAPE_HELICOID,     /* (s cos t, 0.35 t, -s sin t), s in [-1,1], t in [-π,π]: a minimal surface */
+    HATCH_SHAPE_CATENOID,     /* radius 0.5 cosh(2y) around y, y in [-0.75,0.75]: a minimal surface */
     HATCH_SHAPE_COUNT
 };
 
@@ -42,7 +49,8 @@ struct hatch_shape_options {
     uint64_t seed; /* random seed */
     enum hatch_shape_uv uv;
     bool field; /* add _HATCH_DIR: the first principal direction by hatch_shape_curvature at the vertex without noise,
-                   with confidence 1; where it is undefined the tangent, with confidence 0 */
+                   with confidence 1; where the curvatures differ by less than 0.01 of the sum of their absolute
+                   values, the tangent with confidence 0 */
 };
 
 /* Returns "teapot" and so on; NULL for HATCH_SHAPE_COUNT and above. */

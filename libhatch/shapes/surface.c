@@ -4,7 +4,8 @@
 #include "math/vector.h"
 
 #define PI 3.14159265358979323846
-#define TUBE 0.4
+#define BUMP_HEIGHT 0.25
+#define BUMP_REACH 0.5 /* 1 - cosine of the angle from its axis at which the bump ends */
 
 static const double semi_axes[3] = {1.0, 0.7, 0.5};
 
@@ -58,7 +59,7 @@ static void torus_at(const struct hatch_parametric *surface, double u, double v,
 {
     (void)surface;
     double c = cos(2 * PI * v), s = -sin(2 * PI * v);
-    revolve(u, 1 + TUBE * c, TUBE * s, c, s, point);
+    revolve(u, 1 + HATCH_TUBE_RADIUS * c, HATCH_TUBE_RADIUS * s, c, s, point);
 }
 
 static void plane_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
@@ -68,24 +69,129 @@ static void plane_at(const struct hatch_parametric *surface, double u, double v,
         .position = {2 * u - 1, 1 - 2 * v, 0}, .normal = {0, 0, 1}, .along_u = {1, 0, 0}};
 }
 
-static void saddle_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
+bool hatch_shape_height(enum hatch_shape shape, double x, double y, struct hatch_height *height)
 {
-    (void)surface;
+    switch (shape) {
+    case HATCH_SHAPE_SADDLE:
+        *height = (struct hatch_height){.z = (x * x - y * y) / 2, .zx = x, .zy = -y, .zxx = 1, .zyy = -1};
+        return true;
+    case HATCH_SHAPE_WAVE:
+        *height = (struct hatch_height){.z = sin(4 * x) / 8, .zx = cos(4 * x) / 2, .zxx = -2 * sin(4 * x)};
+        return true;
+    case HATCH_SHAPE_MONGE: {
+        double sx = sin(2 * x), cx = cos(2 * x), sy = sin(1.5 * y), cy = cos(1.5 * y);
+        *height = (struct hatch_height){.z = 0.25 * sx * cy + 0.1 * x * x,
+                                        .zx = 0.5 * cx * cy + 0.2 * x,
+                                        .zy = -0.375 * sx * sy,
+                                        .zxx = -sx * cy + 0.2,
+                                        .zxy = -0.75 * cx * sy,
+                                        .zyy = -0.5625 * sx * cy};
+        return true;
+    }
+    case HATCH_SHAPE_EGGBOX: {
+        double sx = sin(3 * x), cx = cos(3 * x), sy = sin(3 * y), cy = cos(3 * y);
+        *height = (struct hatch_height){.z = 0.15 * sx * sy,
+                                        .zx = 0.45 * cx * sy,
+                                        .zy = 0.45 * sx * cy,
+                                        .zxx = -1.35 * sx * sy,
+                                        .zxy = 1.35 * cx * cy,
+                                        .zyy = -1.35 * sx * sy};
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+static void graph_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
+{
     double x = 2 * u - 1, y = 1 - 2 * v;
+    struct hatch_height at;
+    hatch_shape_height(surface->shape, x, y, &at);
     *point = (struct hatch_parametric_point){
-        .position = {x, y, (x * x - y * y) / 2}, .normal = {-x, y, 1}, .along_u = {1, 0, x}};
+        .position = {x, y, at.z}, .normal = {-at.zx, 0 - at.zy, 1}, .along_u = {1, 0, at.zx}};
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
 }
 
-static void wave_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
+static void frustum_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
 {
+    double y = 1 - 2 * v, across = 1 / sqrt(1 + HATCH_FRUSTUM_SLOPE * HATCH_FRUSTUM_SLOPE);
     (void)surface;
-    double x = 2 * u - 1, y = 1 - 2 * v, slope = cos(4 * x) / 2;
+    revolve(u, 0.75 - HATCH_FRUSTUM_SLOPE * y, y, across, HATCH_FRUSTUM_SLOPE * across, point);
+}
+
+static void catenoid_at(const struct hatch_parametric *surface, double u, double v,
+                        struct hatch_parametric_point *point)
+{
+    double y = 0.75 - 1.5 * v, c = cosh(y / HATCH_CATENOID_WAIST);
+    (void)surface;
+    revolve(u, HATCH_CATENOID_WAIST * c, y, 1 / c, -tanh(y / HATCH_CATENOID_WAIST), point);
+}
+
+static void helicoid_at(const struct hatch_parametric *surface, double u, double v,
+                        struct hatch_parametric_point *point)
+{
+    double s = 2 * u - 1, t = PI - 2 * PI * v, c = cos(t);
+    (void)surface;
     *point = (struct hatch_parametric_point){
-        .position = {x, y, sin(4 * x) / 8}, .normal = {-slope, 0, 1}, .along_u = {1, 0, slope}};
+        .position = {s * c, HATCH_HELICOID_RISE * t, -s * sin(t)},
+        .normal = {sin(t), s / HATCH_HELICOID_RISE, c},
+        .along_u = {c, 0, -sin(t)},
+    };
+    hatch_vec_normalize(point->normal);
+}
+
+double hatch_bump_radius(double cosine, double slope[2])
+{
+    double height = 1 - (1 - cosine) / BUMP_REACH;
+    if (!(height > 0))
+        height = 0;
+    double square = height * height;
+    slope[0] = 4 * BUMP_HEIGHT / BUMP_REACH * square * height;
+    slope[1] = 12 * BUMP_HEIGHT / (BUMP_REACH * BUMP_REACH) * square;
+    return 1 + BUMP_HEIGHT * square * square;
+}
+
+/* Moves a point of the unit sphere to a distance of radius from the centre.
+ *   gradient  of the radius by the direction */
+static void move_radially(double radius, const double gradient[3], struct hatch_parametric_point *point)
+{
+    double direction[3], inwards = hatch_vec_dot(gradient, point->position);
+    double along = hatch_vec_dot(gradient, point->along_u);
+    hatch_vec_copy(point->position, direction);
+    for (int k = 0; k < 3; k++) {
+        point->position[k] = radius * direction[k];
+        point->normal[k] = radius * direction[k] - (gradient[k] - inwards * direction[k]);
+        point->along_u[k] = radius * point->along_u[k] + along * direction[k];
+    }
     hatch_vec_normalize(point->normal);
     hatch_vec_normalize(point->along_u);
+}
+
+static void superquadric_at(const struct hatch_parametric *surface, double u, double v,
+                            struct hatch_parametric_point *point)
+{
+    double gradient[3], sum = 0;
+    sphere_at(surface, u, v, point);
+    for (int k = 0; k < 3; k++) {
+        double x = point->position[k], axis = hatch_superquadric_axes[k];
+        gradient[k] = x * x * x / (axis * axis * axis * axis);
+        sum += x * gradient[k];
+    }
+    for (int k = 0; k < 3; k++)
+        gradient[k] *= -1 / (sum * sqrt(sqrt(sum)));
+    move_radially(1 / sqrt(sqrt(sum)), gradient, point);
+}
+
+static void bump_at(const struct hatch_parametric *surface, double u, double v, struct hatch_parametric_point *point)
+{
+    double gradient[3], slope[2];
+    sphere_at(surface, u, v, point);
+    double radius = hatch_bump_radius(hatch_vec_dot(point->position, hatch_bump_axis), slope);
+    for (int k = 0; k < 3; k++)
+        gradient[k] = slope[0] * hatch_bump_axis[k];
+    move_radially(radius, gradient, point);
 }
 
 uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_parametric *surfaces)
@@ -97,12 +203,20 @@ uint32_t hatch_shape_surfaces(enum hatch_shape shape, struct hatch_parametric *s
         [HATCH_SHAPE_TORUS] = {.at = torus_at, .wraps_u = true, .wraps_v = true},
         [HATCH_SHAPE_PLANE] = {.at = plane_at},
         [HATCH_SHAPE_ELLIPSOID] = {.at = ellipsoid_at, .wraps_u = true, .pole_first = true, .pole_last = true},
-        [HATCH_SHAPE_SADDLE] = {.at = saddle_at},
-        [HATCH_SHAPE_WAVE] = {.at = wave_at},
+        [HATCH_SHAPE_SADDLE] = {.at = graph_at},
+        [HATCH_SHAPE_WAVE] = {.at = graph_at},
+        [HATCH_SHAPE_FRUSTUM] = {.at = frustum_at, .wraps_u = true},
+        [HATCH_SHAPE_MONGE] = {.at = graph_at},
+        [HATCH_SHAPE_EGGBOX] = {.at = graph_at},
+        [HATCH_SHAPE_SUPERQUADRIC] = {.at = superquadric_at, .wraps_u = true, .pole_first = true, .pole_last = true},
+        [HATCH_SHAPE_BUMP] = {.at = bump_at, .wraps_u = true, .pole_first = true, .pole_last = true},
+        [HATCH_SHAPE_HELICOID] = {.at = helicoid_at},
+        [HATCH_SHAPE_CATENOID] = {.at = catenoid_at, .wraps_u = true},
     };
     if (shape == HATCH_SHAPE_TEAPOT)
         return hatch_teapot_surfaces(surfaces);
     surfaces[0] = parametrics[shape];
+    surfaces[0].shape = shape;
     surfaces[0].u_pieces = surfaces[0].v_pieces = 1;
     return 1;
 }

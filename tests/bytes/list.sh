@@ -418,7 +418,8 @@ END
 }
 
 list_meshes() {
-    for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave; do
+    for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave \
+        frustum monge eggbox superquadric bump helicoid catenoid; do
         echo "meshgen-$shape meshgen $shape --faces 500 -v -o new.glb; hatchstat mesh new.glb; draw new.glb --tam map.exr"
     done
     for file in ring.obj ring.off ascii.ply little.ply big.ply binary.stl text.stl far.obj faulty.obj moebius.off; do
