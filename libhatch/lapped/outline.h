@@ -1,6 +1,6 @@
-/* The outline of all patches: one irregular blob with a feathered border (Lapped Textures, SIGGRAPH 2000, §3; kept
- * apart from the strokes as in Real-Time Hatching, §6). Mask coordinates are those of a unit square with the blob in
- * its middle; outside the square opacity is 0. The core is the area with opacity 1. */
+/* The outline that all patches share: one irregular blob with a feathered border (Lapped Textures, SIGGRAPH 2000, §3;
+ * kept apart from the strokes as in Real-Time Hatching, §6). Mask coordinates are those of a unit square with the blob
+ * in its middle; outside the square opacity is 0. The core is the area with opacity 1. */
 #ifndef HATCH_LAPPED_OUTLINE_H
 #define HATCH_LAPPED_OUTLINE_H
 
@@ -12,7 +12,7 @@ struct hatch_outline {
     double core_min;   /* radius of the largest circle around the middle that the core contains */
     double reach_max;  /* radius of the smallest circle around the middle that contains all opacity over 0 */
     double wave[8][2]; /* Fourier coefficients (cosine, sine) of the core's radius over the angle; [0][0] is its mean */
-    double steep;      /* a radial distance to the border is at most this many times the true one, 1 .. */
+    double steep;      /* bound of the radial distance to the border over the true distance, 1 .. */
 };
 
 /* Makes an outline.

@@ -10,7 +10,7 @@
 
 enum hatch_fill_method {
     HATCH_FILL_FIELD,     /* default: scores candidates on a potential field, then refines their positions */
-    HATCH_FILL_EXHAUSTIVE /* loop of the paper: each candidate's footprint on every level of every pyramid */
+    HATCH_FILL_EXHAUSTIVE /* the loop of the paper: scores each candidate's footprint on every level of every pyramid */
 };
 
 struct hatch_fill_options {

@@ -5,13 +5,13 @@
 #include "base/bytes.h"
 #include "seed/rptam.h"
 
-/* The values of a line; keys that it does not give are left to the caller. */
+/* The values that one line gives; values for absent keys are left to the caller. */
 struct hatch_layer_line {
     bool tone_given, turn_given;
-    double low, high;                         /* as in struct hatch_rptam_layer_style; with tone_given */
-    double turn_rad;                          /* direction of strokes, from u to v; with turn_given */
+    double low, high;                         /* as in struct hatch_rptam_layer_style; set if tone_given */
+    double turn_rad;                          /* direction of strokes, measured from u towards v; set if turn_given */
     double length_px, width_px, ink, tile_px; /* over 0; 0: not given */
-    const char *stroke;                       /* name of a file or a brush, zero-terminated; NULL: not given */
+    const char *stroke;                       /* name of a file or a brush, NUL-terminated; NULL: not given */
 };
 
 struct hatch_layers {

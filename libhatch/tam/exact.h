@@ -55,14 +55,15 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
                                    struct hatch_arena *scratch, struct hatch_exact *exact,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Interprets a file's texture as exact runs. Checks every offset in it, so that sampling stays within it.
+/* Interprets a file's texture as exact runs. Checks every offset in it, so that sampling never reads outside it.
  *   texels  its levels are kept by reference
  *   exact   out; unchanged on failure
- * HATCH_BAD_INPUT. */
+ * HATCH_BAD_INPUT for anything else. */
 enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, struct hatch_exact *exact,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the tone of a column, 0 .. columns - 1. */
+/* Returns the target tone of a column.
+ *   column  0 .. columns - 1 */
 float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column);
 
 /* Returns the reflectance, 0 .. 1: evaluates each texel, then filters bilinearly within a level and linearly
