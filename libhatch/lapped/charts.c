@@ -7,7 +7,7 @@
 
 /* Sample points along a side of a face, ten on the whole face, at which the visible patch is determined. */
 #define SAMPLES_SIDE 4
-/* Faces of a chart may overlap by this share of their width, since their coordinates are rounded. */
+/* Faces of a chart may overlap by this share of their width, because their coordinates are rounded. */
 #define OVERLAP_TOLERANCE 0.01
 
 struct work {
@@ -168,7 +168,7 @@ static enum hatch_status add_face(struct work *w, uint32_t face, uint32_t chart,
     return HATCH_OK;
 }
 
-/* Returns whether the faces of two opposite sides belong to one patch and join there. */
+/* Returns whether the faces of two opposite sides belong to one patch and are connected across these sides. */
 static bool joined(const struct work *w, uint32_t side, uint32_t other)
 {
     const uint32_t *corners = w->lapped->corners;

@@ -103,8 +103,8 @@ static bool cores_contain_corners(const struct core_union *cores)
     return true;
 }
 
-/* Returns whether a patch may be visible in a part, with opacity over 0 and no earlier core over it; false is
- * certain. */
+/* Returns whether a patch may be visible in a part, with opacity greater than 0 and not under the core of an earlier
+ * patch. A result of false is certain. */
 static bool may_show(const struct core_union *cores, const double mask[3][2], const double part[3][3], int depth)
 {
     double middle[2], radius = part_radius(mask, part, middle);

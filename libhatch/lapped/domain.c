@@ -6,9 +6,9 @@
 #include "math/vector.h"
 #include "mesh/edges.h"
 
-/* Faces, or points, per task. */
+/* Number of faces, or of points, per task. */
 #define SLICE 4096u
-/* Rounds of smoothing the turning rate, so that it describes a patch rather than a face. */
+/* Number of rounds in which the turning rate is smoothed, so that it describes a patch rather than a face. */
 #define BLUR_ROUNDS 4
 /* Default diameter of a patch over the diagonal of the mesh, and the fewest faces that a patch should have. */
 #define DEFAULT_SIZE 0.10
@@ -27,7 +27,7 @@
 #define SIZED_FACES_MAX 20000u
 /* Radius of the visible disk of a patch over half the side of its square. */
 #define SHOWN 0.75
-/* Effect of options->curved, and the smallest share of its size to which a patch shrinks. */
+/* Factor on options->curved, and the smallest share of its size to which a patch shrinks. */
 #define CURVED_GAIN 1.0
 #define CURVED_MIN 0.25
 
@@ -41,7 +41,7 @@ struct work {
     const struct hatch_lapped_input *input;
     struct hatch_patch_domain *domain;
     double *area;      /* per face */
-    double *angle_rad; /* per point: of the field in its frame */
+    double *angle_rad; /* per point: angle of the field in the point's frame */
 };
 
 static double square(double x)
@@ -278,7 +278,7 @@ enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input
     double *area = HATCH_NEW_UNSET(scratch, double, count, err);
     double *sum = area ? HATCH_NEW_UNSET(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
     if (sum) {
-        /* The angles are no longer needed when the blur uses sum. */
+        /* The angles are kept in sum, because they are no longer needed when the blur uses it. */
         struct work w = {input, &made, area, sum};
         hatch_parallel_for(pool, (surface->point_count + SLICE - 1) / SLICE, angle_slice, &w);
         hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, measure_slice, &w);

@@ -41,7 +41,7 @@ struct hatch_lapped_input {
 
 /* A vertex of a patch with its texture coordinates. */
 struct hatch_lapped_vertex {
-    uint32_t point;  /* of the surface */
+    uint32_t point;  /* point of the surface */
     double hatch[2]; /* (u, v) of the hatching in the mesh's units, with (0, 0) in the middle of the outline. u runs
                         along the field, in either sense, and v at a right angle to it; seen from outside with u to the
                         right, v points down. Lengths are kept within a factor of 1.6, so that strokes have the same
@@ -53,7 +53,7 @@ struct hatch_lapped_vertex {
  * counts. */
 struct hatch_lapped_patch {
     uint32_t first_vertex, vertex_count;
-    uint32_t first_face, face_count; /* into faces and corners */
+    uint32_t first_face, face_count; /* range in faces and corners */
     double radius;                   /* half the side of the outline's square, in the mesh's units */
     double shift[2];                 /* random offset that hatch_lapped_mesh adds, in tiles, -1 .. 1 */
 };
@@ -61,7 +61,7 @@ struct hatch_lapped_patch {
 struct hatch_lapped {
     uint32_t patch_count; /* in drawing order: later patches lie over earlier ones */
     struct hatch_lapped_patch *patches;
-    uint32_t vertex_count, face_count; /* over all patches */
+    uint32_t vertex_count, face_count; /* sums over all patches */
     struct hatch_lapped_vertex *vertices;
     uint32_t *faces;         /* per face of a patch: the surface's face */
     uint32_t *corners;       /* 3 per face: vertices, counted from the patch's first, in the order of the surface */

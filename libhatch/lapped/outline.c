@@ -12,7 +12,7 @@
 #define REACH_MAX 0.48
 /* Depth of the dents of the roughest outline, as a share of its radius. */
 #define DENT_MAX 0.22
-/* Directions per half turn at which the border is measured. */
+/* Number of directions per half turn at which the border is measured. */
 #define SAMPLES 512
 
 /* Returns the core's radius in a direction. It sums powers of a complex number of length 1, which, unlike sines of
@@ -74,7 +74,7 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
     measure(outline, bounds);
     outline->core_min = bounds[0];
     outline->reach_max = bounds[1] + feather;
-    /* See hatch_outline_depth. */
+    /* The bound of the slope that hatch_outline_depth relies on. */
     double inner = outline->core_min - (bounds[1] - bounds[0]) / 2;
     double slope = slope_of(outline) / inner;
     outline->steep = sqrt(1 + slope * slope);

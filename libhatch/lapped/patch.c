@@ -4,7 +4,7 @@
 #include "base/random.h"
 #include "lapped/work.h"
 
-/* Rounds of growing and solving before a patch is reduced to its seed face. */
+/* Largest number of rounds of growing and solving; after them, a patch is reduced to its seed face. */
 #define ROUNDS_MAX 24
 /* A face with a smaller determinant counts as turned over: its orientation must survive rounding to floats. */
 #define DETERMINANT_MIN 0.05

@@ -5,7 +5,7 @@
 
 /* A corner of the patch. Corners that agree in the first three members share a vertex of its mesh. */
 struct corner {
-    uint32_t vertex;  /* of the patch */
+    uint32_t vertex;  /* vertex of the patch */
     uint32_t origin;  /* vertex of the source mesh */
     uint32_t flipped; /* 1 if its normal must be flipped */
     uint32_t index;   /* its index among the patch's corners */

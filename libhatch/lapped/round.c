@@ -38,8 +38,8 @@ static uint32_t count_turned(const struct rounding *rounding, uint32_t vertex)
     return count;
 }
 
-/* Moves a vertex by the least distance with which the fewest of its faces are turned over. Returns false if no move
- * helps. */
+/* Moves a vertex to where the fewest of its faces are turned over, by the shortest move that achieves this. Returns
+ * false if no move helps. */
 static bool move_vertex(const struct rounding *rounding, uint32_t vertex)
 {
     static const int direction[DIRECTIONS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};

@@ -24,7 +24,7 @@
 #define ENTRY_MAX 1e7
 /* Least pivot as a share of the diagonal entry. */
 #define PIVOT_MIN 1e-12
-/* Relative weight of a face with an index, which need not follow the field. */
+/* Relative weight of a face in which the field has an index; such a face need not follow the field. */
 #define SINGULAR_WEIGHT 1e-3
 
 static enum hatch_status reserve_arrays(struct hatch_solver *solver, const struct hatch_patch *patch,

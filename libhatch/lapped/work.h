@@ -26,7 +26,7 @@ struct hatch_patch_domain {
     uint32_t faces_max; /* largest number of faces of one patch */
 };
 
-/* Prepares a surface for patches; the same for any number of threads. The arrays live in arena. */
+/* Prepares a surface for patches; the result is the same for any number of threads. The arrays live in arena. */
 enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input,
                                           const struct hatch_lapped_options *options, struct hatch_pool *pool,
                                           struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -51,7 +51,7 @@ double hatch_patch_enclosing_circle(const double corners[3][2], double center[2]
 
 /* A side on the boundary of a patch; another face of the surface lies behind it. */
 struct hatch_boundary_side {
-    uint32_t side;    /* of the surface */
+    uint32_t side;    /* side of the surface */
     uint32_t ends[2]; /* local vertices */
     bool covered;     /* the face behind is covered */
     bool growable;    /* growth may add the face behind */
@@ -111,7 +111,7 @@ struct hatch_last_position {
     uint32_t patch_number;
 };
 
-/* Growth of one patch after another. */
+/* The state of growing one patch after another. */
 struct hatch_growth {
     const struct hatch_patch_domain *domain;
     const struct hatch_outline *outline;
@@ -150,7 +150,8 @@ enum hatch_status hatch_growth_extend(struct hatch_growth *growth, struct hatch_
 /* Converts a position in the patch's plane to mask coordinates. */
 void hatch_patch_mask(const struct hatch_patch *patch, const double xy[2], double mask[2]);
 
-/* Returns whether a segment of the plane may contain a point with opacity over 0; false is certain. */
+/* Returns whether a segment of the plane may contain a point with opacity greater than 0. A result of false is
+ * certain. */
 bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline, const double a[2],
                          const double b[2]);
 
@@ -167,7 +168,7 @@ struct hatch_solver {
     uint32_t *first_column; /* per row: where its envelope begins */
     uint32_t *row_start;    /* per row: index in matrix that its column 0 would have, modulo 2^32 */
     double *gradients; /* 8 per face: gradients of its corners' hat functions, 2 numbers each; weight; target scale */
-    double (*matrix)[2], (*right_side)[2]; /* of x and of y */
+    double (*matrix)[2], (*right_side)[2]; /* [0] for x, [1] for y */
     uint32_t rank_capacity, strip_capacity, column_capacity, start_capacity;
     uint32_t gradient_capacity, matrix_capacity, right_capacity;
 };
@@ -180,7 +181,8 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct h
 struct hatch_fit {
     double determinant; /* 1 keeps the area; negative when turned over */
     double stretch;     /* larger over smaller singular value, 1 ..; infinite when turned over */
-    double angle_tan;   /* tangent of the angle between field and x axis; infinite when turned over or over 90° */
+    double angle_tan;   /* tangent of the angle between field and x axis; infinite when turned over or when the angle
+                           exceeds 90° */
 };
 
 /* Measures the distortion of a local face. */
@@ -190,7 +192,7 @@ void hatch_patch_fit(const struct hatch_patch_domain *domain, const struct hatch
 /* Stores the vertices' positions as the last ones of their points. */
 void hatch_growth_store_positions(struct hatch_growth *growth);
 
-/* Adds points along the segment from a to b. */
+/* Adds obstacle points along the segment from a to b. */
 enum hatch_status hatch_obstacles_add(struct hatch_obstacles *obstacles, const double a[2], const double b[2],
                                       struct hatch_err *err) HATCH_MUST_USE;
 
@@ -232,7 +234,7 @@ struct hatch_core_coverage {
     uint32_t entry_count, entry_capacity;
 };
 
-/* Makes a coverage without patches, in arena. */
+/* Makes a coverage that has no patches yet, in arena. */
 enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
                                            struct hatch_arena *arena, struct hatch_core_coverage *coverage,
                                            struct hatch_err *err) HATCH_MUST_USE;
@@ -256,10 +258,10 @@ struct hatch_order {
     double *distance;   /* per face: distance over the surface to the nearest covered face; infinite when far */
     double *middle;     /* 3 per face */
     uint8_t *postponed; /* per face: no patch begins here before gaps are filled */
-    uint32_t *smooth;   /* faces of the component, by rising turning_rate */
+    uint32_t *smooth;   /* faces of the component, in ascending order of turning_rate */
     uint32_t smooth_count, smooth_next;
     struct hatch_order_item *items, *spare; /* per face: for sorting */
-    struct hatch_heap queue;                /* of Dijkstra's algorithm: faces whose distance has fallen */
+    struct hatch_heap queue;                /* queue of Dijkstra's algorithm: faces whose distance has fallen */
     struct hatch_heap candidates;           /* faces at a suitable distance from covered ones, best first */
     struct hatch_heap gaps;                 /* remaining faces, farthest first */
     bool filling_gaps;                      /* only gaps remain in this component */

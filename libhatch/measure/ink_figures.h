@@ -11,9 +11,9 @@ struct hatch_ink_figures {
     double inked;        /* share of the pixels that are not paper */
     double grey;         /* share of the inked pixels that are grey */
     double grey_strokes; /* share of the inked pixels that are grey and, unlike edges, have no ink next to them */
-    /* Against the reference; NaN without one. */
+    /* Errors against the reference; NaN without one. */
     double tone_error; /* mean of |difference of mean darkness| over the windows that the reference darkens */
-    double tone_worst; /* maximum of the same */
+    double tone_worst; /* largest of these differences */
     double edge_error; /* root mean square difference of darkness over the reference's edge pixels */
 };
 

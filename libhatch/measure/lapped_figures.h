@@ -6,11 +6,11 @@
 #include "image/image.h"
 #include "scene/scene.h"
 
-/* Percentiles. */
+/* Indices of percentiles: 50 %, 95 %, 99 % and the maximum. */
 enum { HATCH_LAPPED_P50, HATCH_LAPPED_P95, HATCH_LAPPED_P99, HATCH_LAPPED_MAX, HATCH_LAPPED_SHARES };
 
 struct hatch_lapped_figures {
-    uint32_t patches;     /* meshes whose material has an outline */
+    uint32_t patches;     /* meshes that nodes use and whose material has an outline */
     uint32_t hidden;      /* patches that are visible at no sample */
     uint32_t faces;       /* faces of the surface: coincident faces of patches count once */
     uint32_t patch_faces; /* faces of all patches */

@@ -8,9 +8,9 @@
 struct hatch_uv_figures {
     double degenerate_share; /* share of the surface area in faces without texture area */
     double mirrored_share;   /* share of the remaining area in faces with a mirrored texture */
-    double angle[3];         /* larger / smaller singular value of the texture map: 5th, 50th, 95th percentile by
-                                area; 1 preserves angles */
-    double area[3];          /* texture area per area, relative to the mean: the same percentiles; 1 is uniform */
+    double angle[3]; /* larger / smaller singular value of the map to texture space: 5th, 50th, 95th percentile by area;
+                        1 preserves angles */
+    double area[3];  /* texture area per surface area, relative to the mean: the same percentiles; 1 is uniform */
 };
 
 struct hatch_mesh_figures {

@@ -68,7 +68,7 @@ static void fill_waves(double x, uint32_t steps, double complex *waves)
 
 struct waves {
     uint32_t count, steps;
-    double complex *u, *v; /* steps per seed point */
+    double complex *u, *v; /* per seed point, `steps` numbers */
 };
 
 static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)

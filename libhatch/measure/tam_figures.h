@@ -38,7 +38,7 @@ enum hatch_status hatch_measure_tam_image(const struct hatch_tam *tam, uint32_t 
 
 /* The strokes of a map, with everything that is needed to draw them. */
 struct hatch_tam_strokes {
-    const struct hatch_stroke_list *list; /* with column and level */
+    const struct hatch_stroke_list *list; /* their column and level must be set */
     const struct hatch_style *style;
     const struct hatch_brush *brush;
     float growth; /* as in the map's options */

@@ -20,7 +20,7 @@ float hatch_tone_sample_map(const void *subject, float u, float v, float tone, f
 /* S is the darkness of the subject, M that of the map; columns are those of the map around the tone. */
 struct hatch_tone_figures {
     double tone_error; /* mean over tones of |mean of S - M| */
-    double tone_worst; /* maximum over tones of the same */
+    double tone_worst; /* largest of these over tones */
     double error;      /* mean of |S - M| */
     double error_max;
     double grey;     /* share of the inked samples that are grey and differ from both columns */

@@ -20,11 +20,11 @@ struct hatch_canvas {
     const struct hatch_brush *brush;
     uint32_t size_px, levels;
     float *paper[HATCH_MIP_LEVELS_MAX]; /* reflectance per pixel of each level, 1 = paper; in colour the mean of rgb */
-    float *rgb[HATCH_MIP_LEVELS_MAX];   /* three per pixel; NULL without colour */
+    float *rgb[HATCH_MIP_LEVELS_MAX];   /* R, G and B of each pixel; NULL without colour */
     double darkness[HATCH_MIP_LEVELS_MAX]; /* 1 - mean reflectance of each level */
-    float *id[HATCH_MIP_LEVELS_MAX];       /* first stroke drawn on each pixel; 0: none; NULL without ids */
+    float *id[HATCH_MIP_LEVELS_MAX];       /* id of the first stroke drawn on each pixel; 0: none; NULL without ids */
     float *along[HATCH_MIP_LEVELS_MAX];    /* position along that stroke, 0 .. 1; NULL without ids */
-    struct hatch_footprint footprint;      /* of the stroke drawn or tried last */
+    struct hatch_footprint footprint;      /* footprint of the stroke drawn or tried last */
     float *change;                         /* loss of reflectance per pixel of footprint, in colour the mean of three */
     struct hatch_footprint before;         /* scratch: footprint of a growing stroke at its previous size */
 };

@@ -17,8 +17,9 @@ struct filler {
     const struct hatch_style *style;
     const struct hatch_fill_options *options;
     struct hatch_canvas canvas;
-    struct hatch_potential field;                                /* method FIELD */
-    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [level][0] is canvas.paper */
+    struct hatch_potential field; /* for HATCH_FILL_FIELD */
+    /* For HATCH_FILL_EXHAUSTIVE; [level][0] is canvas.paper. */
+    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX];
     float targets[HATCH_TAM_TONES_MAX];
     double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on a level; 0: none */
     struct hatch_arena *arena;
@@ -162,7 +163,8 @@ static bool is_shortest_too_dark(const struct filler *f, uint32_t tone, uint32_t
     return shortest > step && shortest > 2 * room;
 }
 
-/* TAKE: the stroke brings the image closer to its target; SHORTER: a shorter one may. */
+/* TAKE: the stroke brings the image closer to its target. SHORTER: a shorter one may. FRUITLESS: it does not darken the
+ * image. */
 enum verdict { TAKE, SHORTER, FRUITLESS };
 
 static enum verdict judge(double gain, double room)

@@ -16,7 +16,7 @@
 #define HATCH_POTENTIAL_PARTS 64u
 
 struct hatch_potential {
-    uint32_t size;    /* width and height of the grid, cells, a power of two */
+    uint32_t size;    /* width and height of the grid in cells, a power of two */
     uint32_t octaves; /* number of scales */
     float *potential; /* size² cells */
     float *share;     /* distribution of ink along a stroke: [n * (n - 1) / 2 + i] is the share in part i of n equal

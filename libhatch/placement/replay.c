@@ -28,9 +28,10 @@ struct replay {
     float targets[HATCH_TAM_TONES_MAX];
     uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* per stroke: first column that holds it on a level, plus 1; 0: none */
     uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* per level: next stroke in drawing order */
-    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of the strokes of each level but the finest */
-    struct ordered_stroke *order;                          /* with fit, the new strokes of an image */
-    double largest;                                        /* largest darkness that a stroke adds to an image */
+    /* With fit: per level but the finest, the potential of its strokes. */
+    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX];
+    struct ordered_stroke *order; /* with fit: the new strokes of an image */
+    double largest;               /* largest darkness that a stroke adds to an image */
     struct hatch_replay_result result;
 };
 

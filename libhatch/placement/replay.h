@@ -11,7 +11,7 @@ struct hatch_replay_options {
     const struct hatch_brush *brush; /* the brush of all strokes */
     uint32_t size_px, tones;         /* as in struct hatch_fill_options */
     uint32_t levels;                 /* number of drawn levels, 1 .. HATCH_STROKE_LEVELS_MAX */
-    uint64_t seed;                   /* random seed for leaving out strokes */
+    uint64_t seed;                   /* random seed that selects the strokes to leave out */
     bool ids, color;                 /* as in struct hatch_fill_options, but strokes have their own colours */
     const float *targets; /* target tone of each column, ascending; NULL: even steps to the darkness of the whole
                              drawing, shaped by the tone_gamma of the style */

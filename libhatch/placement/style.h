@@ -1,5 +1,5 @@
-/* Drawing styles: small text files with one "key value ..." per line; '#' begins a comment. hatch-style(5)
- * lists the keys, one for each member of struct hatch_style. */
+/* Drawing styles: small text files with one "key value ..." per line; '#' begins a comment. hatch-style(5) describes
+ * the keys, whose values struct hatch_style holds. */
 #ifndef HATCH_PLACEMENT_STYLE_H
 #define HATCH_PLACEMENT_STYLE_H
 
@@ -41,8 +41,8 @@ struct hatch_style {
     float length_min, length_max;     /* fractions of the tile, 0 .. 4; 0 0 makes dots */
     float jitter_rad;                 /* standard deviation of the direction */
     float ink;                        /* darkness of a stroke, 0.01 .. 1 */
-    float bend_min_rad, bend_max_rad; /* turn of a stroke from start to end, 0 .. HATCH_STROKE_BEND_MAX, to a random
-                                         side */
+    float bend_min_rad, bend_max_rad; /* range of the turn of a stroke from start to end, 0 .. HATCH_STROKE_BEND_MAX, to
+                                         a random side */
     enum hatch_overlap overlap;
     float tone_max; /* target tone of the last column, 0.01 .. 1 */
     bool tone_max_given;
@@ -61,7 +61,7 @@ void hatch_style_default(struct hatch_style *style);
 
 /* Parses a style file.
  *   style  in: values for absent keys; out: the style; unchanged on failure
- * HATCH_BAD_INPUT with the line for an unknown key, a wrong number of values or a value out of range. */
+ * HATCH_BAD_INPUT, naming the line, for an unknown key, a wrong number of values or a value out of range. */
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

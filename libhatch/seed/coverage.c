@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#define MARGIN 1e-9 /* tiles, against rounding */
+#define MARGIN 1e-9 /* in tiles, against rounding errors */
 
 /* A stroke's rectangle, grown by half the extent of a texel on every side, so that it contains the centre of every
  * texel that the stroke intersects. */

@@ -10,7 +10,7 @@ struct hatch_layer_line {
     bool tone_given, turn_given;
     double low, high;                         /* as in struct hatch_rptam_layer_style; set if tone_given */
     double turn_rad;                          /* direction of strokes, measured from u towards v; set if turn_given */
-    double length_px, width_px, ink, tile_px; /* over 0; 0: not given */
+    double length_px, width_px, ink, tile_px; /* greater than 0; 0 if not given */
     const char *stroke;                       /* name of a file or a brush, NUL-terminated; NULL: not given */
 };
 
@@ -21,8 +21,8 @@ struct hatch_layers {
 
 /* Reads a file. Empty lines, and text after a #, are ignored.
  *   layers  out, in arena; unchanged on failure
- * HATCH_BAD_INPUT with the line for an unknown or repeated key and for a missing value or one out of range, and for a
- * file without layers; HATCH_LIMIT for more than HATCH_RPTAM_LAYERS_MAX layers. */
+ * HATCH_BAD_INPUT, which names the line, for an unknown or repeated key, a missing value or a value out of range;
+ * HATCH_BAD_INPUT also for a file without layers; HATCH_LIMIT for more than HATCH_RPTAM_LAYERS_MAX layers. */
 enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_layers *layers,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

@@ -24,8 +24,8 @@ uint8_t hatch_life_tile(const struct hatch_seed_set *set, uint32_t seed);
 
 /* Computes the lifetimes of the strokes of a set. Time is quadratic in the number of seed points.
  *   points  those of the set
- *   life    out: [4 * seed + tile], in steps, with tiles as of hatch_life_tile; HATCH_LIFE_STAYS for the stroke that
- *           stays */
+ *   life    out: [4 * seed + tile], in steps, where tile is numbered as in hatch_life_tile; HATCH_LIFE_STAYS for the
+ *           stroke that stays */
 enum hatch_status hatch_life_make(const struct hatch_seed_set *set, const struct hatch_seed_point *points,
                                   enum hatch_fade_law law, struct hatch_arena *scratch, uint8_t *life,
                                   struct hatch_err *err) HATCH_MUST_USE;

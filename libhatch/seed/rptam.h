@@ -17,7 +17,7 @@
 #define HATCH_RPTAM_TONE_STEPS 256u      /* steps of the table `progress` */
 #define HATCH_RPTAM_COVERAGE_SIZES 4u    /* sizes of strokes for which coverage lists are made */
 #define HATCH_RPTAM_STROKE_TILES_MAX 8.0 /* largest length and width of a stroke, tiles */
-#define HATCH_RPTAM_AMOUNT_MIN 1e-4      /* a layer of a smaller amount is not drawn */
+#define HATCH_RPTAM_AMOUNT_MIN 1e-4      /* a layer with a smaller amount is not drawn */
 #define HATCH_RPTAM_THIN_PX 1.0 /* a stroke that fades by size gets no shorter or thinner; from there on it pales */
 #define HATCH_RPTAM_GRAIN_OFFSETS 8u /* largest number of images of a stroke that differ in grain, a power of two */
 
@@ -44,7 +44,7 @@ struct hatch_rptam_style {
 
 struct hatch_rptam_layer {
     struct hatch_rptam_layer_style style;
-    uint32_t count; /* of seed points */
+    uint32_t count; /* number of seed points */
     struct hatch_seed_point *points;
     double (*positions)[2];    /* the points as fractions of the tile */
     uint8_t *life;             /* lifetimes from hatch_life_make */
@@ -59,7 +59,7 @@ struct hatch_rptam_layer {
 struct hatch_rptam {
     struct hatch_rptam_style style;
     uint32_t layer_count;
-    struct hatch_rptam_layer layers[HATCH_RPTAM_LAYERS_MAX]; /* ordered by low */
+    struct hatch_rptam_layer layers[HATCH_RPTAM_LAYERS_MAX]; /* in ascending order of low */
     double darkest;                                          /* mean darkness of all layers complete */
     double progress[HATCH_RPTAM_TONE_STEPS + 1]; /* [i]: progress for a mean darkness of darkest * i / TONE_STEPS */
 };

@@ -1,4 +1,4 @@
-/* Construction of the model: coverage lists and the table of tones. */
+/* Makes the model: coverage lists and the table of tones. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -200,7 +200,7 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
         while (k + 2 < curve.count && curve.darkness[k + 1] < target)
             k++;
         if (k + 1 == curve.count)
-            break; /* no layer */
+            break; /* there is no layer */
         double from = mean_covers(curve.darkness[k]), rise = mean_covers(curve.darkness[k + 1]) - from;
         double part = rise > 0 ? (mean_covers(target) - from) / rise : 0;
         rptam->progress[step] = curve.progress[k] + part * (curve.progress[k + 1] - curve.progress[k]);

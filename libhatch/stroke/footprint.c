@@ -116,7 +116,7 @@ void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_
     }
     float reach_x = f.half_length * fabsf(f.cosine) + f.half_width * fabsf(f.sine) + 1;
     float reach_y = f.half_length * fabsf(f.sine) + f.half_width * fabsf(f.cosine) + 1;
-    if (f.radius != 0) /* no point of an arc is further than half its length from its middle */
+    if (f.radius != 0) /* no point of an arc is further than half the arc's length from its middle */
         reach_x = reach_y = f.half_length + f.half_width + 1;
     int32_t from = (int32_t)floorf(f.centre_y - reach_y), to = (int32_t)ceilf(f.centre_y + reach_y);
     for (int32_t y = from; y <= to; y++)

@@ -1,5 +1,5 @@
-/* Footprints of drawn paths: each pixel belongs to the nearest piece of the line, which gives its position along and
- * across; then the path is treated like a straight line. */
+/* Footprints of drawn paths. Each pixel belongs to the nearest piece of the line, which determines its position along
+ * and across; from there on the path is treated like a straight line. */
 #include <assert.h>
 #include <stdbool.h>
 

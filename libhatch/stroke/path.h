@@ -7,7 +7,7 @@
 #include "stroke/stroke.h"
 
 #define HATCH_PATH_REACH_MAX 64.0      /* tiles: largest distance of a point from the middle, per axis */
-#define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles */
+#define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles: largest length of a path */
 #define HATCH_LINE_LENGTH_MAX 16.0     /* tiles: largest length of a stroke without a path */
 #define HATCH_PATH_POINTS_MAX 1048576u
 
@@ -27,7 +27,7 @@ struct hatch_path_builder {
     struct hatch_arena *arena;
     double tolerance; /* largest distance of the polyline from a curve, in the unit of the points, greater than 0 */
     double *xy;       /* two numbers per point */
-    uint32_t count, capacity; /* points */
+    uint32_t count, capacity; /* number of points */
 };
 
 /* Adds a point, joined to the one before by a line; the first call begins the path. A point equal to the one before is

@@ -16,7 +16,7 @@ struct hatch_path;
 struct hatch_stroke {
     float x, y;            /* middle, fractions of the tile, [0, 1); y downwards */
     float length;          /* arc length, fraction of the tile, 0 upwards; 0 is a dot */
-    float angle_rad;       /* direction in the middle, from +x towards +y; of a path: of its chord */
+    float angle_rad;       /* direction in the middle, from +x towards +y; for a path, that of its chord */
     float bend_rad;        /* turn from start to end, positive from +x towards +y, -HATCH_STROKE_BEND_MAX ..
                               HATCH_STROKE_BEND_MAX; 0 if straight or if there is a path */
     float width_px;        /* greater than 0 */

@@ -2,7 +2,7 @@
 
 #include "surface/surface.h"
 
-#define BLOCK_POINTS 256u /* at most */
+#define BLOCK_POINTS 256u /* largest number of points of a block */
 #define QUEUED UINT32_MAX
 
 struct numbering {

@@ -6,7 +6,7 @@ struct walk {
     bool flipped;    /* whether the face is clockwise seen from the outside of the ring */
 };
 
-/* Returns the side over which a counter-clockwise walk enters or leaves the face. */
+/* Returns the side over which a counter-clockwise walk enters the face or, if leave is true, leaves it. */
 static uint32_t side_of(struct walk at, bool leave)
 {
     return leave != at.flipped ? hatch_side_end(hatch_side_end(at.corner)) : at.corner;

@@ -46,7 +46,7 @@ static uint32_t join_edge(const struct hatch_surface_work *w, const uint32_t *si
     for (; find_pair(wings, count, &a, &b); pairs++) {
         w->partner[wings[a].side] = wings[b].side;
         w->partner[wings[b].side] = wings[a].side;
-        wings[b] = wings[--count]; /* b first: b > a */
+        wings[b] = wings[--count]; /* b is removed first, because b > a */
         wings[a] = wings[--count];
     }
     return pairs;

@@ -11,8 +11,8 @@ struct hatch_surface_work {
     struct hatch_arena *arena, *scratch;
     uint32_t *point; /* per corner: number of its position */
     uint32_t position_count;
-    uint8_t *dropped, *flipped; /* per face */
-    uint32_t *component;        /* per face */
+    uint8_t *dropped, *flipped; /* per face: 1 if it is left out; 1 if it is reversed */
+    uint32_t *component;        /* per face: its component */
     uint32_t *fan;              /* per corner: its fan (mesh/fans.h); each fan of faces that are kept becomes a point */
     uint32_t fan_count, component_count;
     struct hatch_edges edges;

@@ -3,7 +3,7 @@
  * memory). tamthresh(5) describes the file.
  *
  * One buffer of 32-bit words, little-endian, uploaded as a storage buffer, a buffer texture or an R32UI texture
- * of HATCH_EXACT_WIDTH texels a row (word i at (i % width, i / width)):
+ * of HATCH_EXACT_WIDTH texels per row (word i at (i % width, i / width)):
  *
  *     0                HATCH_EXACT_VERSION
  *     1                width and height of the finest level, in texels
@@ -35,7 +35,7 @@
 
 #define HATCH_EXACT_VERSION 1u
 #define HATCH_EXACT_WIDTH 1024u
-#define HATCH_EXACT_HEAD 8u /* words before the indices' positions */
+#define HATCH_EXACT_HEAD 8u /* number of words before the list of index positions */
 
 struct hatch_exact {
     struct hatch_texels texels; /* HATCH_TEXELS_R32UI, HATCH_EXACT_WIDTH wide, one level */

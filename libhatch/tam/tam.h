@@ -58,7 +58,7 @@ struct hatch_tam_metadata {
     uint32_t levels;   /* number of drawn levels */
     const char *seed;  /* random seed, decimal */
     const char *style; /* name of the style */
-    float growth;      /* of struct hatch_fill_options */
+    float growth;      /* as in struct hatch_fill_options */
 };
 
 /* Sets the name and the attributes of a column, as tam(5) requires.

@@ -132,7 +132,7 @@ static void sum_up(struct costs *costs)
 }
 
 /* Computes the cheapest division of the codes below end into bins, for every number of bins and every end. Among
- * equally cheap ones the last wins, so bins are narrower towards the dark. */
+ * equally cheap divisions the one whose last bin begins latest wins, so bins are narrower towards the dark. */
 static void divide(struct costs *costs, uint32_t bins)
 {
     memset(costs->least, 0xff, sizeof costs->least);
@@ -183,8 +183,8 @@ struct job {
     const struct hatch_threshold_options *options;
     const struct hatch_runs *runs;
     const struct hatch_texels *texels;
-    const uint8_t *code;   /* of step_codes */
-    const uint32_t *first; /* of bin_codes */
+    const uint8_t *code;   /* from step_codes */
+    const uint32_t *first; /* from bin_codes */
     uint32_t level, size;
     uint8_t *filled_x; /* x for bins without a step, eight per texel */
     struct sums {

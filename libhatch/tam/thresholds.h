@@ -79,8 +79,8 @@ enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels
                                                struct hatch_thresholds *thresholds,
                                                struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the reflectance, 0 .. 1: steps filtered bilinearly within a level and linearly between two, then
- * compared.
+/* Returns the reflectance, 0 .. 1. Steps are filtered bilinearly within a level and linearly between two levels, then
+ * compared with the tone.
  *   u, v  texture coordinates, repeating
  *   tone  0 paper .. 1 ink
  *   lod   level of detail: 0 is the finest level, fractions lie between levels */

@@ -5,7 +5,7 @@
 
 #define PIECE 256u
 
-/* A blend of two columns; -1 is paper. */
+/* A blend of two columns, where column -1 is paper. */
 struct blend {
     int below, above;
     float share; /* weight of above, 0 .. 1 */

@@ -7,7 +7,7 @@
 
 struct search {
     uint8_t *crumbs;
-    uint8_t *used;  /* per pattern of K crumbs */
+    uint8_t *used;  /* per pattern of K crumbs: 1 if it is used */
     uint8_t *begin; /* per crumb: the value tried first */
     uint8_t *tried; /* per crumb: number of values tried */
     uint32_t count;
